@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The registry of projections: pure mathematics, no VTK. Everything that offers,
+// draws, checks or documents a projection reads it from here.
+#ifndef WideFoVProjection_h
+#define WideFoVProjection_h
+
+#include "ProjectionMath.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+#if defined(_WIN32)
+#define WFV_EXPORT
+#else
+#define WFV_EXPORT __attribute__((visibility("default")))
+#endif
+
+namespace wfv
+{
+// Where the two angles of a map are measured.
+enum class Family
+{
+  Meridian,  // (lambda, phi) about the vertical axis; a seam behind, poles above and below
+  Azimuthal, // (azimuth, theta) about -z; round maps; the antipode behind
+  Planar     // straight lines stay straight; nothing behind the eye
+};
+
+struct Projection
+{
+  std::string Name;        // as on the command line
+  std::string Title;       // for people
+  std::string Properties;  // "equidistant", "equal-area", ..., asserted by the tests
+  Family Axis = Family::Meridian;
+  double MaxHorizontalFov = 360; // degrees
+  double MaxVerticalFov = 180;   // degrees
+  bool HasLens = false;          // takes the lens polynomial
+  bool StraightSeam = true;      // the seam is drawn as a straight line
+  bool UnboundedPoles = false;   // a pole is stretched to a segment of the border
+  const char* Glsl = nullptr;    // source text of the file
+  vec2 (*Map)(vec2 angles, WfvView view) = nullptr;
+  vec2 (*Project)(vec3 direction, WfvView view) = nullptr;
+  WfvRay (*Unproject)(vec2 ndc, WfvView view) = nullptr;
+  vec4 (*Bounds)(vec4 angles, WfvView view) = nullptr;
+};
+
+WFV_EXPORT const std::vector<Projection>& Projections();
+
+// The projection of that name, or nullptr.
+WFV_EXPORT const Projection* FindProjection(const std::string& name);
+
+// Source text of common.glsl and glsl_math.glsl.
+WFV_EXPORT const char* CommonGlsl();
+WFV_EXPORT const char* MathGlsl();
+
+// What a user sets; degrees.
+struct ViewOptions
+{
+  double HorizontalFov = 360;
+  double VerticalFov = 180;
+  double Tilt = 0;
+  std::array<double, 5> Lens{ { 0, 0, 0, 0, 0 } };
+  std::array<double, 2> Radii{ { 0.01, 1000 } };
+  double Aspect = 2; // width / height of the viewport in pixels; round maps use it
+};
+
+// An empty string, or why these options do not fit this projection.
+WFV_EXPORT std::string CheckOptions(const Projection& projection, const ViewOptions& options);
+
+// True where r(theta) of the lens grows on all of [0, maxAngle] (radians).
+WFV_EXPORT bool LensIsMonotone(const std::array<double, 5>& lens, double maxAngle);
+
+// A view is two functions: forward and ray. Everything asks only these.
+struct NdcPoint
+{
+  vec3 Ndc;    // depth -1 on the near, +1 on the far clip sphere
+  bool Inside; // in the domain of the map, in the window and between the clip spheres
+};
+
+struct ViewRay
+{
+  vec3 Origin;    // view coordinates
+  vec3 Direction; // unit length
+  bool Inside;    // the map has a direction here
+};
+
+class WFV_EXPORT View
+{
+public:
+  // Options must have passed CheckOptions.
+  View(const Projection& projection, const ViewOptions& options);
+
+  // Point in view coordinates to NDC. The eye itself goes to the centre, not inside.
+  NdcPoint Forward(vec3 point) const;
+
+  // NDC to a ray in view coordinates. Never NaN.
+  ViewRay Ray(vec2 ndc) const;
+
+  const Projection& GetProjection() const { return *this->Map; }
+  const WfvView& GetParameters() const { return this->Parameters; }
+
+private:
+  const Projection* Map;
+  WfvView Parameters;
+};
+}
+
+#endif

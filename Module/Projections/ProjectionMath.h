@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Compiles the projection files as C++: GLSL's names from GLM, float as double.
+#ifndef ProjectionMath_h
+#define ProjectionMath_h
+
+#include <glm/glm.hpp>
+
+#include <cmath>
+
+namespace wfv
+{
+using vec2 = glm::dvec2;
+using vec3 = glm::dvec3;
+using vec4 = glm::dvec4;
+
+using glm::abs;
+using glm::ceil;
+using glm::cos;
+using glm::max;
+using glm::min;
+using glm::sin;
+using glm::sqrt;
+
+// GLSL's accuracy of these two is unspecified, so the shaders bring their own
+// (glsl_math.glsl); in double the standard library's serve.
+inline double wfvAtan2(double y, double x)
+{
+  return std::atan2(y, x);
+}
+inline double wfvHypot(double x, double y)
+{
+  return std::hypot(x, y);
+}
+
+// Newton steps of the lens inverse: enough for double from any bracket.
+constexpr int WFV_NEWTON_STEPS = 64;
+
+#define WFV_FN inline
+#define float double
+#include "common.glsl"
+#undef float
+}
+
+#endif

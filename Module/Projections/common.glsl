@@ -1,0 +1,75 @@
+// Shared by every projection. GLSL 3.30 that also compiles as C++ with GLM
+// (ProjectionMath.h): no swizzles, no float suffixes, no out parameters.
+//
+// Frames: view coordinates (x right, y up, looking down -z) and normalized
+// device coordinates (x right, y up, [-1, 1]). Angles in radians. WFV_FN is nothing
+// in GLSL and "inline" in C++.
+
+const float WFV_PI = 3.14159265358979323846;
+
+// What stands for "infinitely far outside" in NDC: finite in float32 after any scale.
+const float WFV_FAR_NDC = 1e30;
+
+// The border of a map belongs to it: a point within one step of float32 beyond the
+// border is on it.
+const float WFV_BORDER = 1.0000001;
+
+// One view, as the shaders and the CPU share it.
+struct WfvView
+{
+  vec2 halfFov;  // half the horizontal and vertical field of view, radians
+  vec2 scale;    // NDC per unit of the raw map
+  vec2 tilt;     // cosine and sine of the tilt about x
+  vec2 radii;    // radii of the near and far clip spheres, scene units
+  vec4 lens;     // c1 .. c4 of r = c1 t + .. + c5 t^5 (t in radians); all 0: the ideal lens
+  float lens5;   // c5
+  float maxAngle; // round maps: angle at the rim of the domain, radians
+};
+
+// The answer of wfvUnproject: a unit direction, or "outside the map".
+struct WfvRay
+{
+  vec3 direction;
+  bool inside;
+};
+
+// NDC without infinities, and without NaN on the C++ side.
+WFV_FN vec2 wfvFinite(vec2 ndc)
+{
+  return vec2(max(-WFV_FAR_NDC, min(WFV_FAR_NDC, ndc.x)), max(-WFV_FAR_NDC, min(WFV_FAR_NDC, ndc.y)));
+}
+
+// Raises the axis of the projection by the tilt from -z towards +y.
+WFV_FN vec3 wfvTilt(vec3 p, WfvView v)
+{
+  return vec3(p.x, v.tilt.x * p.y + v.tilt.y * p.z, v.tilt.x * p.z - v.tilt.y * p.y);
+}
+
+WFV_FN vec3 wfvUntilt(vec3 p, WfvView v)
+{
+  return vec3(p.x, v.tilt.x * p.y - v.tilt.y * p.z, v.tilt.x * p.z + v.tilt.y * p.y);
+}
+
+// Longitude lambda in (-pi, pi] from -z towards +x, latitude phi in [-pi/2, pi/2].
+WFV_FN vec2 wfvMeridianAngles(vec3 p)
+{
+  return vec2(wfvAtan2(p.x, -p.z), wfvAtan2(p.y, wfvHypot(p.x, p.z)));
+}
+
+WFV_FN vec3 wfvMeridianDirection(vec2 a)
+{
+  float c = cos(a.y);
+  return vec3(c * sin(a.x), sin(a.y), -c * cos(a.x));
+}
+
+// Azimuth about -z from +x towards +y, and the angle theta in [0, pi] from -z.
+WFV_FN vec2 wfvAzimuthalAngles(vec3 p)
+{
+  return vec2(wfvAtan2(p.y, p.x), wfvAtan2(wfvHypot(p.x, p.y), -p.z));
+}
+
+WFV_FN vec3 wfvAzimuthalDirection(vec2 a)
+{
+  float s = sin(a.y);
+  return vec3(s * cos(a.x), s * sin(a.x), -cos(a.y));
+}

@@ -1,0 +1,27 @@
+// What every stage of a wide view shares; set by vtkWideFoVStage.
+
+uniform WfvView wfvView;
+uniform vec4 wfvViewport;  // x, y, width, height of the viewport, pixels
+uniform vec4 wfvTile;      // NDC of the tile = NDC of the picture * xy + zw
+
+// Position in the map as a clip coordinate. Dividing by the distance to the eye makes
+// the interpolation of attributes perspective-correct.
+vec4 wfvClip(vec2 ndc, float rho)
+{
+  float depth = 2.0 * (rho - wfvView.radii.x) / (wfvView.radii.y - wfvView.radii.x) - 1.0;
+  return vec4((ndc * wfvTile.xy + wfvTile.zw) * rho, depth * rho, rho);
+}
+
+float wfvLength(vec3 p)
+{
+  return wfvHypot(wfvHypot(p.x, p.y), p.z);
+}
+
+// View coordinates, as the stock vertex stage leaves them, to clip coordinates.
+vec4 wfvProjectVertex(vec3 p)
+{
+  vec3 q = wfvTilt(p, wfvView);
+  float rho = wfvLength(q);
+  // the eye itself has no place in the map: in front of the near sphere, clipped
+  return rho > 0.0 ? wfvClip(wfvProject(q, wfvView), rho) : vec4(0.0, 0.0, -2.0, 1.0);
+}

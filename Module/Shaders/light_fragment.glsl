@@ -1,0 +1,8 @@
+// A headlight shines from the eye in every direction, not along the view axis.
+uniform int wfvHeadlights; // one bit a light
+vec3 wfvFromEye;           // unit vector from the eye to this fragment, view coordinates
+
+vec3 wfvLightDirection(int light, vec3 direction)
+{
+  return (wfvHeadlights & (1 << light)) != 0 ? wfvFromEye : direction;
+}

@@ -1,0 +1,128 @@
+// Pre-clip, shared by triangles and lines: where a primitive meets the seam, and
+// where a chord in the map is too far from the great circle it stands for.
+//
+// Points are in tilted view coordinates, divided by the far radius. Every decision
+// about an edge is a symmetric function of its two end points, so that neighbours
+// decide alike and no crack opens.
+
+uniform float wfvTolerance; // pixels
+
+// Relative error of the distance at which a chord no longer stands for its edge.
+const float WFV_DEPTH_TOLERANCE = 0.002;
+
+// Safety over the three points at which the distance to the chord is sampled.
+const float WFV_CURVE_SAFETY = 1.2;
+
+// Lexicographic order of two points: the canonical direction of an edge.
+bool wfvOrdered(vec3 a, vec3 b)
+{
+  return a.x != b.x ? a.x < b.x : (a.y != b.y ? a.y < b.y : a.z < b.z);
+}
+
+float wfvWrap(float angle)
+{
+  return angle - 2.0 * WFV_PI * floor((angle + WFV_PI) / (2.0 * WFV_PI));
+}
+
+// Point where the edge a, b meets the plane x = 0; a.x and b.x differ in sign.
+// Returns the parameter from a to b.
+float wfvSeamParameter(vec3 a, vec3 b)
+{
+  return wfvOrdered(a, b) ? a.x / (a.x - b.x) : 1.0 - b.x / (b.x - a.x);
+}
+
+vec3 wfvSeamPoint(vec3 a, vec3 b)
+{
+  vec3 p = wfvOrdered(a, b) ? mix(a, b, a.x / (a.x - b.x)) : mix(b, a, b.x / (b.x - a.x));
+  return vec3(0.0, p.y, p.z);
+}
+
+// Distance, in pixels, of p from the chord a, b.
+float wfvChordDistance(vec2 a, vec2 b, vec2 p)
+{
+  vec2 half_ = 0.5 * wfvViewport.zw * wfvTile.xy;
+  vec2 ab = (b - a) * half_;
+  vec2 ap = (p - a) * half_;
+  float l = length(ab);
+  return l > 0.01 ? abs(ab.x * ap.y - ab.y * ap.x) / l : length(ap);
+}
+
+// Map of p, continued across the seam from the longitude of the point before it.
+#if WFV_MERIDIAN && WFV_STRAIGHT_SEAM
+vec2 wfvContinued(vec3 p, vec3 from, vec2 fromAngles)
+{
+  vec2 a = wfvMeridianAngles(p);
+  return vec2(fromAngles.x + wfvWrap(a.x - fromAngles.x), a.y);
+}
+#endif
+
+// Largest sampled distance between an edge and its chord in the map, pixels.
+float wfvEdgeError(vec3 a, vec3 b)
+{
+  vec3 m = normalize(a + b);
+  vec3 p = normalize(a + m);
+  vec3 q = normalize(m + b);
+#if WFV_MERIDIAN && WFV_STRAIGHT_SEAM
+  // longitudes are continued along the edge: the seam does not count as curvature
+  vec2 ta = wfvMeridianAngles(a);
+  vec2 tp = wfvContinued(p, a, ta);
+  vec2 tm = wfvContinued(m, p, tp);
+  vec2 tq = wfvContinued(q, m, tm);
+  vec2 tb = wfvContinued(b, q, tq);
+  vec2 na = wfvMap(ta, wfvView);
+  vec2 np = wfvMap(tp, wfvView);
+  vec2 nm = wfvMap(tm, wfvView);
+  vec2 nq = wfvMap(tq, wfvView);
+  vec2 nb = wfvMap(tb, wfvView);
+#else
+  vec2 na = wfvProject(a, wfvView);
+  vec2 np = wfvProject(p, wfvView);
+  vec2 nm = wfvProject(m, wfvView);
+  vec2 nq = wfvProject(q, wfvView);
+  vec2 nb = wfvProject(b, wfvView);
+#endif
+  float e = max(wfvChordDistance(na, nb, nm),
+    max(wfvChordDistance(na, nb, np), wfvChordDistance(na, nb, nq)));
+  return WFV_CURVE_SAFETY * e;
+}
+
+// True where the chord a, b in the map, or the distance interpolated along it, is
+// too far from the edge.
+bool wfvCurved(vec3 p, vec3 q)
+{
+  vec3 a = wfvOrdered(p, q) ? p : q;
+  vec3 b = wfvOrdered(p, q) ? q : p;
+  float la = length(a);
+  float lb = length(b);
+  vec3 da = a / la;
+  vec3 db = b / lb;
+  float c = dot(da, db);
+  // distance at the bisector: 2 la lb cos(half angle) / (la + lb)
+  float mean = 0.5 * (la + lb);
+  float bisector = la * lb * sqrt(max(0.0, 0.5 + 0.5 * c)) / mean;
+  if (!(c > -0.5) || !(mean - bisector < WFV_DEPTH_TOLERANCE * mean))
+  {
+    return true;
+  }
+#if WFV_MERIDIAN && !WFV_STRAIGHT_SEAM
+  bool crosses = (a.x < 0.0) != (b.x < 0.0) && (a.z > 0.0 || b.z > 0.0);
+  if (crosses)
+  {
+    return true;
+  }
+#endif
+  return wfvEdgeError(da, db) > wfvTolerance;
+}
+
+// Clip coordinates of a point of a polygon that lies on one side of the seam.
+vec4 wfvClipOnSide(vec3 p, float side)
+{
+  float rho = wfvLength(p) * wfvView.radii.y;
+#if WFV_MERIDIAN
+  vec2 angles = wfvMeridianAngles(p);
+  float lambda = side == 0.0 ? angles.x : side * abs(angles.x);
+  return wfvClip(wfvMap(vec2(lambda, angles.y), wfvView), rho);
+#else
+  return wfvClip(wfvProject(p, wfvView), rho);
+#endif
+}

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkWideFoVCamera
+ * @brief   a camera whose projection may be non-planar, up to 360 degrees
+ *
+ * Position, focal point and view up are those of vtkCamera; what differs is how
+ * view coordinates (x right, y up, looking down -z) become a picture. The camera
+ * only describes the view: vtkWideFoVPass (any stock mapper) or
+ * vtkWideFoVPolyDataMapper draw with it.
+ *
+ * With the projection "perspective" it is an ordinary perspective camera with a
+ * horizontal and a vertical field of view, and every stock part of VTK serves it.
+ *
+ * All angles are in degrees, all distances in scene units.
+ */
+
+#ifndef vtkWideFoVCamera_h
+#define vtkWideFoVCamera_h
+
+#include "vtkOpenGLCamera.h"
+#include "vtkRenderingWideFoVModule.h" // For export macro
+
+#include <memory> // For std::unique_ptr
+#include <string> // For std::string
+
+namespace wfv
+{
+class View;
+struct Projection;
+}
+
+class VTKRENDERINGWIDEFOV_EXPORT vtkWideFoVCamera : public vtkOpenGLCamera
+{
+public:
+  static vtkWideFoVCamera* New();
+  vtkTypeMacro(vtkWideFoVCamera, vtkOpenGLCamera);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The projection, by name (default "equirectangular"). An unknown name is refused
+   * with an error that lists the known ones. Fields of view outside the range of the
+   * new projection are clamped to it.
+   */
+  virtual void SetProjection(const char* name);
+  virtual const char* GetProjection();
+  void SetProjectionToEquirectangular() { this->SetProjection("equirectangular"); }
+  void SetProjectionToHammer() { this->SetProjection("hammer"); }
+  void SetProjectionToAzimuthalEquidistant() { this->SetProjection("azimuthal-equidistant"); }
+  void SetProjectionToPerspective() { this->SetProjection("perspective"); }
+  ///@}
+
+  ///@{
+  /**
+   * The projections there are.
+   */
+  static int GetNumberOfProjections();
+  static const char* GetProjectionName(int index);
+  ///@}
+
+  ///@{
+  /**
+   * Fields of view in degrees, above 0 (defaults 360 and 180), clamped with a warning
+   * to the range of the projection. A round projection (azimuthal) uses the
+   * horizontal one alone.
+   */
+  virtual void SetHorizontalFieldOfView(double degrees);
+  virtual double GetHorizontalFieldOfView();
+  virtual void SetVerticalFieldOfView(double degrees);
+  virtual double GetVerticalFieldOfView();
+  ///@}
+
+  /**
+   * The field of view of a round projection: the full angle across the circle.
+   */
+  virtual void SetFieldOfView(double degrees);
+
+  ///@{
+  /**
+   * How far the axis of the projection is raised from the direction of view towards
+   * view up, in degrees (default 0; 90 puts the zenith at the centre of a dome
+   * picture and the direction of view at its bottom). Clamped to [-180, 180].
+   */
+  virtual void SetTilt(double degrees);
+  virtual double GetTilt();
+  ///@}
+
+  ///@{
+  /**
+   * Lens polynomial of a fisheye: r = c1 t + c2 t^2 + .. + c5 t^5, t in radians from
+   * the axis, r = 1 at the rim of the picture. It must grow everywhere up to half the
+   * field of view; otherwise it is refused with an error and the old one stays.
+   * ClearLens() (the default) means the ideal lens, r = t / (fov/2).
+   */
+  virtual bool SetLens(double c1, double c2, double c3, double c4, double c5);
+  virtual void ClearLens();
+  virtual void GetLens(double coefficients[5]);
+  ///@}
+
+  ///@{
+  /**
+   * Radii of the near and far clip spheres, scene units, 0 < near < far (anything
+   * else is refused with an error). Setting them switches AutomaticClipRadii off.
+   */
+  virtual void SetClipRadii(double nearRadius, double farRadius);
+  virtual void GetClipRadii(double radii[2]);
+  double GetNearClipRadius();
+  double GetFarClipRadius();
+  ///@}
+
+  ///@{
+  /**
+   * Derive the clip spheres from the bounds of the visible props before each frame
+   * (default on).
+   */
+  vtkSetMacro(AutomaticClipRadii, vtkTypeBool);
+  vtkGetMacro(AutomaticClipRadii, vtkTypeBool);
+  vtkBooleanMacro(AutomaticClipRadii, vtkTypeBool);
+  ///@}
+
+  /**
+   * Set the clip radii so that the bounds (xmin, xmax, .., zmax; world) lie between
+   * them. Uninitialized bounds change nothing.
+   */
+  virtual void ResetClipRadii(const double bounds[6]);
+
+  /**
+   * True unless the projection is "perspective", for which stock VTK serves.
+   */
+  bool IsWide();
+
+  ///@{
+  /**
+   * World coordinates to NDC (x, y, depth in [-1, 1]) and back, in a viewport of the
+   * given aspect (width / height). The return value tells whether the point is in the
+   * picture (WorldToNDC), or the map has a direction there (NDCToWorld).
+   */
+  bool WorldToNDC(const double world[3], double aspect, double ndc[3]);
+  bool NDCToWorld(const double ndc[3], double aspect, double world[3]);
+  ///@}
+
+  /**
+   * The ray through a point of the picture: where it starts and its unit direction,
+   * in world coordinates. False where the map has no direction.
+   */
+  bool NDCToRay(const double ndc[2], double aspect, double origin[3], double direction[3]);
+
+#ifndef __VTK_WRAP__
+  /**
+   * The view as two functions, in view coordinates (see Projections/Projection.h).
+   * Valid until the camera is changed or another aspect is asked for.
+   */
+  const wfv::View& GetView(double aspect);
+  const wfv::Projection& GetProjectionDefinition() { return *this->Definition; }
+#endif
+
+  /**
+   * Before a frame is drawn: updates the automatic clip spheres from the visible props.
+   * Render and the pass call it.
+   */
+  virtual void PrepareFrame(vtkRenderer* renderer);
+
+  // What the stock pipeline asks for.
+  void Render(vtkRenderer* renderer) override;
+  void UpdateViewport(vtkRenderer* renderer) override;
+  void GetKeyMatrices(vtkRenderer* renderer, vtkMatrix4x4*& wcvc, vtkMatrix3x3*& normals,
+    vtkMatrix4x4*& vcdc, vtkMatrix4x4*& wcdc) override;
+  void GetFrustumPlanes(double aspect, double planes[24]) override;
+
+protected:
+  vtkWideFoVCamera();
+  ~vtkWideFoVCamera() override;
+
+  void ComputeProjectionTransform(double aspect, double nearz, double farz) override;
+  
+  vtkTypeBool AutomaticClipRadii = 1;
+
+private:
+  vtkWideFoVCamera(const vtkWideFoVCamera&) = delete;
+  void operator=(const vtkWideFoVCamera&) = delete;
+
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
+  const wfv::Projection* Definition;
+};
+
+#endif

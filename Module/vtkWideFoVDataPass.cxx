@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWideFoVDataPass.h"
+
+#include "vtkWideFoVShaderBuilder.h"
+
+#include "vtkActor.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLCellToVTKCellMap.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkOpenGLState.h"
+#include "vtkPixelBufferObject.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderState.h"
+#include "vtkShaderProgram.h"
+#include "vtkSmartPointer.h"
+#include "vtkTextureObject.h"
+#include "vtk_glew.h"
+
+#include <cmath>
+#include <limits>
+#include <map>
+
+vtkStandardNewMacro(vtkWideFoVDataPass);
+
+namespace
+{
+// Attachments: colour; distance, primitive, prop; normal.
+constexpr int Attachments = 3;
+
+const char* const VertexOutput = "out vec3 wfvPositionVSOutput;\n";
+const char* const FragmentInput = "in vec3 wfvPositionVSOutput;\nuniform int wfvPropNumber;\n";
+
+vtkSmartPointer<vtkFloatArray> AddArray(vtkImageData* image, const char* name, int components)
+{
+  auto array = vtkSmartPointer<vtkFloatArray>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(image->GetNumberOfPoints());
+  image->GetPointData()->AddArray(array);
+  return array;
+}
+
+// Primitive numbers of the mapper's draws back to cells of its polydata.
+vtkSmartPointer<vtkOpenGLCellToVTKCellMap> CellMap(vtkProp* prop)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  auto* mapper = actor ? vtkPolyDataMapper::SafeDownCast(actor->GetMapper()) : nullptr;
+  vtkPolyData* input = mapper ? mapper->GetInput() : nullptr;
+  if (!input)
+  {
+    return nullptr;
+  }
+  vtkCellArray* cells[4] = { input->GetVerts(), input->GetLines(), input->GetPolys(),
+    input->GetStrips() };
+  auto map = vtkSmartPointer<vtkOpenGLCellToVTKCellMap>::New();
+  map->Update(cells, actor->GetProperty()->GetRepresentation(), input->GetPoints());
+  return map;
+}
+}
+
+struct vtkWideFoVDataPass::Internals
+{
+  vtkSmartPointer<vtkRenderPass> Delegate;
+  std::map<vtkProp*, int> Index;
+  vtkNew<vtkImageData> Output;
+  vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
+  vtkNew<vtkTextureObject> Color[Attachments];
+  vtkNew<vtkTextureObject> Depth;
+  int Size[2] = { 0, 0 };
+
+  void Allocate(vtkOpenGLRenderWindow* window, int width, int height);
+  void Clear(vtkRenderer* renderer);
+  void Read();
+  void Decode(const std::vector<float>& data, const std::vector<float>& normal);
+};
+
+vtkWideFoVDataPass::vtkWideFoVDataPass()
+  : Internal(new Internals)
+{
+}
+
+vtkWideFoVDataPass::~vtkWideFoVDataPass() = default;
+
+void vtkWideFoVDataPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "DelegatePass: " << this->Internal->Delegate.Get() << "\n"
+     << indent << "Props with an index: " << this->Internal->Index.size() << "\n";
+}
+
+void vtkWideFoVDataPass::SetDelegatePass(vtkRenderPass* pass)
+{
+  if (this->Internal->Delegate != pass)
+  {
+    this->Internal->Delegate = pass;
+    this->Modified();
+  }
+}
+
+vtkRenderPass* vtkWideFoVDataPass::GetDelegatePass()
+{
+  return this->Internal->Delegate;
+}
+
+void vtkWideFoVDataPass::SetPropIndex(vtkProp* prop, int index)
+{
+  this->Internal->Index[prop] = index;
+}
+
+vtkImageData* vtkWideFoVDataPass::GetOutput()
+{
+  return this->Internal->Output;
+}
+
+void vtkWideFoVDataPass::Internals::Allocate(vtkOpenGLRenderWindow* window, int width, int height)
+{
+  this->Framebuffer->SetContext(window);
+  const bool fits = this->Size[0] == width && this->Size[1] == height;
+  if (!fits)
+  {
+    for (auto& texture : this->Color)
+    {
+      texture->ReleaseGraphicsResources(window);
+      texture->SetContext(window);
+      texture->SetInternalFormat(GL_RGBA32F);
+      texture->SetFormat(GL_RGBA);
+      texture->SetDataType(GL_FLOAT);
+      texture->Allocate2D(width, height, 4, VTK_FLOAT);
+    }
+    this->Depth->ReleaseGraphicsResources(window);
+    this->Depth->SetContext(window);
+    this->Depth->AllocateDepth(width, height, vtkTextureObject::Float32);
+    this->Size[0] = width;
+    this->Size[1] = height;
+  }
+}
+
+void vtkWideFoVDataPass::Internals::Clear(vtkRenderer* renderer)
+{
+  const double* b = renderer->GetBackground();
+  const float background[4] = { static_cast<float>(b[0]), static_cast<float>(b[1]),
+    static_cast<float>(b[2]), static_cast<float>(renderer->GetBackgroundAlpha()) };
+  // not infinity for the distance: blending would make it NaN
+  const float zero[4] = { 0, 0, 0, 0 };
+  const float far = 1;
+  glDepthMask(GL_TRUE);
+  glClearBufferfv(GL_COLOR, 0, background);
+  glClearBufferfv(GL_COLOR, 1, zero);
+  glClearBufferfv(GL_COLOR, 2, zero);
+  glClearBufferfv(GL_DEPTH, 0, &far);
+}
+
+void vtkWideFoVDataPass::Internals::Read()
+{
+  const vtkIdType pixels = static_cast<vtkIdType>(this->Size[0]) * this->Size[1];
+  this->Output->Initialize();
+  this->Output->SetDimensions(this->Size[0], this->Size[1], 1);
+  std::vector<float> buffers[Attachments];
+  for (int i = 0; i < Attachments; i++)
+  {
+    buffers[i].resize(4 * pixels);
+    unsigned int size[2] = { static_cast<unsigned int>(this->Size[0]),
+      static_cast<unsigned int>(this->Size[1]) };
+    vtkIdType increments[2] = { 0, 0 };
+    vtkPixelBufferObject* pixelBuffer = this->Color[i]->Download();
+    pixelBuffer->Download2D(VTK_FLOAT, buffers[i].data(), size, 4, increments);
+    pixelBuffer->Delete();
+  }
+  auto color = AddArray(this->Output, "color", 4);
+  std::copy(buffers[0].begin(), buffers[0].end(), color->GetPointer(0));
+  this->Decode(buffers[1], buffers[2]);
+}
+
+void vtkWideFoVDataPass::Internals::Decode(
+  const std::vector<float>& data, const std::vector<float>& normals)
+{
+  std::map<int, vtkSmartPointer<vtkOpenGLCellToVTKCellMap>> maps;
+  for (const auto& entry : this->Index)
+  {
+    if (entry.second >= 0)
+    {
+      maps[entry.second + 1] = CellMap(entry.first);
+    }
+  }
+  auto distance = AddArray(this->Output, "distance", 1);
+  auto cell = AddArray(this->Output, "cell", 1);
+  auto prop = AddArray(this->Output, "prop", 1);
+  auto normal = AddArray(this->Output, "normal", 3);
+  const vtkIdType pixels = this->Output->GetNumberOfPoints();
+  for (vtkIdType i = 0; i < pixels; i++)
+  {
+    const float* d = &data[4 * i];
+    const int number = static_cast<int>(d[2]);
+    const auto map = maps.find(number);
+    const bool known = map != maps.end() && map->second;
+    const vtkIdType primitive = static_cast<vtkIdType>(d[1]) - 1;
+    distance->SetValue(i, d[3] > 0 ? d[0] : std::numeric_limits<float>::infinity());
+    prop->SetValue(i, d[2]);
+    cell->SetValue(i,
+      known && primitive >= 0
+        ? static_cast<float>(map->second->ConvertOpenGLCellIdToVTKCellId(false, primitive) + 1)
+        : 0.0f);
+    normal->SetTypedTuple(i, &normals[4 * i]);
+  }
+}
+
+void vtkWideFoVDataPass::Render(const vtkRenderState* s)
+{
+  Internals& in = *this->Internal;
+  auto* renderer = vtkOpenGLRenderer::SafeDownCast(s->GetRenderer());
+  auto* window = renderer ? vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()) : nullptr;
+  if (!window || !in.Delegate)
+  {
+    vtkErrorMacro(<< "A delegate pass and a renderer with an OpenGL window are needed");
+    return;
+  }
+  int size[2];
+  int origin[2];
+  renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+  vtkOpenGLState* state = window->GetState();
+  state->PushFramebufferBindings();
+  in.Allocate(window, origin[0] + size[0], origin[1] + size[1]);
+  in.Framebuffer->Bind();
+  for (int i = 0; i < Attachments; i++)
+  {
+    in.Framebuffer->AddColorAttachment(i, in.Color[i]);
+  }
+  in.Framebuffer->AddDepthAttachment(in.Depth);
+  in.Framebuffer->ActivateDrawBuffers(Attachments);
+  vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  in.Clear(renderer);
+
+  const vtkTypeBool erase = renderer->GetErase();
+  renderer->EraseOff();
+  this->PreRender(s);
+  in.Delegate->Render(s);
+  this->PostRender(s);
+  renderer->SetErase(erase);
+  state->PopFramebufferBindings();
+  this->NumberOfRenderedProps = in.Delegate->GetNumberOfRenderedProps();
+  in.Read();
+}
+
+bool vtkWideFoVDataPass::PostReplaceShaderValues(std::string& vertexShader, std::string&,
+  std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
+{
+  // before any projection: gl_Position holds view coordinates
+  vtkWideFoVShaderBuilder::WrapMain(vertexShader, "", "  wfvPositionVSOutput = gl_Position.xyz;\n");
+  vtkWideFoVShaderBuilder::Declare(vertexShader, VertexOutput);
+  vtkWideFoVShaderBuilder::Declare(fragmentShader, FragmentInput);
+  const bool lit = fragmentShader.find("vec3 normalVCVSOutput =") != std::string::npos;
+  const std::string flat = "  vec3 wfvFlat = normalize(cross(dFdx(wfvPositionVSOutput), "
+                           "dFdy(wfvPositionVSOutput)));\n"
+                           "  vec3 wfvNormal = dot(wfvFlat, wfvPositionVSOutput) > 0.0 ? -wfvFlat : wfvFlat;\n";
+  const std::string shaded = "  vec3 wfvNormal = normalVCVSOutput;\n";
+  vtkShaderProgram::Substitute(fragmentShader, "//VTK::DepthPeeling::Impl",
+    (lit ? shaded : flat) +
+      "  gl_FragData[1] = vec4(length(wfvPositionVSOutput),\n"
+      "    wfvPropNumber > 0 ? float(gl_PrimitiveID + PrimitiveIDOffset + 1) : 0.0,\n"
+      "    float(wfvPropNumber), 1.0);\n"
+      "  gl_FragData[2] = vec4(wfvNormal, 1.0);\n"
+      "  //VTK::DepthPeeling::Impl\n",
+    false);
+  return true;
+}
+
+bool vtkWideFoVDataPass::SetShaderParameters(
+  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp* prop, vtkOpenGLVertexArrayObject*)
+{
+  const auto found = this->Internal->Index.find(prop);
+  program->SetUniformi(
+    "wfvPropNumber", found == this->Internal->Index.end() ? 0 : std::max(0, found->second + 1));
+  return true;
+}
+
+void vtkWideFoVDataPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  Internals& in = *this->Internal;
+  in.Framebuffer->ReleaseGraphicsResources(window);
+  for (auto& texture : in.Color)
+  {
+    texture->ReleaseGraphicsResources(window);
+  }
+  in.Depth->ReleaseGraphicsResources(window);
+  in.Size[0] = in.Size[1] = 0;
+  if (in.Delegate)
+  {
+    in.Delegate->ReleaseGraphicsResources(window);
+  }
+  this->Superclass::ReleaseGraphicsResources(window);
+}

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkWideFoVPass
+ * @brief   draws any stock mapper in the non-planar view of a vtkWideFoVCamera
+ *
+ * Set it on a renderer whose active camera is a vtkWideFoVCamera. It adds the
+ * projection to the shaders of every prop (polydata, composite data, glyphs):
+ * behind the vertex stage where the prop meets no discontinuity of the projection,
+ * in a geometry stage (the pre-clip) where it does. With any other camera, or with
+ * the projection "perspective", the picture is that of stock VTK, to the pixel.
+ *
+ * Changing the projection rebuilds shader text and compiles a variant the first time
+ * it is needed; changing a field of view, the tilt or the lens sets uniforms only.
+ */
+
+#ifndef vtkWideFoVPass_h
+#define vtkWideFoVPass_h
+
+#include "vtkOpenGLRenderPass.h"
+#include "vtkRenderingWideFoVModule.h" // For export macro
+
+#include <memory> // For std::unique_ptr
+
+class VTKRENDERINGWIDEFOV_EXPORT vtkWideFoVPass : public vtkOpenGLRenderPass
+{
+public:
+  static vtkWideFoVPass* New();
+  vtkTypeMacro(vtkWideFoVPass, vtkOpenGLRenderPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * What a primitive that the projection bends or tears is drawn with.
+   */
+  enum Techniques
+  {
+    AUTO = 0,  ///< the cheapest that keeps the tolerance (today: PRECLIP)
+    PRECLIP,   ///< clipped at the discontinuities, projected per vertex
+    VERTEX     ///< projected per vertex, not clipped: for comparison only
+  };
+
+  ///@{
+  /**
+   * The technique (default AUTO).
+   */
+  vtkSetClampMacro(Technique, int, AUTO, VERTEX);
+  vtkGetMacro(Technique, int);
+  void SetTechniqueToAuto() { this->SetTechnique(AUTO); }
+  void SetTechniqueToPreClip() { this->SetTechnique(PRECLIP); }
+  void SetTechniqueToVertex() { this->SetTechnique(VERTEX); }
+  ///@}
+
+  ///@{
+  /**
+   * Largest distance, in pixels, between a drawn edge and its true curve where the
+   * pre-clip decides between a chord and the curve itself (default 0.25, clamped to
+   * [0.001, 1e6]).
+   */
+  vtkSetClampMacro(Tolerance, double, 0.001, 1e6);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * The pass that draws the props; nullptr (the default) draws as a renderer without
+   * passes does: opaque, translucent, volumetric, overlay.
+   */
+  virtual void SetDelegatePass(vtkRenderPass* pass);
+  vtkRenderPass* GetDelegatePass();
+  ///@}
+
+  ///@{
+  /**
+   * What the last frame drew: draw calls without and with the geometry stage.
+   */
+  vtkGetMacro(NumberOfPlainDraws, int);
+  vtkGetMacro(NumberOfPreClipDraws, int);
+  ///@}
+
+  void Render(const vtkRenderState* s) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkWideFoVPass();
+  ~vtkWideFoVPass() override;
+
+  int Technique = AUTO;
+  double Tolerance = 0.25;
+  int NumberOfPlainDraws = 0;
+  int NumberOfPreClipDraws = 0;
+
+private:
+  vtkWideFoVPass(const vtkWideFoVPass&) = delete;
+  void operator=(const vtkWideFoVPass&) = delete;
+
+  // Draws the props by the delegate, or as a renderer without passes does.
+  void DrawDelegate(const vtkRenderState* s);
+
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkWideFoVPolyDataMapper
+ * @brief   a polydata mapper that draws itself in the view of a vtkWideFoVCamera
+ *
+ * For programs that ask for it by name and set no render pass: it brings what
+ * vtkWideFoVPass adds to stock mappers. Under a vtkWideFoVPass it leaves the work to
+ * the pass. With any other camera, or with the projection "perspective", it is
+ * vtkOpenGLPolyDataMapper, to the pixel.
+ */
+
+#ifndef vtkWideFoVPolyDataMapper_h
+#define vtkWideFoVPolyDataMapper_h
+
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkRenderingWideFoVModule.h" // For export macro
+
+#include <memory> // For std::unique_ptr
+
+class VTKRENDERINGWIDEFOV_EXPORT vtkWideFoVPolyDataMapper : public vtkOpenGLPolyDataMapper
+{
+public:
+  static vtkWideFoVPolyDataMapper* New();
+  vtkTypeMacro(vtkWideFoVPolyDataMapper, vtkOpenGLPolyDataMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * As vtkWideFoVPass::SetTechnique (default vtkWideFoVPass::AUTO) and SetTolerance
+   * (default 0.25 pixels).
+   */
+  vtkSetClampMacro(Technique, int, 0, 2);
+  vtkGetMacro(Technique, int);
+  vtkSetClampMacro(Tolerance, double, 0.001, 1e6);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+
+  void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
+
+protected:
+  vtkWideFoVPolyDataMapper();
+  ~vtkWideFoVPolyDataMapper() override;
+
+  int Technique = 0;
+  double Tolerance = 0.25;
+
+private:
+  vtkWideFoVPolyDataMapper(const vtkWideFoVPolyDataMapper&) = delete;
+  void operator=(const vtkWideFoVPolyDataMapper&) = delete;
+
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

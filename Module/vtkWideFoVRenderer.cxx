@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWideFoVRenderer.h"
+
+#include "vtkWideFoVCamera.h"
+#include "vtkWideFoVPass.h"
+
+#include "vtkCommand.h"
+#include "vtkCommand.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkWideFoVRenderer);
+
+vtkWideFoVRenderer::vtkWideFoVRenderer()
+{
+  vtkNew<vtkWideFoVPass> pass;
+  this->SetPass(pass);
+}
+
+void vtkWideFoVRenderer::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}
+
+vtkCamera* vtkWideFoVRenderer::MakeCamera()
+{
+  vtkCamera* camera = vtkWideFoVCamera::New();
+  this->InvokeEvent(vtkCommand::CreateCameraEvent, camera);
+  return camera;
+}
+
+vtkWideFoVCamera* vtkWideFoVRenderer::GetWideCamera()
+{
+  auto* camera = vtkWideFoVCamera::SafeDownCast(this->ActiveCamera);
+  return camera && camera->IsWide() ? camera : nullptr;
+}
+
+void vtkWideFoVRenderer::PoseToView(double& x, double& y, double& z)
+{
+  vtkWideFoVCamera* camera = this->GetWideCamera();
+  if (!camera)
+  {
+    this->Superclass::PoseToView(x, y, z);
+    return;
+  }
+  double p[4] = { x, y, z, 1 };
+  vtkNew<vtkMatrix4x4> inverse;
+  vtkMatrix4x4::Invert(camera->GetViewTransformMatrix(), inverse);
+  inverse->MultiplyPoint(p, p);
+  x = p[0];
+  y = p[1];
+  z = p[2];
+  this->WorldToView(x, y, z);
+}
+
+void vtkWideFoVRenderer::ViewToPose(double& x, double& y, double& z)
+{
+  vtkWideFoVCamera* camera = this->GetWideCamera();
+  if (!camera)
+  {
+    this->Superclass::ViewToPose(x, y, z);
+    return;
+  }
+  this->ViewToWorld(x, y, z);
+  this->WorldToPose(x, y, z);
+}
+
+void vtkWideFoVRenderer::WorldToView(double& x, double& y, double& z)
+{
+  vtkWideFoVCamera* camera = this->GetWideCamera();
+  if (!camera)
+  {
+    this->Superclass::WorldToView(x, y, z);
+    return;
+  }
+  const double world[3] = { x, y, z };
+  double ndc[3];
+  camera->WorldToNDC(world, this->GetTiledAspectRatio(), ndc);
+  x = ndc[0];
+  y = ndc[1];
+  z = 0.5 * (ndc[2] + 1); // VTK's view depth is 0 to 1
+}
+
+void vtkWideFoVRenderer::ViewToWorld(double& x, double& y, double& z)
+{
+  vtkWideFoVCamera* camera = this->GetWideCamera();
+  if (!camera)
+  {
+    this->Superclass::ViewToWorld(x, y, z);
+    return;
+  }
+  const double ndc[3] = { x, y, 2 * z - 1 };
+  double world[3];
+  camera->NDCToWorld(ndc, this->GetTiledAspectRatio(), world);
+  x = world[0];
+  y = world[1];
+  z = world[2];
+}
+
+bool vtkWideFoVRenderer::DisplayToRay(double x, double y, double origin[3], double direction[3])
+{
+  vtkWideFoVCamera* camera = vtkWideFoVCamera::SafeDownCast(this->GetActiveCamera());
+  if (!camera)
+  {
+    return false;
+  }
+  double z = 0;
+  this->DisplayToNormalizedDisplay(x, y);
+  this->NormalizedDisplayToViewport(x, y);
+  this->ViewportToNormalizedViewport(x, y);
+  this->NormalizedViewportToView(x, y, z);
+  const double ndc[2] = { x, y };
+  return camera->NDCToRay(ndc, this->GetTiledAspectRatio(), origin, direction);
+}
+
+void vtkWideFoVRenderer::ResetCameraClippingRange(const double bounds[6])
+{
+  auto* camera = vtkWideFoVCamera::SafeDownCast(this->ActiveCamera);
+  if (camera && camera->GetAutomaticClipRadii())
+  {
+    camera->ResetClipRadii(bounds);
+  }
+  this->Superclass::ResetCameraClippingRange(bounds);
+}

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWideFoVShaderBuilder.h"
+
+#include "WideFoVGlsl.h"
+
+#include <regex>
+#include <vector>
+
+namespace
+{
+using Request = vtkWideFoVShaderBuilder::Request;
+using Primitive = vtkWideFoVShaderBuilder::Primitive;
+
+// Newton steps of the lens inverse in float32: from half the range, quadratic
+// convergence reaches float32's end in fewer.
+constexpr int NewtonSteps = 12;
+
+// One output of the vertex stage.
+struct Varying
+{
+  bool Flat;
+  std::string Type;
+  std::string Name;
+  std::string Size; // "" or the length of an array
+
+  std::string Declaration(const std::string& name) const
+  {
+    return this->Type + " " + name + (this->Size.empty() ? "" : "[" + this->Size + "]") + ";\n";
+  }
+};
+
+std::vector<Varying> FindVaryings(const std::string& vertex)
+{
+  static const std::regex output(
+    R"((flat\s+|smooth\s+|noperspective\s+)?\bout\s+(\w+)\s+(\w+)\s*(?:\[\s*(\d+)\s*\])?\s*;)");
+  std::vector<Varying> result;
+  for (std::sregex_iterator i(vertex.begin(), vertex.end(), output), end; i != end; ++i)
+  {
+    result.push_back({ (*i)[1].str().compare(0, 4, "flat") == 0, (*i)[2], (*i)[3], (*i)[4] });
+  }
+  return result;
+}
+
+// Takes the fragment stage's declarations of these inputs out.
+void RemoveInputs(std::string& fragment, const std::vector<Varying>& varyings)
+{
+  for (const Varying& v : varyings)
+  {
+    const std::regex input(
+      R"((flat\s+|smooth\s+|noperspective\s+)?\bin\s+)" + v.Type + R"(\s+)" + v.Name + R"(\s*(\[\s*\d+\s*\])?\s*;)");
+    fragment = std::regex_replace(fragment, input, "");
+  }
+}
+
+void ReplaceAll(std::string& text, const std::string& from, const std::string& to)
+{
+  for (size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+  {
+    text.replace(at, from.size(), to);
+  }
+}
+
+std::string Define(const char* name, int value)
+{
+  return std::string("#define ") + name + " " + std::to_string(value) + "\n";
+}
+
+// The mathematics of the view, for any stage.
+std::string ViewSource(const Request& r)
+{
+  const bool meridian = r.Projection->Axis == wfv::Family::Meridian;
+  return "#define WFV_FN\n" + Define("WFV_NEWTON_STEPS", NewtonSteps) +
+    Define("WFV_MERIDIAN", meridian) + Define("WFV_STRAIGHT_SEAM", r.Projection->StraightSeam) +
+    Define("WFV_WIDE_LINES", r.WideLines) + Define("WFV_EDGES", r.Edges) +
+    Define("WFV_EDGE_FLAGS", r.EdgeFlags) + "#define WFV_ANGLES " +
+    (meridian ? "wfvMeridianAngles" : "wfvAzimuthalAngles") + "\n" + wfv::MathGlsl() +
+    wfv::CommonGlsl() + r.Projection->Glsl + interface_glsl;
+}
+
+std::string Corner(size_t varying, int corner)
+{
+  return "wfvCorner" + std::to_string(varying) + "_" + std::to_string(corner);
+}
+
+// Copies of every vertex output at the three corners, which the fragment stage
+// weighs: exact wherever the geometry stage cuts.
+std::string TriangleOutputs(const std::vector<Varying>& varyings)
+{
+  std::string declarations;
+  std::string body;
+  for (size_t i = 0; i < varyings.size(); i++)
+  {
+    const Varying& v = varyings[i];
+    declarations += "in " + v.Type + " " + v.Name + "[]" + (v.Size.empty() ? "" : "[" + v.Size + "]") + ";\n";
+    for (int c = v.Flat ? 2 : 0; c < 3; c++)
+    {
+      declarations += "flat out " + v.Declaration(Corner(i, c));
+      body += "  " + Corner(i, c) + " = " + v.Name + "[" + std::to_string(c) + "];\n";
+    }
+  }
+  return declarations + "void wfvWriteCorners()\n{\n" + body + "}\n";
+}
+
+std::string TriangleInputs(const std::vector<Varying>& varyings)
+{
+  std::string declarations;
+  std::string body;
+  for (size_t i = 0; i < varyings.size(); i++)
+  {
+    const Varying& v = varyings[i];
+    declarations += v.Declaration(v.Name);
+    for (int c = v.Flat ? 2 : 0; c < 3; c++)
+    {
+      declarations += "flat in " + v.Declaration(Corner(i, c));
+    }
+    const int count = v.Size.empty() ? 1 : std::stoi(v.Size);
+    for (int k = 0; k < count; k++)
+    {
+      const std::string at = v.Size.empty() ? "" : "[" + std::to_string(k) + "]";
+      body += "  " + v.Name + at + " = ";
+      body += v.Flat ? Corner(i, 2) + at + ";\n"
+                     : "wfvB.x * " + Corner(i, 0) + at + " + wfvB.y * " + Corner(i, 1) + at +
+          " + wfvB.z * " + Corner(i, 2) + at + ";\n";
+    }
+  }
+  return declarations + "void wfvInterpolate()\n{\n" + body + "}\n";
+}
+
+// Lines carry every output on, mixed between the two ends. VTK itself renames the
+// fragment stage's VSOut to GSOut.
+std::string LineOutputs(const std::vector<Varying>& varyings)
+{
+  std::string declarations;
+  std::string body;
+  for (const Varying& v : varyings)
+  {
+    std::string out = v.Name;
+    ReplaceAll(out, "VSOut", "GSOut");
+    if (out == v.Name)
+    {
+      continue;
+    }
+    declarations += "in " + v.Type + " " + v.Name + "[]" + (v.Size.empty() ? "" : "[" + v.Size + "]") + ";\n";
+    declarations += (v.Flat ? "flat out " : "out ") + v.Declaration(out);
+    const int count = v.Size.empty() ? 1 : std::stoi(v.Size);
+    for (int k = 0; k < count; k++)
+    {
+      const std::string at = v.Size.empty() ? "" : "[" + std::to_string(k) + "]";
+      body += "  " + out + at + " = ";
+      body += v.Flat ? v.Name + "[1]" + at + ";\n"
+                     : "mix(" + v.Name + "[0]" + at + ", " + v.Name + "[1]" + at + ", t);\n";
+    }
+  }
+  return declarations + "void wfvWriteMix(float t)\n{\n" + body + "}\n";
+}
+
+// The stock text takes normal.z for the cosine towards the eye and the view axis for
+// the direction of a headlight; both hold in front of the eye only.
+void RewriteLights(std::string& fragment)
+{
+  const std::string position = "vec4 vertexVC = vertexVCVSOutput;";
+  if (fragment.find(position) == std::string::npos)
+  {
+    return;
+  }
+  const size_t main = fragment.find("void main");
+  std::string head = fragment.substr(0, main);
+  std::string body = fragment.substr(main);
+  ReplaceAll(body, position, position + "\n  wfvFromEye = normalize(vertexVC.xyz);");
+  ReplaceAll(body, "max(0.0,normalVCVSOutput.z)", "max(0.0, dot(normalVCVSOutput, -wfvFromEye))");
+  body = std::regex_replace(
+    body, std::regex(R"(\blightDirectionVC(\d+))"), "wfvLightDirection($1, lightDirectionVC$1)");
+  fragment = head + light_fragment_glsl + body;
+}
+
+void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
+{
+  const bool triangles = vtkWideFoVShaderBuilder::NeedsGeometryStage(r) && r.Kind == Primitive::Triangles;
+  const bool round = r.Projection->Axis == wfv::Family::Azimuthal;
+  std::string declarations;
+  std::string before;
+  std::string after;
+  if (triangles)
+  {
+    RemoveInputs(fragment, varyings);
+    declarations = cover_fragment_glsl + TriangleInputs(varyings);
+    before = "  wfvPrepare();\n";
+    after = "  if (wfvHide) { discard; }\n";
+    ReplaceAll(fragment, "gl_FragCoord.z", "wfvDepth");
+    before += fragment.find("gl_FragDepth") == std::string::npos ? "  gl_FragDepth = wfvDepth;\n" : "";
+  }
+  if (round)
+  {
+    declarations += domain_fragment_glsl;
+    after += "  if (wfvOutsideDomain()) { discard; }\n";
+  }
+  RewriteLights(fragment);
+  if (!after.empty())
+  {
+    vtkWideFoVShaderBuilder::WrapMain(fragment, before, after);
+    vtkWideFoVShaderBuilder::Declare(fragment, ViewSource(r) + declarations);
+  }
+}
+}
+
+bool vtkWideFoVShaderBuilder::NeedsGeometryStage(const Request& r)
+{
+  return r.Stage == Variant::PreClip && r.Kind != Primitive::Points;
+}
+
+void vtkWideFoVShaderBuilder::WrapMain(
+  std::string& source, const std::string& before, const std::string& after)
+{
+  static const std::regex main(R"(void\s+main\s*\(\s*(void)?\s*\))");
+  int depth = 0;
+  while (source.find("void wfvStockMain" + std::to_string(depth) + "()") != std::string::npos)
+  {
+    depth++;
+  }
+  const std::string name = "wfvStockMain" + std::to_string(depth) + "()";
+  source = std::regex_replace(source, main, "void " + name, std::regex_constants::format_first_only);
+  source += "\nvoid main()\n{\n" + before + "  " + name + ";\n" + after + "}\n";
+}
+
+void vtkWideFoVShaderBuilder::Declare(std::string& source, const std::string& text)
+{
+  const std::string tag = "//VTK::System::Dec";
+  const size_t at = source.find(tag);
+  const size_t line = at == std::string::npos ? 0 : source.find('\n', at) + 1;
+  source.insert(line, text);
+}
+
+void vtkWideFoVShaderBuilder::Prepare(
+  const Request& r, std::string& geometry, std::string& fragment)
+{
+  if (!NeedsGeometryStage(r))
+  {
+    return;
+  }
+  geometry.clear();
+  if (r.Edges)
+  {
+    ReplaceAll(fragment, "//VTK::Edges::Dec", edges_fragment_glsl);
+    ReplaceAll(fragment, "//VTK::Edges::Impl",
+      "  float wfvEdge = wfvEdgeMix();\n"
+      "  diffuseColor = mix(diffuseColor, vec3(0.0), wfvEdge);\n"
+      "  ambientColor = mix(ambientColor, edgeColor, wfvEdge);\n");
+  }
+}
+
+void vtkWideFoVShaderBuilder::Finish(
+  const Request& r, std::string& vertex, std::string& geometry, std::string& fragment)
+{
+  const std::vector<Varying> varyings = FindVaryings(vertex);
+  if (NeedsGeometryStage(r))
+  {
+    const bool lines = r.Kind == Primitive::Lines;
+    geometry = "//VTK::System::Dec\n" + ViewSource(r) + preclip_glsl +
+      (lines ? LineOutputs(varyings) + preclip_lines_glsl
+             : TriangleOutputs(varyings) + preclip_triangles_glsl);
+  }
+  else
+  {
+    WrapMain(vertex, "", "  gl_Position = wfvProjectVertex(gl_Position.xyz);\n");
+    Declare(vertex, ViewSource(r));
+  }
+  FinishFragment(r, varyings, fragment);
+}

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Rewrites the shaders of a stock mapper for a wide view. Text in, text out: no
+// OpenGL, no VTK objects, so that it is tested on text.
+#ifndef vtkWideFoVShaderBuilder_h
+#define vtkWideFoVShaderBuilder_h
+
+#include "Projections/Projection.h"
+
+#include <string>
+
+class WFV_EXPORT vtkWideFoVShaderBuilder
+{
+public:
+  enum class Variant
+  {
+    Plain,  // the vertex stage projects
+    PreClip // a geometry stage clips, then projects
+  };
+
+  enum class Primitive
+  {
+    Points,
+    Lines,
+    Triangles
+  };
+
+  struct Request
+  {
+    const wfv::Projection* Projection = nullptr;
+    Variant Stage = Variant::Plain;
+    Primitive Kind = Primitive::Triangles;
+    bool WideLines = false; // lines wider than the hardware draws
+    bool Edges = false;     // surface with edges
+    bool EdgeFlags = false; // some edges of the triangles are inside a cell
+  };
+
+  // True where this request needs the pre-clip's own geometry stage.
+  static bool NeedsGeometryStage(const Request& request);
+
+  // Before the mapper replaces its tags: the pre-clip does without the mapper's own
+  // geometry stage (wide lines, edges) and brings what it did.
+  static void Prepare(const Request& request, std::string& geometry, std::string& fragment);
+
+  // After the mapper has replaced its tags: adds the projection to all stages. Every
+  // output of the vertex stage, whatever it is called, is interpolated.
+  static void Finish(
+    const Request& request, std::string& vertex, std::string& geometry, std::string& fragment);
+
+  // Renames main() and appends a new one that runs `before`, the old one, `after`.
+  static void WrapMain(std::string& source, const std::string& before, const std::string& after);
+
+  // Inserts text behind the head of a shader, where declarations may stand.
+  static void Declare(std::string& source, const std::string& text);
+};
+
+#endif

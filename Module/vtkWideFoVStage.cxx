@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWideFoVStage.h"
+
+#include "vtkWideFoVCamera.h"
+#include "vtkWideFoVPass.h"
+
+#include "vtkActor.h"
+#include "vtkAssembly.h"
+#include "vtkAssemblyNode.h"
+#include "vtkAssemblyPath.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLHelper.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkOpenGLState.h"
+#include "vtkPropAssembly.h"
+#include "vtkProperty.h"
+#include "vtkShaderProgram.h"
+#include "vtk_glew.h"
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkWideFoVStage);
+
+namespace
+{
+// Angle about a pole or the antipode, degrees, inside which edges of one degree bend
+// by more than the default tolerance at the sizes a window has (2048 x 1024): a prop
+// that reaches in gets the pre-clip too.
+constexpr double MeridianPoleCap = 5;
+constexpr double AntipodeCap = 25;
+
+// What a pass may know of a mapper only from inside.
+class MapperAccess : public vtkOpenGLPolyDataMapper
+{
+public:
+  static void Describe(vtkOpenGLPolyDataMapper* mapper, vtkRenderer* renderer, vtkActor* actor,
+    vtkWideFoVShaderBuilder::Request& request)
+  {
+    using Primitive = vtkWideFoVShaderBuilder::Primitive;
+    const vtkOpenGLHelper* buffer = mapper->*(&MapperAccess::LastBoundBO);
+    const int type = buffer ? buffer->PrimitiveType : static_cast<int>(PrimitiveTris);
+    const int representation = actor->GetProperty()->GetRepresentation();
+    const bool picking = mapper->*(&MapperAccess::PointPicking);
+    const bool points = representation == VTK_POINTS || type == PrimitivePoints ||
+      type == PrimitiveVertices || picking;
+    const bool lines = representation == VTK_WIREFRAME || type == PrimitiveLines;
+    request.Kind = points ? Primitive::Points : lines ? Primitive::Lines : Primitive::Triangles;
+    auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+    request.WideLines = request.Kind == Primitive::Lines && window &&
+      actor->GetProperty()->GetLineWidth() > window->GetMaximumHardwareLineWidth();
+    request.Edges = request.Kind == Primitive::Triangles &&
+      actor->GetProperty()->GetEdgeVisibility() && !renderer->GetSelector();
+    request.EdgeFlags = request.Edges && type == PrimitiveTris &&
+      !(mapper->*(&MapperAccess::EdgeValues)).empty();
+  }
+};
+
+// Range of the tilted view coordinates of a box in world coordinates.
+void ViewBounds(const double b[6], const double m[16], const wfv::WfvView& view, double low[3],
+  double high[3])
+{
+  std::fill_n(low, 3, VTK_DOUBLE_MAX);
+  std::fill_n(high, 3, -VTK_DOUBLE_MAX);
+  for (int c = 0; c < 8; c++)
+  {
+    double p[4] = { b[c & 1], b[2 + ((c >> 1) & 1)], b[4 + ((c >> 2) & 1)], 1 };
+    vtkMatrix4x4::MultiplyPoint(m, p, p);
+    const wfv::vec3 q = wfv::wfvTilt(wfv::vec3(p[0], p[1], p[2]), view);
+    for (int i = 0; i < 3; i++)
+    {
+      low[i] = std::min(low[i], q[i]);
+      high[i] = std::max(high[i], q[i]);
+    }
+  }
+}
+
+// Smallest distance of a rectangle from the origin of its plane.
+double NearestInPlane(double low0, double high0, double low1, double high1)
+{
+  return std::hypot(std::max({ low0, -high0, 0.0 }), std::max({ low1, -high1, 0.0 }));
+}
+
+// True where a box of tilted view coordinates meets a discontinuity of the projection.
+bool MeetsDiscontinuity(const wfv::Projection& projection, const double low[3], const double high[3])
+{
+  if (projection.Axis == wfv::Family::Meridian)
+  {
+    const bool seam = low[0] <= 0 && high[0] >= 0 && high[2] >= 0;
+    const double height = std::max(std::abs(low[1]), std::abs(high[1]));
+    const double cap = std::tan(vtkMath::RadiansFromDegrees(MeridianPoleCap));
+    return seam || NearestInPlane(low[0], high[0], low[2], high[2]) <= cap * height;
+  }
+  const double cap = std::tan(vtkMath::RadiansFromDegrees(AntipodeCap));
+  return NearestInPlane(low[0], high[0], low[1], high[1]) <= cap * std::max(high[2], 0.0);
+}
+
+// Calls f for the prop and, where it is an assembly, for its parts.
+template <typename F>
+void ForEachLeaf(vtkProp* prop, F f)
+{
+  if (!vtkAssembly::SafeDownCast(prop) && !vtkPropAssembly::SafeDownCast(prop))
+  {
+    f(prop);
+    return;
+  }
+  prop->InitPathTraversal();
+  while (vtkAssemblyPath* path = prop->GetNextPath())
+  {
+    f(path->GetLastNode()->GetViewProp());
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkWideFoVStage::SetView(vtkRenderer* renderer, vtkWideFoVCamera* camera, double tolerance)
+{
+  const wfv::View& view = camera->GetView(renderer->GetTiledAspectRatio());
+  if (&view.GetProjection() != this->Projection)
+  {
+    this->Projection = &view.GetProjection();
+    this->SourceTime.Modified();
+  }
+  this->Renderer = renderer;
+  this->View = view.GetParameters();
+  this->Tolerance = static_cast<float>(tolerance);
+
+  const double* vp = renderer->GetViewport();
+  const double* tile = renderer->GetVTKWindow()->GetTileViewport();
+  for (int i = 0; i < 2; i++)
+  {
+    const double a = std::max(vp[i], tile[i]);
+    const double b = std::min(vp[i + 2], tile[i + 2]);
+    const double whole = vp[i + 2] - vp[i];
+    this->Tile[i] = static_cast<float>(whole / (b - a));
+    this->Tile[i + 2] = static_cast<float>((2 * (vp[i] - a) + whole) / (b - a) - 1);
+  }
+
+  this->Headlights = 0;
+  int bit = 0;
+  vtkCollectionSimpleIterator it;
+  renderer->GetLights()->InitTraversal(it);
+  while (vtkLight* light = renderer->GetLights()->GetNextLight(it))
+  {
+    if (light->GetSwitch())
+    {
+      const bool ahead = light->LightTypeIsHeadlight() && !light->GetPositional();
+      this->Headlights |= ahead && bit < 31 ? 1 << bit : 0;
+      bit++;
+    }
+  }
+}
+
+vtkWideFoVShaderBuilder::Request vtkWideFoVStage::MakeRequest(
+  vtkAbstractMapper* mapper, vtkProp* prop) const
+{
+  vtkWideFoVShaderBuilder::Request request;
+  request.Projection = this->Projection;
+  request.Stage = this->Variant;
+  auto* polydata = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
+  auto* actor = vtkActor::SafeDownCast(prop);
+  if (polydata && actor && this->Renderer)
+  {
+    MapperAccess::Describe(polydata, this->Renderer, actor, request);
+  }
+  return request;
+}
+
+bool vtkWideFoVStage::PreReplaceShaderValues(std::string&, std::string& geometryShader,
+  std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop)
+{
+  vtkWideFoVShaderBuilder::Prepare(
+    this->MakeRequest(mapper, prop), geometryShader, fragmentShader);
+  return true;
+}
+
+bool vtkWideFoVStage::PostReplaceShaderValues(std::string& vertexShader,
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper,
+  vtkProp* prop)
+{
+  vtkWideFoVShaderBuilder::Finish(
+    this->MakeRequest(mapper, prop), vertexShader, geometryShader, fragmentShader);
+  return true;
+}
+
+bool vtkWideFoVStage::SetShaderParameters(
+  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp*, vtkOpenGLVertexArrayObject*)
+{
+  const auto set2 = [program](const char* name, const wfv::vec2& v) {
+    const float f[2] = { static_cast<float>(v.x), static_cast<float>(v.y) };
+    program->SetUniform2f(name, f);
+  };
+  const wfv::WfvView& v = this->View;
+  set2("wfvView.halfFov", v.halfFov);
+  set2("wfvView.scale", v.scale);
+  set2("wfvView.tilt", v.tilt);
+  set2("wfvView.radii", v.radii);
+  const float lens[4] = { static_cast<float>(v.lens.x), static_cast<float>(v.lens.y),
+    static_cast<float>(v.lens.z), static_cast<float>(v.lens.w) };
+  program->SetUniform4f("wfvView.lens", lens);
+  program->SetUniformf("wfvView.lens5", static_cast<float>(v.lens5));
+  program->SetUniformf("wfvView.maxAngle", static_cast<float>(v.maxAngle));
+  program->SetUniform4f("wfvTile", this->Tile);
+  program->SetUniformf("wfvTolerance", this->Tolerance);
+  program->SetUniformi("wfvHeadlights", this->Headlights);
+
+  int viewport[4] = { 0, 0, 1, 1 };
+  if (auto* renderer = vtkOpenGLRenderer::SafeDownCast(this->Renderer))
+  {
+    renderer->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  }
+  const float f[4] = { static_cast<float>(viewport[0]), static_cast<float>(viewport[1]),
+    static_cast<float>(viewport[2]), static_cast<float>(viewport[3]) };
+  program->SetUniform4f("wfvViewport", f);
+  this->NumberOfDraws++;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkWideFoVStages::vtkWideFoVStages()
+{
+  this->PreClip->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
+}
+
+void vtkWideFoVStages::Begin(
+  vtkRenderer* renderer, vtkWideFoVCamera* camera, int technique, double tolerance)
+{
+  this->Technique = technique;
+  const wfv::View& view = camera->GetView(renderer->GetTiledAspectRatio());
+  this->Projection = &view.GetProjection();
+  this->View = view.GetParameters();
+  vtkMatrix4x4::DeepCopy(this->WorldToView, camera->GetModelViewTransformMatrix());
+  for (vtkWideFoVStage* stage : { this->Plain.Get(), this->PreClip.Get() })
+  {
+    stage->SetView(renderer, camera, tolerance);
+    stage->ResetNumberOfDraws();
+  }
+}
+
+vtkWideFoVStage* vtkWideFoVStages::Choose(const double* bounds)
+{
+  if (this->Technique == vtkWideFoVPass::VERTEX)
+  {
+    return this->Plain;
+  }
+  if (!bounds || !vtkMath::AreBoundsInitialized(bounds))
+  {
+    return this->PreClip;
+  }
+  double low[3];
+  double high[3];
+  ViewBounds(bounds, this->WorldToView, this->View, low, high);
+  return MeetsDiscontinuity(*this->Projection, low, high) ? this->PreClip : this->Plain;
+}
+
+void vtkWideFoVStages::Attach(vtkProp* prop, vtkWideFoVStage* stage)
+{
+  ForEachLeaf(prop, [stage](vtkProp* leaf) {
+    vtkInformation* info = leaf->GetPropertyKeys();
+    if (!info)
+    {
+      vtkNew<vtkInformation> fresh;
+      leaf->SetPropertyKeys(fresh);
+      info = fresh;
+    }
+    info->Append(vtkOpenGLRenderPass::RenderPasses(), stage);
+  });
+}
+
+void vtkWideFoVStages::Detach(vtkProp* prop, vtkWideFoVStage* stage)
+{
+  ForEachLeaf(prop, [stage](vtkProp* leaf) {
+    vtkInformation* info = leaf->GetPropertyKeys();
+    if (info && info->Has(vtkOpenGLRenderPass::RenderPasses()))
+    {
+      info->Remove(vtkOpenGLRenderPass::RenderPasses(), stage);
+      if (info->Length(vtkOpenGLRenderPass::RenderPasses()) == 0)
+      {
+        info->Remove(vtkOpenGLRenderPass::RenderPasses());
+      }
+    }
+  });
+}
+
+bool vtkWideFoVStages::IsAttached(vtkProp* prop)
+{
+  vtkInformation* info = prop->GetPropertyKeys();
+  const int n = info && info->Has(vtkOpenGLRenderPass::RenderPasses())
+    ? info->Length(vtkOpenGLRenderPass::RenderPasses())
+    : 0;
+  for (int i = 0; i < n; i++)
+  {
+    if (vtkWideFoVStage::SafeDownCast(info->Get(vtkOpenGLRenderPass::RenderPasses(), i)))
+    {
+      return true;
+    }
+  }
+  return false;
+}

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the pass and the mapper share: the render pass object that sits in a prop's
+// keys while it is drawn and adds one variant of the wide view to its shaders, and
+// the choice of that variant from the prop's bounds.
+#ifndef vtkWideFoVStage_h
+#define vtkWideFoVStage_h
+
+#include "vtkNew.h"
+#include "vtkOpenGLRenderPass.h"
+#include "vtkWideFoVShaderBuilder.h"
+
+class vtkOpenGLPolyDataMapper;
+class vtkRenderer;
+class vtkWideFoVCamera;
+
+// One variant. Two objects, not one with a switch: a prop that changes its variant
+// changes its key, and VTK rebuilds the shaders of that prop alone.
+class vtkWideFoVStage : public vtkOpenGLRenderPass
+{
+public:
+  static vtkWideFoVStage* New();
+  vtkTypeMacro(vtkWideFoVStage, vtkOpenGLRenderPass);
+
+  void SetVariant(vtkWideFoVShaderBuilder::Variant variant) { this->Variant = variant; }
+
+  // What the next draws see. The projection's text changes the shaders; everything
+  // else is uniforms.
+  void SetView(vtkRenderer* renderer, vtkWideFoVCamera* camera, double tolerance);
+
+  int GetNumberOfDraws() const { return this->NumberOfDraws; }
+  void ResetNumberOfDraws() { this->NumberOfDraws = 0; }
+
+  bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
+    vtkOpenGLVertexArrayObject* vao = nullptr) override;
+  vtkMTimeType GetShaderStageMTime() override { return this->SourceTime.GetMTime(); }
+  void Render(const vtkRenderState*) override {}
+
+protected:
+  vtkWideFoVStage() = default;
+  ~vtkWideFoVStage() override = default;
+
+private:
+  vtkWideFoVStage(const vtkWideFoVStage&) = delete;
+  void operator=(const vtkWideFoVStage&) = delete;
+
+  vtkWideFoVShaderBuilder::Request MakeRequest(vtkAbstractMapper* mapper, vtkProp* prop) const;
+
+  vtkWideFoVShaderBuilder::Variant Variant = vtkWideFoVShaderBuilder::Variant::Plain;
+  vtkRenderer* Renderer = nullptr; // valid between SetView and the end of the frame
+  const wfv::Projection* Projection = nullptr;
+  vtkTimeStamp SourceTime;
+  wfv::WfvView View;
+  float Viewport[4] = { 0, 0, 1, 1 };
+  float Tile[4] = { 1, 1, 0, 0 };
+  float Tolerance = 0.25f;
+  int Headlights = 0;
+  int NumberOfDraws = 0;
+};
+
+// Both variants and the choice between them.
+class vtkWideFoVStages
+{
+public:
+  vtkWideFoVStages();
+
+  // Before the props of a frame. technique: vtkWideFoVPass::Techniques.
+  void Begin(vtkRenderer* renderer, vtkWideFoVCamera* camera, int technique, double tolerance);
+
+  // The stage for a prop with these world bounds (nullptr: unknown).
+  vtkWideFoVStage* Choose(const double* bounds);
+
+  // Appends the stage to the prop's keys, and takes it away again.
+  static void Attach(vtkProp* prop, vtkWideFoVStage* stage);
+  static void Detach(vtkProp* prop, vtkWideFoVStage* stage);
+  static bool IsAttached(vtkProp* prop);
+
+  vtkNew<vtkWideFoVStage> Plain;
+  vtkNew<vtkWideFoVStage> PreClip;
+
+private:
+  int Technique = 0;
+  const wfv::Projection* Projection = nullptr;
+  wfv::WfvView View;
+  double WorldToView[16];
+};
+
+#endif
