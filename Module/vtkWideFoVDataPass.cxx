@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVDataPass.h"
 
+#include "vtkWideFoVCamera.h"
 #include "vtkWideFoVShaderBuilder.h"
 
 #include "vtkActor.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
+#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLCellToVTKCellMap.h"
@@ -35,7 +37,9 @@ namespace
 // Attachments: colour; distance, primitive, prop; normal.
 constexpr int Attachments = 3;
 
-const char* const VertexOutput = "out vec3 wfvPositionVSOutput;\n";
+// Where the stock vertex stage leaves its clip coordinates, taken back to view
+// coordinates; the identity for a wide camera.
+const char* const VertexOutput = "out vec3 wfvPositionVSOutput;\nuniform mat4 wfvClipToView;\n";
 const char* const FragmentInput = "in vec3 wfvPositionVSOutput;\nuniform int wfvPropNumber;\n";
 
 vtkSmartPointer<vtkFloatArray> AddArray(vtkImageData* image, const char* name, int components)
@@ -74,7 +78,9 @@ struct vtkWideFoVDataPass::Internals
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   vtkNew<vtkTextureObject> Color[Attachments];
   vtkNew<vtkTextureObject> Depth;
+  vtkNew<vtkMatrix4x4> ClipToView; // transposed, as VTK's uniforms are
   int Size[2] = { 0, 0 };
+  bool Wide = false; // the delegate brings surface edges of its own
 
   void Allocate(vtkOpenGLRenderWindow* window, int width, int height);
   void Clear(vtkRenderer* renderer);
@@ -239,6 +245,19 @@ void vtkWideFoVDataPass::Render(const vtkRenderState* s)
   state->vtkglDisable(GL_SCISSOR_TEST);
   in.Clear(renderer);
 
+  vtkMatrix4x4* toView;
+  vtkMatrix4x4* toClip;
+  vtkMatrix4x4* toBoth;
+  vtkMatrix3x3* normals;
+  auto* camera = vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera());
+  auto* wide = vtkWideFoVCamera::SafeDownCast(camera);
+  if (wide)
+  {
+    wide->PrepareFrame(renderer);
+  }
+  in.Wide = wide && wide->IsWide();
+  camera->GetKeyMatrices(renderer, toView, normals, toClip, toBoth);
+  vtkMatrix4x4::Invert(toClip, in.ClipToView);
   const vtkTypeBool erase = renderer->GetErase();
   renderer->EraseOff();
   this->PreRender(s);
@@ -250,11 +269,25 @@ void vtkWideFoVDataPass::Render(const vtkRenderState* s)
   in.Read();
 }
 
+bool vtkWideFoVDataPass::PreReplaceShaderValues(std::string&, std::string& geometryShader,
+  std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
+{
+  // stock geometry stages (surface edges, wide lines) would drop our output; without
+  // them the surface is drawn without its edges
+  geometryShader.clear();
+  if (!this->Internal->Wide)
+  {
+    vtkShaderProgram::Substitute(fragmentShader, "//VTK::Edges::Dec", "");
+    vtkShaderProgram::Substitute(fragmentShader, "//VTK::Edges::Impl", "");
+  }
+  return true;
+}
+
 bool vtkWideFoVDataPass::PostReplaceShaderValues(std::string& vertexShader, std::string&,
   std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
 {
-  // before any projection: gl_Position holds view coordinates
-  vtkWideFoVShaderBuilder::WrapMain(vertexShader, "", "  wfvPositionVSOutput = gl_Position.xyz;\n");
+  vtkWideFoVShaderBuilder::WrapMain(
+    vertexShader, "", "  wfvPositionVSOutput = (wfvClipToView * gl_Position).xyz;\n");
   vtkWideFoVShaderBuilder::Declare(vertexShader, VertexOutput);
   vtkWideFoVShaderBuilder::Declare(fragmentShader, FragmentInput);
   const bool lit = fragmentShader.find("vec3 normalVCVSOutput =") != std::string::npos;
@@ -277,6 +310,7 @@ bool vtkWideFoVDataPass::SetShaderParameters(
   vtkShaderProgram* program, vtkAbstractMapper*, vtkProp* prop, vtkOpenGLVertexArrayObject*)
 {
   const auto found = this->Internal->Index.find(prop);
+  program->SetUniformMatrix("wfvClipToView", this->Internal->ClipToView);
   program->SetUniformi(
     "wfvPropNumber", found == this->Internal->Index.end() ? 0 : std::max(0, found->second + 1));
   return true;

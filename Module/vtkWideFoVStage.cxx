@@ -171,6 +171,11 @@ vtkWideFoVShaderBuilder::Request vtkWideFoVStage::MakeRequest(
   {
     MapperAccess::Describe(polydata, this->Renderer, actor, request);
   }
+  // stock VTK draws these with a geometry stage of its own, straight in the picture
+  if ((request.Edges || request.WideLines) && !this->Clipless)
+  {
+    request.Stage = vtkWideFoVShaderBuilder::Variant::PreClip;
+  }
   return request;
 }
 
@@ -241,6 +246,7 @@ void vtkWideFoVStages::Begin(
   for (vtkWideFoVStage* stage : { this->Plain.Get(), this->PreClip.Get() })
   {
     stage->SetView(renderer, camera, tolerance);
+    stage->SetClipless(technique == vtkWideFoVPass::VERTEX);
     stage->ResetNumberOfDraws();
   }
 }

@@ -27,6 +27,16 @@ public:
   // else is uniforms.
   void SetView(vtkRenderer* renderer, vtkWideFoVCamera* camera, double tolerance);
 
+  // Never a pre-clip, not even for wide lines and surface edges: the technique "vertex".
+  void SetClipless(bool clipless)
+  {
+    if (clipless != this->Clipless)
+    {
+      this->Clipless = clipless;
+      this->SourceTime.Modified();
+    }
+  }
+
   int GetNumberOfDraws() const { return this->NumberOfDraws; }
   void ResetNumberOfDraws() { this->NumberOfDraws = 0; }
 
@@ -58,6 +68,7 @@ private:
   float Tile[4] = { 1, 1, 0, 0 };
   float Tolerance = 0.25f;
   int Headlights = 0;
+  bool Clipless = false;
   int NumberOfDraws = 0;
 };
 
