@@ -97,6 +97,39 @@ void vtkWideFoVCamera::PrintSelf(ostream& os, vtkIndent indent)
   os << "\n";
 }
 
+void vtkWideFoVCamera::CopyView(const vtkWideFoVCamera* source)
+{
+  this->Internal->Options = source->Internal->Options;
+  this->Definition = source->Definition;
+  this->AutomaticClipRadii = source->AutomaticClipRadii;
+  this->Modified();
+}
+
+vtkObjectBase* vtkWideFoVCamera::NewInstanceInternal() const
+{
+  vtkWideFoVCamera* camera = vtkWideFoVCamera::New();
+  camera->CopyView(this);
+  return camera;
+}
+
+void vtkWideFoVCamera::ShallowCopy(vtkCamera* source)
+{
+  this->Superclass::ShallowCopy(source);
+  if (auto* wide = vtkWideFoVCamera::SafeDownCast(source))
+  {
+    this->CopyView(wide);
+  }
+}
+
+void vtkWideFoVCamera::DeepCopy(vtkCamera* source)
+{
+  this->Superclass::DeepCopy(source);
+  if (auto* wide = vtkWideFoVCamera::SafeDownCast(source))
+  {
+    this->CopyView(wide);
+  }
+}
+
 void vtkWideFoVCamera::SetProjection(const char* name)
 {
   const wfv::Projection* found = name ? wfv::FindProjection(name) : nullptr;
@@ -275,6 +308,11 @@ void vtkWideFoVCamera::ResetClipRadii(const double bounds[6])
   {
     radii = { { n, f } };
     this->Modified();
+    if (this->IsWide())
+    {
+      // for those who know no clip spheres
+      this->SetClippingRange(n, f);
+    }
   }
 }
 

@@ -33,7 +33,7 @@ class VTKRENDERINGWIDEFOV_EXPORT vtkWideFoVCamera : public vtkOpenGLCamera
 {
 public:
   static vtkWideFoVCamera* New();
-  vtkTypeMacro(vtkWideFoVCamera, vtkOpenGLCamera);
+  vtkAbstractTypeMacro(vtkWideFoVCamera, vtkOpenGLCamera);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -160,6 +160,14 @@ public:
    */
   virtual void PrepareFrame(vtkRenderer* renderer);
 
+  ///@{
+  /**
+   * As vtkCamera's, and the wide view with them where the source has one.
+   */
+  void ShallowCopy(vtkCamera* source);
+  void DeepCopy(vtkCamera* source);
+  ///@}
+
   // What the stock pipeline asks for.
   void Render(vtkRenderer* renderer) override;
   void UpdateViewport(vtkRenderer* renderer) override;
@@ -171,6 +179,13 @@ protected:
   vtkWideFoVCamera();
   ~vtkWideFoVCamera() override;
 
+  /**
+   * A camera with this one's view. VTK's screenshots draw with a new instance that
+   * only vtkCamera's own, non-virtual copy functions fill.
+   */
+  vtkObjectBase* NewInstanceInternal() const override;
+
+  void CopyView(const vtkWideFoVCamera* source);
   void ComputeProjectionTransform(double aspect, double nearz, double farz) override;
   
   vtkTypeBool AutomaticClipRadii = 1;

@@ -24,6 +24,7 @@
 #include "vtkShaderProgram.h"
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
+#include "vtkWeakPointer.h"
 #include "vtk_glew.h"
 
 #include <cmath>
@@ -74,6 +75,7 @@ struct vtkWideFoVDataPass::Internals
 {
   vtkSmartPointer<vtkRenderPass> Delegate;
   std::map<vtkProp*, int> Index;
+  std::map<int, vtkWeakPointer<vtkProp>> Alive;
   vtkNew<vtkImageData> Output;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   vtkNew<vtkTextureObject> Color[Attachments];
@@ -119,6 +121,7 @@ vtkRenderPass* vtkWideFoVDataPass::GetDelegatePass()
 void vtkWideFoVDataPass::SetPropIndex(vtkProp* prop, int index)
 {
   this->Internal->Index[prop] = index;
+  this->Internal->Alive[index] = prop;
 }
 
 vtkImageData* vtkWideFoVDataPass::GetOutput()
@@ -128,10 +131,11 @@ vtkImageData* vtkWideFoVDataPass::GetOutput()
 
 void vtkWideFoVDataPass::Internals::Allocate(vtkOpenGLRenderWindow* window, int width, int height)
 {
-  this->Framebuffer->SetContext(window);
   const bool fits = this->Size[0] == width && this->Size[1] == height;
   if (!fits)
   {
+    // it takes a texture it knows for attached, whatever became of its storage
+    this->Framebuffer->ReleaseGraphicsResources(window);
     for (auto& texture : this->Color)
     {
       texture->ReleaseGraphicsResources(window);
@@ -147,6 +151,7 @@ void vtkWideFoVDataPass::Internals::Allocate(vtkOpenGLRenderWindow* window, int 
     this->Size[0] = width;
     this->Size[1] = height;
   }
+  this->Framebuffer->SetContext(window);
 }
 
 void vtkWideFoVDataPass::Internals::Clear(vtkRenderer* renderer)
@@ -189,11 +194,11 @@ void vtkWideFoVDataPass::Internals::Decode(
   const std::vector<float>& data, const std::vector<float>& normals)
 {
   std::map<int, vtkSmartPointer<vtkOpenGLCellToVTKCellMap>> maps;
-  for (const auto& entry : this->Index)
+  for (const auto& entry : this->Alive)
   {
-    if (entry.second >= 0)
+    if (entry.first >= 0 && entry.second)
     {
-      maps[entry.second + 1] = CellMap(entry.first);
+      maps[entry.first + 1] = CellMap(entry.second);
     }
   }
   auto distance = AddArray(this->Output, "distance", 1);

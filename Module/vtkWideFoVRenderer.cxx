@@ -122,5 +122,8 @@ void vtkWideFoVRenderer::ResetCameraClippingRange(const double bounds[6])
   {
     camera->ResetClipRadii(bounds);
   }
-  this->Superclass::ResetCameraClippingRange(bounds);
+  if (!this->GetWideCamera())
+  {
+    this->Superclass::ResetCameraClippingRange(bounds);
+  }
 }

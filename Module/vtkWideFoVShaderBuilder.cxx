@@ -21,24 +21,79 @@ struct Varying
   bool Flat;
   std::string Type;
   std::string Name;
-  std::string Size; // "" or the length of an array
+
+  // As the geometry stage takes it in: one a vertex.
+  std::string Input() const
+  {
+    return (this->Flat ? "flat in " : "in ") + this->Type + " " + this->Name + "[];\n";
+  }
 
   std::string Declaration(const std::string& name) const
   {
-    return this->Type + " " + name + (this->Size.empty() ? "" : "[" + this->Size + "]") + ";\n";
+    return this->Type + " " + name + ";\n";
   }
 };
 
 std::vector<Varying> FindVaryings(const std::string& vertex)
 {
   static const std::regex output(
-    R"((flat\s+|smooth\s+|noperspective\s+)?\bout\s+(\w+)\s+(\w+)\s*(?:\[\s*(\d+)\s*\])?\s*;)");
+    R"((flat\s+|smooth\s+|noperspective\s+)?\bout\s+(\w+)\s+(\w+)\s*;)");
   std::vector<Varying> result;
   for (std::sregex_iterator i(vertex.begin(), vertex.end(), output), end; i != end; ++i)
   {
-    result.push_back({ (*i)[1].str().compare(0, 4, "flat") == 0, (*i)[2], (*i)[3], (*i)[4] });
+    result.push_back({ (*i)[1].str().compare(0, 4, "flat") == 0, (*i)[2], (*i)[3] });
   }
   return result;
+}
+
+// One array of floats between the stages as vectors of four.
+struct PackedArray
+{
+  std::string Outputs;
+  std::string Inputs;
+  std::string Pack;
+  std::string Unpack;
+};
+
+PackedArray PackArray(const std::string& name, int count, int number)
+{
+  PackedArray p;
+  for (int first = 0; first < count; first += 4)
+  {
+    const std::string vector =
+      "wfvArray" + std::to_string(number) + "_" + std::to_string(first / 4) + "VSOutput";
+    p.Outputs += "out vec4 " + vector + ";\n";
+    p.Inputs += "in vec4 " + vector + ";\n";
+    p.Pack += "  " + vector + " = vec4(";
+    for (int k = 0; k < 4; k++)
+    {
+      const std::string at = name + "[" + std::to_string(first + k) + "]";
+      p.Pack += (k ? ", " : "") + (first + k < count ? at : std::string("0.0"));
+      p.Unpack += first + k < count ? "  " + at + " = " + vector + "[" + std::to_string(k) + "];\n" : "";
+    }
+    p.Pack += ");\n";
+  }
+  return p;
+}
+
+// GLSL 1.50 has no arrays of arrays, so a geometry stage cannot take an array from each
+// vertex: arrays between the stages become vectors (scalars would use up the slots), and
+// arrays again where they are used.
+void FlattenArrays(std::string& vertex, std::string& fragment)
+{
+  static const std::regex array(R"(\bout\s+float\s+(\w+)\s*\[\s*(\d+)\s*\]\s*;)");
+  std::smatch m;
+  for (int i = 0; std::regex_search(vertex, m, array); i++)
+  {
+    const std::string name = m[1];
+    const std::string declaration = "float " + name + "[" + m[2].str() + "];\n";
+    const PackedArray p = PackArray(name, std::stoi(m[2]), i);
+    const std::regex input(R"(\bin\s+float\s+)" + name + R"(\s*\[\s*\d+\s*\]\s*;)");
+    fragment = std::regex_replace(fragment, input, p.Inputs + declaration);
+    vertex.replace(m.position(0), m.length(0), p.Outputs + declaration);
+    vtkWideFoVShaderBuilder::WrapMain(vertex, "", p.Pack);
+    vtkWideFoVShaderBuilder::WrapMain(fragment, p.Unpack, "");
+  }
 }
 
 // Takes the fragment stage's declarations of these inputs out.
@@ -47,7 +102,7 @@ void RemoveInputs(std::string& fragment, const std::vector<Varying>& varyings)
   for (const Varying& v : varyings)
   {
     const std::regex input(
-      R"((flat\s+|smooth\s+|noperspective\s+)?\bin\s+)" + v.Type + R"(\s+)" + v.Name + R"(\s*(\[\s*\d+\s*\])?\s*;)");
+      R"((flat\s+|smooth\s+|noperspective\s+)?\bin\s+)" + v.Type + R"(\s+)" + v.Name + R"(\s*;)");
     fragment = std::regex_replace(fragment, input, "");
   }
 }
@@ -91,7 +146,7 @@ std::string TriangleOutputs(const std::vector<Varying>& varyings)
   for (size_t i = 0; i < varyings.size(); i++)
   {
     const Varying& v = varyings[i];
-    declarations += "in " + v.Type + " " + v.Name + "[]" + (v.Size.empty() ? "" : "[" + v.Size + "]") + ";\n";
+    declarations += v.Input();
     for (int c = v.Flat ? 2 : 0; c < 3; c++)
     {
       declarations += "flat out " + v.Declaration(Corner(i, c));
@@ -113,15 +168,10 @@ std::string TriangleInputs(const std::vector<Varying>& varyings)
     {
       declarations += "flat in " + v.Declaration(Corner(i, c));
     }
-    const int count = v.Size.empty() ? 1 : std::stoi(v.Size);
-    for (int k = 0; k < count; k++)
-    {
-      const std::string at = v.Size.empty() ? "" : "[" + std::to_string(k) + "]";
-      body += "  " + v.Name + at + " = ";
-      body += v.Flat ? Corner(i, 2) + at + ";\n"
-                     : "wfvB.x * " + Corner(i, 0) + at + " + wfvB.y * " + Corner(i, 1) + at +
-          " + wfvB.z * " + Corner(i, 2) + at + ";\n";
-    }
+    body += "  " + v.Name + " = ";
+    body += v.Flat ? Corner(i, 2) + ";\n"
+                   : "wfvB.x * " + Corner(i, 0) + " + wfvB.y * " + Corner(i, 1) + " + wfvB.z * " +
+        Corner(i, 2) + ";\n";
   }
   return declarations + "void wfvInterpolate()\n{\n" + body + "}\n";
 }
@@ -140,16 +190,10 @@ std::string LineOutputs(const std::vector<Varying>& varyings)
     {
       continue;
     }
-    declarations += "in " + v.Type + " " + v.Name + "[]" + (v.Size.empty() ? "" : "[" + v.Size + "]") + ";\n";
+    declarations += v.Input();
     declarations += (v.Flat ? "flat out " : "out ") + v.Declaration(out);
-    const int count = v.Size.empty() ? 1 : std::stoi(v.Size);
-    for (int k = 0; k < count; k++)
-    {
-      const std::string at = v.Size.empty() ? "" : "[" + std::to_string(k) + "]";
-      body += "  " + out + at + " = ";
-      body += v.Flat ? v.Name + "[1]" + at + ";\n"
-                     : "mix(" + v.Name + "[0]" + at + ", " + v.Name + "[1]" + at + ", t);\n";
-    }
+    body += "  " + out + " = ";
+    body += v.Flat ? v.Name + "[1];\n" : "mix(" + v.Name + "[0], " + v.Name + "[1], t);\n";
   }
   return declarations + "void wfvWriteMix(float t)\n{\n" + body + "}\n";
 }
@@ -158,19 +202,21 @@ std::string LineOutputs(const std::vector<Varying>& varyings)
 // the direction of a headlight; both hold in front of the eye only.
 void RewriteLights(std::string& fragment)
 {
+  // the first statement of the stock main, whatever main is called by now
   const std::string position = "vec4 vertexVC = vertexVCVSOutput;";
-  if (fragment.find(position) == std::string::npos)
+  const size_t inside = fragment.find(position);
+  if (inside == std::string::npos)
   {
     return;
   }
-  const size_t main = fragment.find("void main");
-  std::string head = fragment.substr(0, main);
-  std::string body = fragment.substr(main);
+  std::string head = fragment.substr(0, inside);
+  std::string body = fragment.substr(inside);
+  vtkWideFoVShaderBuilder::Declare(head, light_fragment_glsl);
   ReplaceAll(body, position, position + "\n  wfvFromEye = normalize(vertexVC.xyz);");
   ReplaceAll(body, "max(0.0,normalVCVSOutput.z)", "max(0.0, dot(normalVCVSOutput, -wfvFromEye))");
   body = std::regex_replace(
     body, std::regex(R"(\blightDirectionVC(\d+))"), "wfvLightDirection($1, lightDirectionVC$1)");
-  fragment = head + light_fragment_glsl + body;
+  fragment = head + body;
 }
 
 void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
@@ -187,7 +233,9 @@ void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std:
     before = "  wfvPrepare();\n";
     after = "  if (wfvHide) { discard; }\n";
     ReplaceAll(fragment, "gl_FragCoord.z", "wfvDepth");
-    before += fragment.find("gl_FragDepth") == std::string::npos ? "  gl_FragDepth = wfvDepth;\n" : "";
+    // the stock template names gl_FragDepth in a comment; only a value given counts
+    static const std::regex setsDepth(R"(gl_FragDepth\s*=)");
+    before += std::regex_search(fragment, setsDepth) ? "" : "  gl_FragDepth = wfvDepth;\n";
   }
   if (round)
   {
@@ -251,6 +299,10 @@ void vtkWideFoVShaderBuilder::Prepare(
 void vtkWideFoVShaderBuilder::Finish(
   const Request& r, std::string& vertex, std::string& geometry, std::string& fragment)
 {
+  if (NeedsGeometryStage(r))
+  {
+    FlattenArrays(vertex, fragment);
+  }
   const std::vector<Varying> varyings = FindVaryings(vertex);
   if (NeedsGeometryStage(r))
   {

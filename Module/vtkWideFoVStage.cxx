@@ -5,9 +5,6 @@
 #include "vtkWideFoVPass.h"
 
 #include "vtkActor.h"
-#include "vtkAssembly.h"
-#include "vtkAssemblyNode.h"
-#include "vtkAssemblyPath.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkLight.h"
@@ -20,7 +17,6 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLState.h"
-#include "vtkPropAssembly.h"
 #include "vtkProperty.h"
 #include "vtkShaderProgram.h"
 #include "vtk_glew.h"
@@ -101,22 +97,6 @@ bool MeetsDiscontinuity(const wfv::Projection& projection, const double low[3], 
   }
   const double cap = std::tan(vtkMath::RadiansFromDegrees(AntipodeCap));
   return NearestInPlane(low[0], high[0], low[1], high[1]) <= cap * std::max(high[2], 0.0);
-}
-
-// Calls f for the prop and, where it is an assembly, for its parts.
-template <typename F>
-void ForEachLeaf(vtkProp* prop, F f)
-{
-  if (!vtkAssembly::SafeDownCast(prop) && !vtkPropAssembly::SafeDownCast(prop))
-  {
-    f(prop);
-    return;
-  }
-  prop->InitPathTraversal();
-  while (vtkAssemblyPath* path = prop->GetNextPath())
-  {
-    f(path->GetLastNode()->GetViewProp());
-  }
 }
 }
 
@@ -269,31 +249,28 @@ vtkWideFoVStage* vtkWideFoVStages::Choose(const double* bounds)
 
 void vtkWideFoVStages::Attach(vtkProp* prop, vtkWideFoVStage* stage)
 {
-  ForEachLeaf(prop, [stage](vtkProp* leaf) {
-    vtkInformation* info = leaf->GetPropertyKeys();
-    if (!info)
-    {
-      vtkNew<vtkInformation> fresh;
-      leaf->SetPropertyKeys(fresh);
-      info = fresh;
-    }
-    info->Append(vtkOpenGLRenderPass::RenderPasses(), stage);
-  });
+  // assemblies and level-of-detail actors hand their keys on to what they draw
+  vtkInformation* info = prop->GetPropertyKeys();
+  if (!info)
+  {
+    vtkNew<vtkInformation> fresh;
+    prop->SetPropertyKeys(fresh);
+    info = fresh;
+  }
+  info->Append(vtkOpenGLRenderPass::RenderPasses(), stage);
 }
 
 void vtkWideFoVStages::Detach(vtkProp* prop, vtkWideFoVStage* stage)
 {
-  ForEachLeaf(prop, [stage](vtkProp* leaf) {
-    vtkInformation* info = leaf->GetPropertyKeys();
-    if (info && info->Has(vtkOpenGLRenderPass::RenderPasses()))
+  vtkInformation* info = prop->GetPropertyKeys();
+  if (info && info->Has(vtkOpenGLRenderPass::RenderPasses()))
+  {
+    info->Remove(vtkOpenGLRenderPass::RenderPasses(), stage);
+    if (info->Length(vtkOpenGLRenderPass::RenderPasses()) == 0)
     {
-      info->Remove(vtkOpenGLRenderPass::RenderPasses(), stage);
-      if (info->Length(vtkOpenGLRenderPass::RenderPasses()) == 0)
-      {
-        info->Remove(vtkOpenGLRenderPass::RenderPasses());
-      }
+      info->Remove(vtkOpenGLRenderPass::RenderPasses());
     }
-  });
+  }
 }
 
 bool vtkWideFoVStages::IsAttached(vtkProp* prop)

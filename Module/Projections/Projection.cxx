@@ -147,7 +147,7 @@ bool LensIsMonotone(const std::array<double, 5>& lens, double maxAngle)
     const double t = maxAngle * i / Steps;
     const double slope = lens[0] +
       t * (2 * lens[1] + t * (3 * lens[2] + t * (4 * lens[3] + t * 5 * lens[4])));
-    if (!(slope > 0))
+    if (!(slope > 0) || !std::isfinite(slope))
     {
       return false;
     }

@@ -17,7 +17,8 @@ WFV_FN float wfvRadiusSlope(float t, WfvView v)
 }
 
 // The inverse of wfvRadius on [0, maxAngle]: Newton, kept inside a bracket. The lens
-// is monotone there (checked when it is set).
+// is monotone there (checked when it is set). The first guess is exact at both ends:
+// beside them a step from elsewhere leaves the bracket, and is halved time and again.
 WFV_FN float wfvTheta(float r, WfvView v)
 {
   if (v.lens.x == 0.0)
@@ -26,7 +27,7 @@ WFV_FN float wfvTheta(float r, WfvView v)
   }
   float low = 0.0;
   float high = v.maxAngle;
-  float t = 0.5 * high;
+  float t = high * min(1.0, r / wfvRadius(high, v));
   for (int i = 0; i < WFV_NEWTON_STEPS; i++)
   {
     float e = wfvRadius(t, v) - r;

@@ -6,8 +6,8 @@ flat in vec3 wfvEdge0;
 flat in vec3 wfvEdge1;
 flat in vec3 wfvEdge2;
 flat in vec4 wfvPlane;
+flat in vec3 wfvSlack;
 flat in int wfvMode;
-uniform float wfvTolerance;
 
 vec3 wfvB;       // barycentric coordinates here
 float wfvDepth;  // window depth here, 0 to 1
@@ -25,20 +25,33 @@ bool wfvInside(float facing, float e, float slack, int tie)
   return s > 0.0 || (s == 0.0 && tie != 0);
 }
 
+// Added to the slack of a chord: how far, in pixels, a rasterizer snaps its vertices.
+const float WFV_SNAP = 1.0 / 128.0;
+
 // Coverage by the ray of the pixel's centre. An edge that neighbours draw as a chord
-// is widened by the tolerance, so that no pixel falls between the two.
+// is widened to reach it, so that no pixel falls between the two: most in the middle
+// of the edge, not at its ends, where chord and edge agree.
+vec3 wfvWidening(vec3 e)
+{
+  vec3 b = abs(e);
+  vec3 j = vec3(b.y, b.z, b.x);
+  vec3 k = vec3(b.z, b.x, b.y);
+  vec3 bulge = 4.0 * j * k / max((j + k) * (j + k), vec3(1e-30));
+  vec3 pixels = (wfvSlack * bulge + WFV_SNAP) * step(0.0, wfvSlack);
+  return pixels * (abs(dFdx(e)) + abs(dFdy(e)));
+}
+
 bool wfvCovered()
 {
   vec2 ndc = 2.0 * (gl_FragCoord.xy - wfvViewport.xy) / wfvViewport.zw - 1.0;
   WfvRay ray = wfvUnproject((ndc - wfvTile.zw) / wfvTile.xy, wfvView);
   vec3 e = vec3(dot(ray.direction, wfvEdge0), dot(ray.direction, wfvEdge1),
     dot(ray.direction, wfvEdge2));
-  vec3 slack = 1.2 * wfvTolerance * (abs(dFdx(e)) + abs(dFdy(e)));
-  slack *= vec3(float((wfvMode & 16) / 16), float((wfvMode & 32) / 32), float((wfvMode & 64) / 64));
+  vec3 slack = wfvWidening(e);
   float facing = wfvPlane.w > 0.0 ? 1.0 : -1.0;
   float sum = dot(ray.direction, wfvPlane.xyz);
-  float rho = wfvPlane.w / sum * wfvView.radii.y;
-  wfvB = e / sum;
+  float rho = wfvPlane.w / sum * exp2(floor(log2(wfvView.radii.y)));
+  wfvB = e / (e.x + e.y + e.z);
   wfvDepth = (rho - wfvView.radii.x) / (wfvView.radii.y - wfvView.radii.x);
   return ray.inside && facing * sum > 0.0 && wfvDepth >= 0.0 && wfvDepth <= 1.0 &&
     wfvInside(facing, e.x, slack.x, wfvMode & 2) && wfvInside(facing, e.y, slack.y, wfvMode & 4) &&
@@ -47,7 +60,7 @@ bool wfvCovered()
 
 void wfvPrepare()
 {
-  wfvB = wfvBary;
+  wfvB = wfvBary / (wfvBary.x + wfvBary.y + wfvBary.z);
   wfvDepth = gl_FragCoord.z;
   bool covered = (wfvMode & 1) == 0 || wfvCovered();
 #if WFV_EDGES

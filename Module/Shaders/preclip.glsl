@@ -1,9 +1,9 @@
 // Pre-clip, shared by triangles and lines: where a primitive meets the seam, and
 // where a chord in the map is too far from the great circle it stands for.
 //
-// Points are in tilted view coordinates, divided by the far radius. Every decision
-// about an edge is a symmetric function of its two end points, so that neighbours
-// decide alike and no crack opens.
+// Points are in tilted view coordinates, divided by a power of two near the far radius
+// (which costs no rounding). Every decision about an edge is a symmetric function of
+// its two end points, so that neighbours decide alike and no crack opens.
 
 uniform float wfvTolerance; // pixels
 
@@ -12,6 +12,19 @@ const float WFV_DEPTH_TOLERANCE = 0.002;
 
 // Safety over the three points at which the distance to the chord is sampled.
 const float WFV_CURVE_SAFETY = 1.2;
+
+// Round a pole or the antipode, inside so many pixels or this angle (radians),
+// whichever is more, edges are never drawn as chords.
+const float WFV_SINGULAR_PIXELS = 8.0;
+const float WFV_SINGULAR_ANGLE = 0.035;
+
+// An edge that no chord may stand for.
+const float WFV_CURVED = -1.0;
+
+float wfvScale() // view coordinates per unit of the stage's own coordinates
+{
+  return exp2(floor(log2(wfvView.radii.y)));
+}
 
 // Lexicographic order of two points: the canonical direction of an edge.
 bool wfvOrdered(vec3 a, vec3 b)
@@ -86,9 +99,43 @@ float wfvEdgeError(vec3 a, vec3 b)
   return WFV_CURVE_SAFETY * e;
 }
 
-// True where the chord a, b in the map, or the distance interpolated along it, is
-// too far from the edge.
-bool wfvCurved(vec3 p, vec3 q)
+// True where the arc a, b (unit vectors) comes within asin(s) of the axis.
+bool wfvNears(vec3 a, vec3 b, vec3 axis, float s)
+{
+  float c = sqrt(1.0 - s * s);
+  if (dot(a, axis) > c || dot(b, axis) > c)
+  {
+    return true;
+  }
+  vec3 n = cross(a, b);
+  float l = length(n);
+  if (!(abs(dot(n, axis)) < s * l))
+  {
+    return false;
+  }
+  vec3 top = axis - n * (dot(axis, n) / (l * l));
+  return dot(cross(a, top), n) > 0.0 && dot(cross(top, b), n) > 0.0;
+}
+
+// True where the arc comes so near to a point that the map stretches without bound
+// that a pixel there no longer looks like a plane.
+bool wfvNearsSingularity(vec3 a, vec3 b)
+{
+#if WFV_MERIDIAN
+  float pixel = 2.0 * wfvView.halfFov.y / (wfvViewport.w * wfvTile.y);
+  float s = sin(clamp(WFV_SINGULAR_PIXELS * pixel, WFV_SINGULAR_ANGLE, 1.0));
+  return wfvNears(a, b, vec3(0.0, 1.0, 0.0), s) || wfvNears(a, b, vec3(0.0, -1.0, 0.0), s);
+#else
+  float pixel = 2.0 * wfvView.halfFov.x / (wfvViewport.z * wfvTile.x);
+  float s = sin(clamp(WFV_SINGULAR_PIXELS * pixel, WFV_SINGULAR_ANGLE, 1.0));
+  return wfvNears(a, b, vec3(0.0, 0.0, 1.0), s);
+#endif
+}
+
+// How far, in pixels, the chord p, q in the map is from the edge; WFV_CURVED where
+// that is more than the tolerance, or where the distance interpolated along the chord
+// is too far from the truth.
+float wfvChordError(vec3 p, vec3 q)
 {
   vec3 a = wfvOrdered(p, q) ? p : q;
   vec3 b = wfvOrdered(p, q) ? q : p;
@@ -102,22 +149,27 @@ bool wfvCurved(vec3 p, vec3 q)
   float bisector = la * lb * sqrt(max(0.0, 0.5 + 0.5 * c)) / mean;
   if (!(c > -0.5) || !(mean - bisector < WFV_DEPTH_TOLERANCE * mean))
   {
-    return true;
+    return WFV_CURVED;
+  }
+  if (wfvNearsSingularity(da, db))
+  {
+    return WFV_CURVED;
   }
 #if WFV_MERIDIAN && !WFV_STRAIGHT_SEAM
-  bool crosses = (a.x < 0.0) != (b.x < 0.0) && (a.z > 0.0 || b.z > 0.0);
-  if (crosses)
+  bool meets = min(a.x, b.x) <= 0.0 && max(a.x, b.x) >= 0.0 && (a.z > 0.0 || b.z > 0.0);
+  if (meets)
   {
-    return true;
+    return WFV_CURVED;
   }
 #endif
-  return wfvEdgeError(da, db) > wfvTolerance;
+  float error = wfvEdgeError(da, db);
+  return error <= wfvTolerance ? error : WFV_CURVED;
 }
 
 // Clip coordinates of a point of a polygon that lies on one side of the seam.
 vec4 wfvClipOnSide(vec3 p, float side)
 {
-  float rho = wfvLength(p) * wfvView.radii.y;
+  float rho = wfvLength(p) * wfvScale();
 #if WFV_MERIDIAN
   vec2 angles = wfvMeridianAngles(p);
   float lambda = side == 0.0 ? angles.x : side * abs(angles.x);

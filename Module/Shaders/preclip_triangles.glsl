@@ -14,7 +14,8 @@ flat out vec3 wfvEdge0;  // planes through the eye and the edge opposite to corn
 flat out vec3 wfvEdge1;
 flat out vec3 wfvEdge2;
 flat out vec4 wfvPlane;  // the triangle's own plane: dot(xyz, p) = w
-flat out int wfvMode;    // bits: 1 covered, 2 4 8 tie of edge i is inside, 16 32 64 straight
+flat out vec3 wfvSlack;  // pixels by which edge i is widened to meet its chord; < 0: none
+flat out int wfvMode;    // bits: 1 covered, 2 4 8 a tie on edge i is inside
 
 // Pixels added round a covering shape, for the rounding of its own bounds.
 const float WFV_PAD = 1.5;
@@ -29,6 +30,7 @@ vec3 wfvP[3];
 int wfvVertexMode;
 vec3 wfvN[3];
 vec4 wfvT;
+vec3 wfvS;
 int wfvEmitted;
 
 void wfvEmit(vec4 position, vec3 bary)
@@ -42,6 +44,7 @@ void wfvEmit(vec4 position, vec3 bary)
     wfvEdge1 = wfvN[1];
     wfvEdge2 = wfvN[2];
     wfvPlane = wfvT;
+    wfvSlack = wfvS;
     wfvMode = wfvVertexMode;
     wfvWriteCorners();
     gl_PrimitiveID = gl_PrimitiveIDIn;
@@ -268,7 +271,7 @@ void main()
   wfvEmitted = 0;
   for (int i = 0; i < 3; i++)
   {
-    wfvP[i] = wfvTilt(gl_in[i].gl_Position.xyz, wfvView) / wfvView.radii.y;
+    wfvP[i] = wfvTilt(gl_in[i].gl_Position.xyz, wfvView) / wfvScale();
   }
   wfvN[0] = wfvEdgePlane(wfvP[1], wfvP[2]);
   wfvN[1] = wfvEdgePlane(wfvP[2], wfvP[0]);
@@ -281,10 +284,9 @@ void main()
     return;
   }
   float facing = wfvT.w > 0.0 ? 1.0 : -1.0;
-  bool curved0 = wfvCurved(wfvP[1], wfvP[2]);
-  bool curved1 = wfvCurved(wfvP[2], wfvP[0]);
-  bool curved2 = wfvCurved(wfvP[0], wfvP[1]);
-  bool cover = curved0 || curved1 || curved2;
+  wfvS = vec3(wfvChordError(wfvP[1], wfvP[2]), wfvChordError(wfvP[2], wfvP[0]),
+    wfvChordError(wfvP[0], wfvP[1]));
+  bool cover = min(wfvS.x, min(wfvS.y, wfvS.z)) < 0.0;
 #if WFV_MERIDIAN
   cover = cover || wfvHolds(1, 1.0, facing) || wfvHolds(1, -1.0, facing);
   bool seam = wfvReachesSeam();
@@ -300,8 +302,7 @@ void main()
     int ties = (wfvOrdered(wfvP[1], wfvP[2]) == (facing > 0.0) ? 2 : 0) +
       (wfvOrdered(wfvP[2], wfvP[0]) == (facing > 0.0) ? 4 : 0) +
       (wfvOrdered(wfvP[0], wfvP[1]) == (facing > 0.0) ? 8 : 0);
-    int straight = (curved0 ? 0 : 16) + (curved1 ? 0 : 32) + (curved2 ? 0 : 64);
-    wfvVertexMode = 1 + ties + straight;
+    wfvVertexMode = 1 + ties;
     wfvCover(facing < 0.0, facing);
     return;
   }

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Setters clamp and warn as VTK's do, and refuse what cannot be.
+#include "vtkCommand.h"
+#include "vtkTestErrorObserver.h"
+#include "vtkWideFoVCamera.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace
+{
+struct Camera
+{
+  Camera()
+  {
+    this->Object->AddObserver(vtkCommand::ErrorEvent, this->Messages);
+    this->Object->AddObserver(vtkCommand::WarningEvent, this->Messages);
+  }
+  vtkNew<vtkWideFoVCamera> Object;
+  vtkNew<vtkTest::ErrorObserver> Messages;
+};
+}
+
+TEST(Camera, StartsAsFullEquirectangular)
+{
+  Camera c;
+  EXPECT_STREQ(c.Object->GetProjection(), "equirectangular");
+  EXPECT_EQ(c.Object->GetHorizontalFieldOfView(), 360);
+  EXPECT_EQ(c.Object->GetVerticalFieldOfView(), 180);
+  EXPECT_TRUE(c.Object->IsWide());
+}
+
+TEST(Camera, RefusesAnUnknownProjection)
+{
+  Camera c;
+  c.Object->SetProjection("mercator-of-oz");
+  EXPECT_TRUE(c.Messages->GetError());
+  EXPECT_NE(c.Messages->GetErrorMessage().find("hammer"), std::string::npos);
+  EXPECT_STREQ(c.Object->GetProjection(), "equirectangular");
+  Camera d;
+  d.Object->SetProjection(nullptr);
+  EXPECT_TRUE(d.Messages->GetError());
+}
+
+TEST(Camera, ClampsFieldsOfView)
+{
+  Camera c;
+  c.Object->SetHorizontalFieldOfView(400);
+  EXPECT_TRUE(c.Messages->GetWarning());
+  EXPECT_EQ(c.Object->GetHorizontalFieldOfView(), 360);
+  c.Object->SetHorizontalFieldOfView(-3);
+  EXPECT_GT(c.Object->GetHorizontalFieldOfView(), 0);
+  c.Object->SetHorizontalFieldOfView(std::nan(""));
+  EXPECT_TRUE(std::isfinite(c.Object->GetHorizontalFieldOfView()));
+  c.Object->SetVerticalFieldOfView(181);
+  EXPECT_EQ(c.Object->GetVerticalFieldOfView(), 180);
+}
+
+TEST(Camera, ClampsToTheRangeOfANewProjection)
+{
+  Camera c;
+  c.Object->SetProjectionToPerspective();
+  EXPECT_LT(c.Object->GetHorizontalFieldOfView(), 180);
+  EXPECT_LT(c.Object->GetVerticalFieldOfView(), 180);
+  EXPECT_FALSE(c.Object->IsWide());
+}
+
+TEST(Camera, RefusesALensThatIsNotMonotone)
+{
+  Camera c;
+  c.Object->SetProjectionToAzimuthalEquidistant();
+  c.Object->SetFieldOfView(180);
+  EXPECT_TRUE(c.Object->SetLens(0.7, 0, -0.02, 0, 0));
+  EXPECT_FALSE(c.Object->SetLens(0.7, -0.6, 0, 0, 0));
+  EXPECT_TRUE(c.Messages->GetError());
+  double lens[5];
+  c.Object->GetLens(lens);
+  EXPECT_EQ(lens[0], 0.7);
+  EXPECT_EQ(lens[1], 0);
+  const double inf = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(c.Object->SetLens(inf, 0, 0, 0, 0));
+  EXPECT_FALSE(c.Object->SetLens(std::nan(""), 0, 0, 0, 0));
+}
+
+TEST(Camera, RemovesALensThatAWiderFieldOfViewBreaks)
+{
+  Camera c;
+  c.Object->SetProjectionToAzimuthalEquidistant();
+  c.Object->SetFieldOfView(90);
+  ASSERT_TRUE(c.Object->SetLens(1, -0.5, 0, 0, 0)); // slope 1 - t: grows to one radian
+  c.Object->SetFieldOfView(180);
+  EXPECT_TRUE(c.Messages->GetWarning());
+  double lens[5];
+  c.Object->GetLens(lens);
+  EXPECT_EQ(lens[0], 0);
+}
+
+TEST(Camera, RefusesClipSpheresOutOfOrder)
+{
+  Camera c;
+  const double before[2] = { c.Object->GetNearClipRadius(), c.Object->GetFarClipRadius() };
+  const double inf = std::numeric_limits<double>::infinity();
+  const double bad[][2] = { { 2, 1 }, { 1, 1 }, { 0, 1 }, { -1, 1 }, { 1, inf },
+    { std::nan(""), 1 }, { 1, std::nan("") } };
+  for (const auto& r : bad)
+  {
+    c.Messages->Clear();
+    c.Object->SetClipRadii(r[0], r[1]);
+    EXPECT_TRUE(c.Messages->GetError()) << r[0] << " " << r[1];
+    EXPECT_EQ(c.Object->GetNearClipRadius(), before[0]);
+    EXPECT_EQ(c.Object->GetFarClipRadius(), before[1]);
+  }
+  c.Object->SetClipRadii(1, 2);
+  EXPECT_FALSE(c.Object->GetAutomaticClipRadii());
+}
+
+TEST(Camera, TiltRaisesTheAxis)
+{
+  Camera c;
+  c.Object->SetProjectionToAzimuthalEquidistant();
+  c.Object->SetFieldOfView(180);
+  c.Object->SetPosition(0, 0, 0);
+  c.Object->SetFocalPoint(0, 0, -1);
+  c.Object->SetClipRadii(0.1, 10);
+  c.Object->SetTilt(90);
+  const double zenith[3] = { 0, 1, 0 };
+  const double ahead[3] = { 0, 0, -1 };
+  double ndc[3];
+  EXPECT_TRUE(c.Object->WorldToNDC(zenith, 1, ndc));
+  EXPECT_NEAR(ndc[0], 0, 1e-12);
+  EXPECT_NEAR(ndc[1], 0, 1e-12);
+  c.Object->WorldToNDC(ahead, 1, ndc);
+  EXPECT_NEAR(ndc[1], -1, 1e-12); // the front of a dome is at the bottom of its picture
+}
+
+TEST(Camera, PrintsWithoutFailing)
+{
+  Camera c;
+  std::ostringstream text;
+  c.Object->Print(text);
+  EXPECT_NE(text.str().find("Projection: equirectangular"), std::string::npos);
+}

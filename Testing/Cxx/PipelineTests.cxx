@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a change of view costs: no buffer is rebuilt for a projection or a field of
+// view, no shader for a field of view; the geometry stage is used where it must be.
+#include "WideFoVTestScene.h"
+
+#include "vtkActor.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkInformation.h"
+#include "vtkMapper.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLVertexBufferObjectGroup.h"
+#include "vtkShaderProgram.h"
+#include "vtkSphereSource.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace
+{
+// What the mapper keeps to itself.
+class Inside : public vtkOpenGLPolyDataMapper
+{
+public:
+  static vtkMTimeType BuildTime(vtkMapper* mapper)
+  {
+    auto* self = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
+    return (self->*(&Inside::VBOBuildTime)).GetMTime();
+  }
+};
+
+// The programs that a mapper drew its last frame with.
+struct Programs
+{
+  explicit Programs(vtkMapper* mapper)
+  {
+    this->Command->SetClientData(this);
+    this->Command->SetCallback([](vtkObject*, unsigned long, void* self, void* program) {
+      static_cast<Programs*>(self)->Used.insert(static_cast<vtkShaderProgram*>(program));
+    });
+    mapper->AddObserver(vtkCommand::UpdateShaderEvent, this->Command);
+  }
+  std::set<vtkShaderProgram*> Used;
+  vtkNew<vtkCallbackCommand> Command;
+};
+
+vtkSmartPointer<vtkActor> Ball(double x, double y, double z)
+{
+  vtkNew<vtkSphereSource> ball;
+  ball->SetCenter(x, y, z);
+  ball->SetRadius(0.3);
+  return MakeTestActor(ball, 1, 1, 1);
+}
+}
+
+TEST(Pipeline, AFieldOfViewCostsNoShaderAndNoBuffer)
+{
+  WideFoVTestWindow test("equirectangular", 100, 50);
+  auto ball = Ball(0, 0, 2);
+  test.Renderer->AddActor(ball);
+  Programs programs(ball->GetMapper());
+  test.Window->Render();
+  const vtkMTimeType built = Inside::BuildTime(ball->GetMapper());
+  const std::set<vtkShaderProgram*> first = programs.Used;
+  ASSERT_EQ(first.size(), 1u);
+  const vtkMTimeType compiled = (*first.begin())->GetMTime();
+  for (double fov : { 300.0, 200.0, 90.0 })
+  {
+    test.Camera->SetHorizontalFieldOfView(fov);
+    test.Camera->SetVerticalFieldOfView(fov / 2);
+    test.Camera->SetTilt(fov / 10);
+    test.Window->Render();
+  }
+  EXPECT_EQ(programs.Used, first);
+  EXPECT_EQ((*first.begin())->GetMTime(), compiled);
+  EXPECT_EQ(Inside::BuildTime(ball->GetMapper()), built);
+}
+
+TEST(Pipeline, AProjectionCostsOneShaderOnceAndNoBuffer)
+{
+  WideFoVTestWindow test("equirectangular", 100, 50);
+  auto ball = Ball(0, 0, 2);
+  test.Renderer->AddActor(ball);
+  Programs programs(ball->GetMapper());
+  test.Window->Render();
+  const vtkMTimeType built = Inside::BuildTime(ball->GetMapper());
+  test.Camera->SetProjectionToHammer();
+  test.Window->Render();
+  EXPECT_EQ(programs.Used.size(), 2u);
+  test.Camera->SetProjectionToEquirectangular();
+  test.Window->Render();
+  test.Camera->SetProjectionToHammer();
+  test.Window->Render();
+  EXPECT_EQ(programs.Used.size(), 2u); // both came from the cache
+  EXPECT_EQ(Inside::BuildTime(ball->GetMapper()), built);
+}
+
+TEST(Pipeline, TheGeometryStageIsUsedWhereADiscontinuityIsMet)
+{
+  const struct
+  {
+    double Position[3];
+    int PreClip;
+  } places[] = { { { 0, 0, -2 }, 0 }, { { 2, 0, 0 }, 0 }, { { 0, 0, 2 }, 1 }, { { 0, 2, 0 }, 1 },
+    { { 0.1, 0, 0.1 }, 1 } };
+  for (const auto& place : places)
+  {
+    WideFoVTestWindow test("equirectangular", 100, 50);
+    test.Renderer->AddActor(Ball(place.Position[0], place.Position[1], place.Position[2]));
+    test.Window->Render();
+    EXPECT_EQ(test.Pass()->GetNumberOfPreClipDraws(), place.PreClip) << place.Position[2];
+    EXPECT_EQ(test.Pass()->GetNumberOfPlainDraws(), 1 - place.PreClip) << place.Position[2];
+  }
+}
+
+TEST(Pipeline, OneActorInAViewThatTurnsKeepsItsBuffers)
+{
+  WideFoVTestWindow test("azimuthal-equidistant", 64, 64);
+  auto ball = Ball(0, 0, 2);
+  test.Renderer->AddActor(ball);
+  test.Window->Render();
+  const vtkMTimeType built = Inside::BuildTime(ball->GetMapper());
+  int preClip = 0;
+  int plain = 0;
+  for (int i = 0; i < 12; i++)
+  {
+    test.Camera->Yaw(30);
+    test.Window->Render();
+    preClip += test.Pass()->GetNumberOfPreClipDraws();
+    plain += test.Pass()->GetNumberOfPlainDraws();
+  }
+  EXPECT_EQ(preClip + plain, 12);
+  EXPECT_GT(preClip, 0);
+  EXPECT_GT(plain, 0);
+  EXPECT_EQ(Inside::BuildTime(ball->GetMapper()), built);
+}
+
+TEST(Pipeline, PropsAreLeftAsTheyWere)
+{
+  WideFoVTestWindow test("hammer", 64, 32);
+  auto ball = Ball(0, 0, 2);
+  test.Renderer->AddActor(ball);
+  test.Window->Render();
+  vtkInformation* keys = ball->GetPropertyKeys();
+  EXPECT_TRUE(!keys || !keys->Has(vtkOpenGLRenderPass::RenderPasses()));
+}

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Hardware selection returns the cell that is drawn, all round.
+#include "WideFoVTestScene.h"
+
+#include "vtkActor.h"
+#include "vtkDataArray.h"
+#include "vtkHardwareSelector.h"
+#include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkPointData.h"
+#include "vtkProp.h"
+#include "vtkPropPicker.h"
+#include "vtkProperty.h"
+#include "vtkSelection.h"
+#include "vtkSelectionNode.h"
+#include "vtkSphereSource.h"
+#include "vtkWideFoVDataPass.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+vtkSmartPointer<vtkActor> Globe()
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(2);
+  sphere->SetThetaResolution(17);
+  sphere->SetPhiResolution(11);
+  return MakeTestActor(sphere, 1, 1, 1);
+}
+
+// Cell at a pixel by the hardware selector, or -1.
+vtkIdType SelectCell(WideFoVTestWindow& test, unsigned int x, unsigned int y, vtkProp*& prop)
+{
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(test.Renderer);
+  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  selector->SetArea(x, y, x, y);
+  auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
+  if (!selection || selection->GetNumberOfNodes() == 0)
+  {
+    return -1;
+  }
+  vtkSelectionNode* node = selection->GetNode(0);
+  prop = vtkProp::SafeDownCast(node->GetProperties()->Get(vtkSelectionNode::PROP()));
+  auto* ids = vtkIdTypeArray::SafeDownCast(node->GetSelectionList());
+  return ids && ids->GetNumberOfValues() ? ids->GetValue(0) : -1;
+}
+}
+
+TEST(Selection, HardwareSelectionIsTheDrawnCell)
+{
+  for (const char* projection : { "equirectangular", "hammer", "azimuthal-equidistant" })
+  {
+    WideFoVTestWindow test(projection, 200, 100);
+    auto globe = Globe();
+    test.Renderer->AddActor(globe);
+    test.Window->Render();
+    vtkRenderPass* pass = test.Renderer->GetPass();
+    vtkNew<vtkWideFoVDataPass> data;
+    data->SetDelegatePass(pass);
+    data->SetPropIndex(globe, 0);
+    test.Renderer->SetPass(data);
+    test.Window->Render();
+    auto* cells = data->GetOutput()->GetPointData()->GetArray("cell");
+    ASSERT_TRUE(cells);
+    test.Renderer->SetPass(pass);
+    int drawn = 0;
+    for (unsigned int y = 5; y < 100; y += 30)
+    {
+      for (unsigned int x = 1; x < 200; x += 37)
+      {
+        const auto expected = static_cast<vtkIdType>(cells->GetTuple1(y * 200 + x)) - 1;
+        vtkProp* prop = nullptr;
+        EXPECT_EQ(SelectCell(test, x, y, prop), expected) << projection << " " << x << "," << y;
+        if (expected >= 0)
+        {
+          EXPECT_EQ(prop, globe.Get());
+          drawn++;
+        }
+      }
+    }
+    EXPECT_GT(drawn, 5) << projection;
+  }
+}
+
+TEST(Selection, APropPickerFindsThePropBehind)
+{
+  WideFoVTestWindow test("equirectangular", 200, 100);
+  auto globe = Globe();
+  test.Renderer->AddActor(globe);
+  vtkNew<vtkSphereSource> ball;
+  ball->SetCenter(0.2, 0, 1.2);
+  ball->SetRadius(0.3);
+  auto actor = MakeTestActor(ball, 1, 0, 0);
+  test.Renderer->AddActor(actor);
+  test.Window->Render();
+  test.Renderer->SetWorldPoint(0.2, 0, 1.2, 1);
+  test.Renderer->WorldToDisplay();
+  double d[3];
+  test.Renderer->GetDisplayPoint(d);
+  vtkNew<vtkPropPicker> picker;
+  picker->Pick(d[0], d[1], 0, test.Renderer);
+  EXPECT_EQ(picker->GetActor(), actor.Get());
+  picker->Pick(100, 50, 0, test.Renderer);
+  EXPECT_EQ(picker->GetActor(), globe.Get());
+}

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The shader builder is text in, text out: tested on text.
+#include "vtkWideFoVShaderBuilder.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace
+{
+using Builder = vtkWideFoVShaderBuilder;
+
+const char* const Vertex = "//VTK::System::Dec\n"
+                           "in vec4 vertexMC;\n"
+                           "out vec3 normalVCVSOutput;\n"
+                           "out float clipDistancesVSOutput[6];\n"
+                           "flat out int vertexIDVSOutput;\n"
+                           "void main()\n{\n  gl_Position = vertexMC;\n}\n";
+
+const char* const Fragment = "//VTK::System::Dec\n"
+                             "in vec3 normalVCVSOutput;\n"
+                             "in float clipDistancesVSOutput[6];\n"
+                             "flat in int vertexIDVSOutput;\n"
+                             "void main()\n{\n"
+                             "  // Set gl_FragDepth here (gl_FragCoord.z by default)\n"
+                             "  float z = gl_FragCoord.z;\n}\n";
+
+struct Sources
+{
+  std::string VertexStage = Vertex;
+  std::string GeometryStage;
+  std::string FragmentStage = Fragment;
+};
+
+Sources Build(const char* projection, Builder::Variant variant, Builder::Primitive kind)
+{
+  Builder::Request request;
+  request.Projection = wfv::FindProjection(projection);
+  request.Stage = variant;
+  request.Kind = kind;
+  Sources s;
+  Builder::Prepare(request, s.GeometryStage, s.FragmentStage);
+  Builder::Finish(request, s.VertexStage, s.GeometryStage, s.FragmentStage);
+  return s;
+}
+
+bool Has(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+}
+
+TEST(ShaderBuilder, PlainProjectsInTheVertexStageAlone)
+{
+  const Sources s = Build("hammer", Builder::Variant::Plain, Builder::Primitive::Triangles);
+  EXPECT_TRUE(Has(s.VertexStage, "wfvProjectVertex(gl_Position.xyz)"));
+  EXPECT_TRUE(s.GeometryStage.empty());
+  EXPECT_EQ(s.FragmentStage, Fragment); // nothing to do there: early depth tests stay
+}
+
+TEST(ShaderBuilder, PreClipCarriesEveryOutputByThreeCorners)
+{
+  const Sources s = Build("equirectangular", Builder::Variant::PreClip, Builder::Primitive::Triangles);
+  EXPECT_FALSE(Has(s.VertexStage, "wfvProject"));
+  EXPECT_TRUE(Has(s.GeometryStage, "in vec3 normalVCVSOutput[];"));
+  // GLSL 1.50 has no arrays of arrays
+  EXPECT_TRUE(Has(s.VertexStage, "wfvArray0_1VSOutput = vec4(clipDistancesVSOutput[4], clipDistancesVSOutput[5], 0.0, 0.0);"));
+  EXPECT_TRUE(Has(s.GeometryStage, "in vec4 wfvArray0_1VSOutput[];"));
+  EXPECT_TRUE(Has(s.FragmentStage, "normalVCVSOutput = wfvB.x * "));
+  EXPECT_TRUE(Has(s.FragmentStage, "clipDistancesVSOutput[5] = wfvArray0_1VSOutput[1];"));
+  EXPECT_FALSE(Has(s.FragmentStage, "in vec3 normalVCVSOutput;"));
+  // whole numbers are not mixed
+  EXPECT_TRUE(Has(s.FragmentStage, "vertexIDVSOutput = wfvCorner3_2;"));
+  EXPECT_FALSE(Has(s.FragmentStage, "float z = gl_FragCoord.z"));
+  EXPECT_TRUE(Has(s.FragmentStage, "gl_FragDepth = wfvDepth;"));
+}
+
+TEST(ShaderBuilder, LinesMixTheirTwoEnds)
+{
+  const Sources s = Build("equirectangular", Builder::Variant::PreClip, Builder::Primitive::Lines);
+  EXPECT_TRUE(Has(s.GeometryStage, "mix(normalVCVSOutput[0], normalVCVSOutput[1], t)"));
+  EXPECT_TRUE(Has(s.GeometryStage, "layout(lines) in"));
+}
+
+TEST(ShaderBuilder, PointsNeverNeedAGeometryStage)
+{
+  const Sources s = Build("equirectangular", Builder::Variant::PreClip, Builder::Primitive::Points);
+  EXPECT_TRUE(s.GeometryStage.empty());
+  EXPECT_TRUE(Has(s.VertexStage, "wfvProjectVertex"));
+}
+
+TEST(ShaderBuilder, RoundMapsEndAtTheirRim)
+{
+  const Sources s = Build("azimuthal-equidistant", Builder::Variant::Plain, Builder::Primitive::Triangles);
+  EXPECT_TRUE(Has(s.FragmentStage, "if (wfvOutsideDomain()) { discard; }"));
+}
+
+TEST(ShaderBuilder, HeadlightsShineFromTheEye)
+{
+  Builder::Request request;
+  request.Projection = wfv::FindProjection("hammer");
+  std::string vertex = Vertex;
+  std::string geometry;
+  std::string fragment = "//VTK::System::Dec\n"
+                         "uniform vec3 lightDirectionVC0;\n"
+                         "void main()\n{\n"
+                         "vec4 vertexVC = vertexVCVSOutput;\n"
+                         "  float df = max(0.0,normalVCVSOutput.z);\n"
+                         "  df = dot(normalVCVSOutput, -lightDirectionVC0);\n}\n";
+  Builder::Finish(request, vertex, geometry, fragment);
+  EXPECT_FALSE(Has(fragment, "normalVCVSOutput.z"));
+  EXPECT_TRUE(Has(fragment, "uniform vec3 lightDirectionVC0;"));
+  EXPECT_TRUE(Has(fragment, "-wfvLightDirection(0, lightDirectionVC0)"));
+}
+
+TEST(ShaderBuilder, WrappingNests)
+{
+  std::string source = "void main()\n{\n}\n";
+  Builder::WrapMain(source, "  a();\n", "");
+  Builder::WrapMain(source, "", "  b();\n");
+  EXPECT_TRUE(Has(source, "void wfvStockMain0()"));
+  EXPECT_TRUE(Has(source, "void wfvStockMain1()"));
+  EXPECT_LT(source.find("wfvStockMain0();"), source.rfind("wfvStockMain1();"));
+  EXPECT_EQ(source.find("void main()"), source.rfind("void main()"));
+}
