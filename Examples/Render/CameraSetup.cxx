@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CameraSetup.h"
+
+#include "MeshBuilder.h"
+#include "Messages.h"
+
+#include <vtkCamera.h>
+#include <vtkNew.h>
+#include <vtkRenderer.h>
+#include <vtkWideFoVCamera.h>
+
+#include <cmath>
+
+namespace widefov
+{
+namespace
+{
+// Sine of the smallest angle between up and the direction of view.
+constexpr double SmallestSine = 1e-6;
+
+double Length(const Vector3& v)
+{
+  return std::hypot(v[0], v[1], v[2]);
+}
+
+bool Parallel(const Vector3& a, const Vector3& b)
+{
+  return Length(Cross(a, b)) < SmallestSine;
+}
+
+// The focal point lies a scene's size ahead: its distance has no effect on a wide view,
+// but VTK measures other things by it.
+double FocalDistance(const Scene& scene)
+{
+  double b[6];
+  if (!SceneBounds(scene, b))
+  {
+    return 1;
+  }
+  const double diagonal = std::hypot(b[1] - b[0], b[3] - b[2], b[5] - b[4]);
+  return diagonal > 0 ? diagonal : 1;
+}
+
+void Place(vtkCamera* camera, const Pose& pose, double distance)
+{
+  const Vector3 ahead = pose.Eye + distance * pose.Direction;
+  camera->SetPosition(pose.Eye.data());
+  camera->SetFocalPoint(ahead.data());
+  camera->SetViewUp(pose.Up.data());
+}
+
+void SetView(vtkWideFoVCamera* camera, const Options& o)
+{
+  const wfv::ViewOptions& v = o.View;
+  camera->SetProjection(o.Projection.c_str());
+  camera->SetHorizontalFieldOfView(v.HorizontalFov);
+  camera->SetVerticalFieldOfView(v.VerticalFov);
+  camera->SetTilt(v.Tilt);
+  if (v.Lens != wfv::ViewOptions().Lens)
+  {
+    camera->SetLens(v.Lens[0], v.Lens[1], v.Lens[2], v.Lens[3], v.Lens[4]);
+  }
+  if (o.HasClip)
+  {
+    camera->SetClipRadii(v.Radii[0], v.Radii[1]);
+  }
+}
+}
+
+Pose MakePose(const Scene& scene, const Options& o)
+{
+  Pose pose;
+  pose.Eye = o.Eye.value_or(SceneEye(scene));
+  Vector3 direction = o.Direction.value_or(Vector3{ { 0, 0, -1 } });
+  if (o.LookAt)
+  {
+    direction = *o.LookAt - pose.Eye;
+    if (Length(direction) == 0)
+    {
+      FailUsage("--look-at is where the eye is (" + Text(pose.Eye[0]) + "," + Text(pose.Eye[1]) +
+        "," + Text(pose.Eye[2]) + "); choose another point, or give --eye");
+    }
+  }
+  pose.Direction = Unit(direction);
+  pose.Up = Unit(o.Up.value_or(Vector3{ { 0, 1, 0 } }));
+  if (Parallel(pose.Direction, pose.Up))
+  {
+    if (o.Up)
+    {
+      FailUsage("--up is parallel to the direction of view; choose another");
+    }
+    pose.Up = { { 0, 0, pose.Direction[1] > 0 ? 1. : -1. } }; // as if the head were tilted back
+  }
+  return pose;
+}
+
+void SetCamera(vtkRenderer* renderer, const Scene& scene, const Options& o)
+{
+  const Pose pose = MakePose(scene, o);
+  const double distance = FocalDistance(scene);
+  if (o.Technique != Technique::CubeMap)
+  {
+    vtkNew<vtkWideFoVCamera> camera;
+    Place(camera, pose, distance);
+    SetView(camera, o);
+    renderer->SetActiveCamera(camera);
+    return;
+  }
+  vtkNew<vtkCamera> camera;
+  Place(camera, pose, distance);
+  camera->OrthogonalizeViewUp();
+  camera->Pitch(o.View.Tilt);
+  camera->OrthogonalizeViewUp();
+  renderer->SetActiveCamera(camera);
+}
+}

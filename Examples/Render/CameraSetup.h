@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The camera that the options describe.
+#ifndef WideFoVCameraSetup_h
+#define WideFoVCameraSetup_h
+
+#include "Options.h"
+#include "Scene.h"
+
+class vtkRenderer;
+
+namespace widefov
+{
+struct Pose
+{
+  Vector3 Eye;
+  Vector3 Direction; // unit length
+  Vector3 Up;        // unit length, not parallel to Direction
+};
+
+// Throws a Failure with ExitUsage where the directions do not make a camera.
+Pose MakePose(const Scene& scene, const Options& options);
+
+// Gives the renderer its camera: a vtkWideFoVCamera, or for the technique cubemap a
+// stock one.
+void SetCamera(vtkRenderer* renderer, const Scene& scene, const Options& options);
+}
+
+#endif

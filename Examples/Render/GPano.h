@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The photo sphere metadata by which viewers recognise an equirectangular picture:
+// XMP of the name space http://ns.google.com/photos/1.0/panorama/.
+#ifndef WideFoVGPano_h
+#define WideFoVGPano_h
+
+#include "ImageOutput.h"
+
+#include <string>
+#include <vector>
+
+namespace widefov
+{
+struct GPanoField
+{
+  std::string Name;
+  std::string Value;
+};
+
+// For a picture of that many pixels; a smaller field of view is a crop out of the middle
+// of the whole sphere at the same density.
+std::vector<GPanoField> GPanoFields(int width, int height, const PanoramaInfo& info);
+
+// The same as an XMP packet.
+std::string GPanoXmp(int width, int height, const PanoramaInfo& info);
+
+// Inserts the packet into the bytes of a PNG file, as the iTXt chunk "XML:com.adobe.xmp"
+// behind the header. Throws a Failure with ExitFailed where these are no PNG.
+void InsertPngXmp(std::vector<unsigned char>& png, const std::string& xmp);
+}
+
+#endif

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pictures as files, through OpenImageIO.
+#ifndef WideFoVImageOutput_h
+#define WideFoVImageOutput_h
+
+#include <string>
+#include <vector>
+
+namespace widefov
+{
+// Rows from the top.
+struct Picture
+{
+  int Width = 0;
+  int Height = 0;
+  std::vector<unsigned char> Rgb;
+};
+
+struct FloatPicture
+{
+  int Width = 0;
+  int Height = 0;
+  std::vector<std::string> Channels;
+  std::vector<float> Values; // interleaved
+};
+
+// What a viewer of panoramas wants to know.
+struct PanoramaInfo
+{
+  bool Equirectangular = false;
+  double HorizontalFov = 360; // degrees
+  double VerticalFov = 180;   // degrees
+};
+
+// Throw a Failure with ExitUsage where the ending is none that can be written.
+void CheckPictureName(const std::string& path);
+void CheckAovName(const std::string& path);
+
+// The bytes of the file that the ending of `path` asks for. Equirectangular JPEG, TIFF
+// and PNG carry GPano metadata, EXR of the whole sphere the attribute envmap. EXR holds
+// the displayed values over 255, not linear light. Throw a Failure with ExitFailed.
+std::vector<unsigned char> EncodePicture(
+  const Picture& picture, const std::string& path, const PanoramaInfo& info);
+std::vector<unsigned char> EncodeFloats(const FloatPicture& picture, const PanoramaInfo& info);
+}
+
+#endif

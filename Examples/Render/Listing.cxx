@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Listing.h"
+
+#include "Scenes.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace widefov
+{
+namespace
+{
+using Json = nlohmann::ordered_json;
+
+Json Describe(const wfv::Projection& p)
+{
+  Json options = Json::array();
+  if (p.Axis == wfv::Family::Azimuthal)
+  {
+    options.push_back("fov");
+  }
+  else
+  {
+    options.push_back("hfov");
+    options.push_back("vfov");
+  }
+  options.push_back("tilt");
+  if (p.HasLens)
+  {
+    options.push_back("lens");
+  }
+  return { { "name", p.Name }, { "title", p.Title }, { "properties", p.Properties },
+    { "max_hfov", p.MaxHorizontalFov }, { "max_vfov", p.MaxVerticalFov }, { "options", options } };
+}
+
+std::string ProjectionList(bool json)
+{
+  Json list = Json::array();
+  std::string names;
+  for (const wfv::Projection& p : wfv::Projections())
+  {
+    list.push_back(Describe(p));
+    names += p.Name + "\n";
+  }
+  return json ? list.dump(2) + "\n" : names;
+}
+
+std::string SceneList(bool json)
+{
+  Json list = Json::array();
+  std::string names;
+  for (const SceneDefinition& d : SceneDefinitions())
+  {
+    list.push_back({ { "name", d.Name }, { "title", d.Title } });
+    names += d.Name + "\n";
+  }
+  return json ? list.dump(2) + "\n" : names;
+}
+
+template <class Value>
+Json Known(const std::optional<Value>& value)
+{
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json Times(std::vector<double> ms)
+{
+  if (ms.empty())
+  {
+    return { { "median", nullptr }, { "min", nullptr }, { "max", nullptr } };
+  }
+  std::sort(ms.begin(), ms.end());
+  const std::size_t middle = ms.size() / 2;
+  const double median = ms.size() % 2 == 1 ? ms[middle] : 0.5 * (ms[middle - 1] + ms[middle]);
+  return { { "median", median }, { "min", ms.front() }, { "max", ms.back() } };
+}
+}
+
+std::string ListingText(const Options& options)
+{
+  std::string text;
+  if (options.Version)
+  {
+    text += "widefov-render " WIDEFOV_VERSION "\n";
+  }
+  if (options.ListProjections)
+  {
+    text += ProjectionList(options.Json);
+  }
+  if (options.ListScenes)
+  {
+    text += SceneList(options.Json);
+  }
+  return text;
+}
+
+std::string StatsText(const Options& options, const Scene& scene, const RenderStats& stats)
+{
+  const PrimitiveCount count = CountPrimitives(scene);
+  std::optional<int> culled;
+  if (stats.PropsDrawn)
+  {
+    culled = stats.PropsTotal - *stats.PropsDrawn;
+  }
+  const Json json = { { "version", WIDEFOV_VERSION },
+    { "gl",
+      { { "vendor", stats.Gl.Vendor }, { "renderer", stats.Gl.Renderer },
+        { "version", stats.Gl.Version } } },
+    { "projection", options.Projection }, { "technique", options.TechniqueName },
+    { "size", { options.Size[0], options.Size[1] } }, { "frames", stats.Milliseconds.size() },
+    { "ms", Times(stats.Milliseconds) },
+    { "props",
+      { { "total", stats.PropsTotal }, { "drawn", Known(stats.PropsDrawn) },
+        { "culled", Known(culled) } } },
+    { "primitives",
+      { { "triangles", count.Triangles }, { "lines", count.Lines }, { "points", count.Points } } },
+    { "variants",
+      { { "plain", Known(stats.PlainDraws) }, { "preclip", Known(stats.PreClipDraws) },
+        { "tessellate", nullptr }, { "exact", nullptr } } } };
+  return json.dump(2) + "\n";
+}
+}

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the program says: one line a message, on standard error, beginning with the
+// program's name.
+#ifndef WideFoVMessages_h
+#define WideFoVMessages_h
+
+#include <stdexcept>
+#include <string>
+
+namespace widefov
+{
+// Exit codes of every program here.
+constexpr int ExitDone = 0;
+constexpr int ExitFailed = 1; // a file, the data, the display or the disk
+constexpr int ExitUsage = 2;  // the command line
+
+// Ends the program with one line and an exit code.
+class Failure : public std::runtime_error
+{
+public:
+  Failure(int exitCode, const std::string& message)
+    : std::runtime_error(message)
+    , ExitCode(exitCode)
+  {
+  }
+
+  const int ExitCode;
+};
+
+// Throw a Failure: at run time, or because of the command line.
+[[noreturn]] void Fail(const std::string& message);
+[[noreturn]] void FailUsage(const std::string& message);
+
+// The name that begins every line (default "widefov-render").
+void SetProgramName(const std::string& name);
+const std::string& GetProgramName();
+
+// The text as one printable line: line breaks and runs of blanks become one blank.
+std::string OneLine(const std::string& text);
+
+// One line on standard error. Nothing is lost when standard error itself is
+// redirected by QuietStandardError.
+void Say(const std::string& message);
+
+// Throws a Failure with ExitFailed where what was printed did not get out.
+void CheckStandardOutput();
+
+// Numbers as people write them: no trailing zeros.
+std::string Text(double value);
+
+// While one of these lives, what libraries print to standard error by themselves goes
+// nowhere; Say still reaches the user. Not to be nested.
+class QuietStandardError
+{
+public:
+  QuietStandardError();
+  ~QuietStandardError();
+  QuietStandardError(const QuietStandardError&) = delete;
+  QuietStandardError& operator=(const QuietStandardError&) = delete;
+};
+
+// The file descriptor that reaches the user, whatever QuietStandardError did.
+int UserErrorDescriptor();
+}
+
+#endif

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OptionCheck.h"
+
+#include "ImageOutput.h"
+#include "Messages.h"
+#include "OptionValues.h"
+#include "Scenes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace widefov
+{
+namespace
+{
+constexpr double Degree = 3.14159265358979323846 / 180;
+
+// Horizontal field of view of the perspective where none is given, degrees.
+constexpr double PerspectiveFov = 90;
+
+const wfv::Projection& CheckProjection(const Options& o)
+{
+  const wfv::Projection* const projection = wfv::FindProjection(o.Projection);
+  if (projection == nullptr)
+  {
+    std::vector<std::string> names;
+    for (const wfv::Projection& p : wfv::Projections())
+    {
+      names.push_back(p.Name);
+    }
+    CheckChoice("--projection", o.Projection, names);
+  }
+  return *projection;
+}
+
+// Square pixels: the angle across `to` pixels where `angle` (degrees) spans `from`.
+double PlanarFov(double angle, double from, double to)
+{
+  return 2 * std::atan(std::tan(0.5 * angle * Degree) * to / from) / Degree;
+}
+
+void CompletePlanar(Options& o, const wfv::Projection& p, const FieldsOfView& fov)
+{
+  const double width = o.Size[0];
+  const double height = o.Size[1];
+  wfv::ViewOptions& v = o.View;
+  if (fov.Horizontal || !fov.Vertical)
+  {
+    v.HorizontalFov = fov.Horizontal.value_or(PerspectiveFov);
+    v.VerticalFov =
+      fov.Vertical.value_or(std::min(p.MaxVerticalFov, PlanarFov(v.HorizontalFov, width, height)));
+  }
+  else
+  {
+    v.VerticalFov = *fov.Vertical;
+    v.HorizontalFov = std::min(p.MaxHorizontalFov, PlanarFov(v.VerticalFov, height, width));
+  }
+}
+
+void CompleteView(Options& o, const FieldsOfView& fov)
+{
+  const wfv::Projection& p = CheckProjection(o);
+  wfv::ViewOptions& v = o.View;
+  v.Aspect = double(o.Size[0]) / o.Size[1];
+  if (fov.Round && p.Axis != wfv::Family::Azimuthal)
+  {
+    FailUsage("--fov is for round projections; give " + p.Name + " --hfov and --vfov");
+  }
+  if (p.Axis == wfv::Family::Planar)
+  {
+    CompletePlanar(o, p, fov);
+  }
+  else if (p.Axis == wfv::Family::Azimuthal)
+  {
+    v.HorizontalFov =
+      fov.Round.value_or(fov.Horizontal.value_or(std::min(360., p.MaxHorizontalFov)));
+    v.VerticalFov =
+      fov.Round || !fov.Vertical ? std::min(v.HorizontalFov, p.MaxVerticalFov) : *fov.Vertical;
+  }
+  else
+  {
+    v.HorizontalFov = fov.Horizontal.value_or(std::min(360., p.MaxHorizontalFov));
+    v.VerticalFov = fov.Vertical.value_or(std::min(180., p.MaxVerticalFov));
+  }
+  std::copy(fov.Lens.begin(), fov.Lens.end(), v.Lens.begin());
+  if (!fov.Lens.empty() &&
+    std::all_of(fov.Lens.begin(), fov.Lens.end(), [](double c) { return c == 0; }))
+  {
+    FailUsage("--lens: all coefficients are zero; at least one must not be");
+  }
+  const std::string complaint = wfv::CheckOptions(p, v);
+  if (!complaint.empty())
+  {
+    FailUsage(complaint);
+  }
+}
+
+double Length(const Vector3& v)
+{
+  return std::hypot(v[0], v[1], v[2]);
+}
+
+void CheckCamera(const Options& o)
+{
+  if (o.LookAt && o.Direction)
+  {
+    FailUsage("--look-at and --direction exclude each other; give one");
+  }
+  if (o.Direction && Length(*o.Direction) == 0)
+  {
+    FailUsage("--direction: 0,0,0 is no direction");
+  }
+  if (o.Up && Length(*o.Up) == 0)
+  {
+    FailUsage("--up: 0,0,0 is no direction");
+  }
+  if (o.Eye && o.LookAt && *o.Eye == *o.LookAt)
+  {
+    FailUsage("--look-at is the same point as --eye; choose another");
+  }
+}
+
+void CheckInput(const Options& o)
+{
+  if (!o.Scene.empty() && !o.Files.empty())
+  {
+    FailUsage("--scene and files exclude each other; give one or the other");
+  }
+  if (o.Scene.empty() && o.Files.empty())
+  {
+    FailUsage("no input; give a file or --scene NAME (--list-scenes prints the names)");
+  }
+  if (!o.Scene.empty())
+  {
+    CheckChoice("--scene", o.Scene, SceneNames());
+  }
+  if (o.Look.Range && !((*o.Look.Range)[0] < (*o.Look.Range)[1]))
+  {
+    FailUsage("--range: the first value must be below the second");
+  }
+}
+
+// Two names of one file, existing or not.
+bool SameFile(const std::string& a, const std::string& b)
+{
+  std::error_code error;
+  if (std::filesystem::equivalent(a, b, error))
+  {
+    return true;
+  }
+  return std::filesystem::weakly_canonical(a, error) == std::filesystem::weakly_canonical(b, error);
+}
+
+void CheckOutput(const Options& o)
+{
+  std::vector<std::string> all = o.Outputs;
+  for (const std::string& output : o.Outputs)
+  {
+    CheckPictureName(output);
+  }
+  if (!o.Aov.empty())
+  {
+    CheckAovName(o.Aov);
+    all.push_back(o.Aov);
+  }
+  if (!o.Stats.empty())
+  {
+    all.push_back(o.Stats);
+  }
+  if (all.empty())
+  {
+    FailUsage("nothing to write; give -o FILE, --aov FILE.exr or --stats FILE.json");
+  }
+  for (std::size_t i = 0; i < all.size(); i++)
+  {
+    for (std::size_t j = 0; j < i; j++)
+    {
+      if (SameFile(all[i], all[j]))
+      {
+        FailUsage(all[i] + " is named twice as output; give each its own name");
+      }
+    }
+    for (const std::string& input : o.Files)
+    {
+      if (SameFile(all[i], input))
+      {
+        FailUsage(all[i] + " is an input file; write somewhere else");
+      }
+    }
+  }
+}
+
+void CheckTechnique(Options& o)
+{
+  o.Technique = o.TechniqueName == "preclip" ? Technique::PreClip
+    : o.TechniqueName == "vertex"            ? Technique::Vertex
+    : o.TechniqueName == "cubemap"           ? Technique::CubeMap
+                                             : Technique::Auto;
+  if (o.Technique != Technique::CubeMap)
+  {
+    return;
+  }
+  const std::string cubemap = "--technique cubemap is VTK's own pass, which ";
+  if (o.Projection != "equirectangular" && o.Projection != "azimuthal-equidistant")
+  {
+    FailUsage(cubemap + "knows equirectangular and azimuthal-equidistant only");
+  }
+  if (o.Projection == "equirectangular" && o.View.VerticalFov != 180)
+  {
+    FailUsage(cubemap + "always shows 180 degrees vertically; leave --vfov out");
+  }
+  if (o.View.Lens != wfv::ViewOptions().Lens || o.HasClip || !o.Aov.empty())
+  {
+    FailUsage(cubemap + "has no --lens, --clip or --aov; leave them out");
+  }
+}
+}
+
+void CheckTogether(Options& o, const FieldsOfView& fov)
+{
+  if (o.ListProjections || o.ListScenes || o.Version)
+  {
+    return;
+  }
+  CheckInput(o);
+  CompleteView(o, fov);
+  CheckCamera(o);
+  CheckTechnique(o);
+  CheckOutput(o);
+}
+}

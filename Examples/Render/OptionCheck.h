@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What options mean together: defaults that depend on each other, contradictions.
+#ifndef WideFoVOptionCheck_h
+#define WideFoVOptionCheck_h
+
+#include "Options.h"
+
+#include <optional>
+#include <vector>
+
+namespace widefov
+{
+// The fields of view as given; which ones apply depends on the projection. Degrees.
+struct FieldsOfView
+{
+  std::optional<double> Horizontal;
+  std::optional<double> Vertical;
+  std::optional<double> Round;
+  std::vector<double> Lens; // empty: the ideal lens
+};
+
+// Completes the options. Throws a Failure with ExitUsage.
+void CheckTogether(Options& options, const FieldsOfView& fov);
+}
+
+#endif

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The command line of widefov-render as plain values.
+#ifndef WideFoVOptions_h
+#define WideFoVOptions_h
+
+#include "Look.h"
+#include "Projections/Projection.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace widefov
+{
+enum class Technique
+{
+  Auto,
+  PreClip,
+  Vertex,
+  CubeMap
+};
+
+// Everything a user can ask for; the defaults are those of the command line. Angles in
+// degrees, distances in scene units.
+struct Options
+{
+  std::vector<std::string> Files;
+  std::string Scene; // a built-in scene instead of files
+
+  std::string Projection = "equirectangular";
+  wfv::ViewOptions View; // complete after ParseOptions; Radii only where HasClip
+  bool HasClip = false;
+  std::array<int, 2> Size{ { 2048, 1024 } };
+
+  std::optional<Vector3> Eye; // none: the centre of the scene
+  std::optional<Vector3> LookAt;
+  std::optional<Vector3> Direction; // neither: -z
+  std::optional<Vector3> Up;        // none: +y
+
+  widefov::Technique Technique = Technique::Auto;
+  std::string TechniqueName = "auto";
+  int CubeMapResolution = 300;
+  double Tolerance = 0.25; // pixels
+  int Samples = 4;
+  std::string Depth = "linear";
+  std::string Stereo = "mono";
+
+  widefov::Look Look;                // colours, glyphs
+  Vector3 Background{ { 0, 0, 0 } }; // red, green, blue, 0 to 1
+
+  std::vector<std::string> Outputs;
+  std::string Aov;
+  std::string Stats;
+  int Frames = 0; // 0: one frame, no warm-up
+
+  bool ListProjections = false;
+  bool ListScenes = false;
+  bool Json = false;
+  bool Version = false;
+};
+
+// Parses and checks. Throws a Failure with ExitUsage; returns an exit code where
+// nothing is left to do (--help was printed).
+std::optional<int> ParseOptions(int argc, char** argv, Options& options);
+}
+
+#endif

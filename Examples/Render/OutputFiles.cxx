@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OutputFiles.h"
+
+#include "Messages.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace widefov
+{
+namespace
+{
+// A link is followed: the file it names is replaced, not the link.
+std::string TargetOf(const std::string& path)
+{
+  std::error_code error;
+  const std::filesystem::path target = std::filesystem::weakly_canonical(path, error);
+  return error ? path : target.string();
+}
+
+[[noreturn]] void FailWriting(const std::string& path, int error)
+{
+  Fail(path + " cannot be written: " + std::strerror(error) +
+    "; nothing was changed, so make room or choose another place");
+}
+
+// All bytes, on the disk; 0 or the error.
+int WriteAll(int file, const char* bytes, std::size_t count)
+{
+  while (count > 0)
+  {
+    const ssize_t n = write(file, bytes, count);
+    if (n < 0 && errno == EINTR)
+    {
+      continue;
+    }
+    if (n <= 0)
+    {
+      return n < 0 ? errno : ENOSPC;
+    }
+    bytes += n;
+    count -= static_cast<std::size_t>(n);
+  }
+  return fsync(file) == 0 || errno == EINVAL ? 0 : errno;
+}
+}
+
+void CheckWritable(const std::string& path)
+{
+  const std::filesystem::path target = TargetOf(path);
+  std::error_code error;
+  if (std::filesystem::is_directory(target, error))
+  {
+    Fail(path + " is a folder; name a file in it");
+  }
+  const std::filesystem::file_status status = std::filesystem::status(target, error);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+  {
+    Fail(path + " is not a regular file; choose another name");
+  }
+  const std::filesystem::path folder = target.has_parent_path() ? target.parent_path() : ".";
+  if (!std::filesystem::is_directory(folder, error))
+  {
+    Fail(path + ": the folder " + folder.string() + " is not there; make it first");
+  }
+  if (access(folder.c_str(), W_OK | X_OK) != 0)
+  {
+    FailWriting(path, errno);
+  }
+}
+
+OutputFiles::~OutputFiles()
+{
+  for (const Pending& file : this->Files)
+  {
+    unlink(file.Beside.c_str());
+  }
+}
+
+void OutputFiles::Write(const std::string& path, const void* bytes, std::size_t count)
+{
+  const std::string target = TargetOf(path);
+  const std::string beside =
+    target + ".part-" + std::to_string(getpid()) + "-" + std::to_string(this->Files.size());
+  const int file = open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (file < 0)
+  {
+    FailWriting(path, errno);
+  }
+  this->Files.push_back({ beside, target });
+  struct stat old = {};
+  if (stat(target.c_str(), &old) == 0 && fchmod(file, old.st_mode & 07777) != 0)
+  {
+    // the new file keeps its own permissions: no reason to lose the picture
+  }
+  int error = WriteAll(file, static_cast<const char*>(bytes), count);
+  if (close(file) != 0 && error == 0)
+  {
+    error = errno;
+  }
+  if (error != 0)
+  {
+    FailWriting(path, error);
+  }
+}
+
+void OutputFiles::Commit()
+{
+  while (!this->Files.empty())
+  {
+    const Pending& file = this->Files.front();
+    if (rename(file.Beside.c_str(), file.Target.c_str()) != 0)
+    {
+      FailWriting(file.Target, errno);
+    }
+    this->Files.erase(this->Files.begin());
+  }
+}
+}

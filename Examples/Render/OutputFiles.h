@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Files that appear whole or not at all.
+#ifndef WideFoVOutputFiles_h
+#define WideFoVOutputFiles_h
+
+#include <string>
+#include <vector>
+
+namespace widefov
+{
+// Throws a Failure with ExitFailed where a file of that name cannot be made: its folder
+// is missing or closed, or the name is that of a folder.
+void CheckWritable(const std::string& path);
+
+// Several files that appear together. Each is written under a name of its own beside
+// its target; Commit renames them. Without Commit nothing on disk changes.
+class OutputFiles
+{
+public:
+  OutputFiles() = default;
+  ~OutputFiles();
+  OutputFiles(const OutputFiles&) = delete;
+  OutputFiles& operator=(const OutputFiles&) = delete;
+
+  // Throws a Failure with ExitFailed where the disk does not take it all.
+  void Write(const std::string& path, const void* bytes, std::size_t count);
+
+  void Commit();
+
+private:
+  struct Pending
+  {
+    std::string Beside;
+    std::string Target;
+  };
+  std::vector<Pending> Files;
+};
+}
+
+#endif

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pipeline.h"
+
+#include "ColorMaps.h"
+#include "Datasets.h"
+#include "Messages.h"
+#include "OptionValues.h"
+#include "Progress.h"
+#include "Readers.h"
+#include "VectorField.h"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+
+namespace widefov
+{
+namespace
+{
+// What --color-by names.
+struct ArrayChoice
+{
+  std::string Name;
+  int Component = -1; // -1: the magnitude
+};
+
+vtkDataArray* FindArray(vtkPolyData* data, const std::string& name, bool& isCell)
+{
+  isCell = false;
+  if (vtkDataArray* const array = data->GetPointData()->GetArray(name.c_str()))
+  {
+    return array;
+  }
+  isCell = true;
+  return data->GetCellData()->GetArray(name.c_str());
+}
+
+bool AnyHas(const Scene& scene, const std::string& name)
+{
+  bool isCell = false;
+  return std::any_of(scene.Props.begin(), scene.Props.end(),
+    [&](const SceneProp& prop) { return FindArray(prop.Surface, name, isCell) != nullptr; });
+}
+
+[[noreturn]] void FailNoArray(
+  const Scene& scene, const std::string& option, const std::string& name)
+{
+  std::vector<std::string> names;
+  for (const SceneProp& prop : scene.Props)
+  {
+    for (const std::string& other : ArrayNames(prop.Source))
+    {
+      if (std::find(names.begin(), names.end(), other) == names.end())
+      {
+        names.push_back(other);
+      }
+    }
+  }
+  Fail(option + ": the data have no array '" + name + "'; " +
+    (names.empty() ? "they have none at all, so leave the option out"
+                   : "choose one of " + Join(names)));
+}
+
+// "velocity:1", "velocity:y", "velocity:magnitude"; a name may itself hold a colon.
+ArrayChoice ParseChoice(const Scene& scene, const std::string& text)
+{
+  const std::size_t colon = text.rfind(':');
+  if (AnyHas(scene, text) || colon == std::string::npos)
+  {
+    return { text, -1 };
+  }
+  const std::string component = text.substr(colon + 1);
+  const std::string axes = "xyzw";
+  ArrayChoice choice{ text.substr(0, colon), -1 };
+  if (component == "magnitude")
+  {
+    return choice;
+  }
+  const std::size_t axis = component.size() == 1
+    ? axes.find(static_cast<char>(std::tolower(static_cast<unsigned char>(component[0]))))
+    : std::string::npos;
+  choice.Component = static_cast<int>(axis);
+  const char* const end = component.data() + component.size();
+  if (axis == std::string::npos)
+  {
+    const auto [stop, error] = std::from_chars(component.data(), end, choice.Component);
+    if (error != std::errc() || stop != end || choice.Component < 0)
+    {
+      FailUsage("--color-by: '" + component +
+        "' is no component; give a number from 0, x, y, z or magnitude");
+    }
+  }
+  return choice;
+}
+
+struct ValueRange
+{
+  double Low = std::numeric_limits<double>::infinity();
+  double High = -std::numeric_limits<double>::infinity();
+
+  void Add(vtkDataArray* array, int component)
+  {
+    double range[2];
+    array->GetFiniteRange(range, array->GetNumberOfComponents() == 1 ? 0 : component);
+    if (range[0] <= range[1])
+    {
+      this->Low = std::min(this->Low, range[0]);
+      this->High = std::max(this->High, range[1]);
+    }
+  }
+};
+
+// The colours by one array, over all props that have it: the others keep theirs grey.
+void ColorBy(Scene& scene, const Look& look, const ArrayChoice& choice)
+{
+  ValueRange range;
+  for (SceneProp& prop : scene.Props)
+  {
+    vtkDataArray* const array = FindArray(prop.Surface, choice.Name, prop.CellArray);
+    prop.Direct = false;
+    prop.Array = array != nullptr ? choice.Name : "";
+    if (array == nullptr)
+    {
+      continue;
+    }
+    if (choice.Component >= array->GetNumberOfComponents())
+    {
+      Fail("--color-by: the array '" + choice.Name + "' has " +
+        std::to_string(array->GetNumberOfComponents()) + " components, counted from 0; component " +
+        std::to_string(choice.Component) + " is not one of them");
+    }
+    range.Add(array, choice.Component);
+  }
+  if (!(range.Low <= range.High))
+  {
+    range.Low = 0; // nothing but NaN: drawn in the map's colour for it
+    range.High = 1;
+  }
+  const double low = look.Range ? (*look.Range)[0] : range.Low;
+  const double high = look.Range ? (*look.Range)[1] : range.High;
+  const auto map = MakeColorMap(look.ColorMap, low, high, choice.Component);
+  for (SceneProp& prop : scene.Props)
+  {
+    prop.ColorMap = map;
+  }
+  scene.BarMap = look.ScalarBar ? map : nullptr;
+  scene.BarTitle = choice.Name;
+}
+
+// Bytes with three or four components are colours already.
+bool HoldsColors(vtkDataArray* array)
+{
+  return vtkUnsignedCharArray::SafeDownCast(array) != nullptr &&
+    array->GetNumberOfComponents() >= 3;
+}
+
+// The data's own scalars, where there are any and nothing else was asked for.
+void ColorByOwnScalars(SceneProp& prop, const Look& look)
+{
+  vtkDataArray* scalars = prop.Surface->GetPointData()->GetScalars();
+  prop.CellArray = scalars == nullptr;
+  if (scalars == nullptr)
+  {
+    scalars = prop.Surface->GetCellData()->GetScalars();
+  }
+  if (scalars == nullptr || scalars->GetName() == nullptr)
+  {
+    return;
+  }
+  prop.Array = scalars->GetName();
+  prop.Direct = HoldsColors(scalars);
+  ValueRange range;
+  range.Add(scalars, -1);
+  if (!(range.Low <= range.High))
+  {
+    prop.Array.clear();
+    return;
+  }
+  const double low = look.Range ? (*look.Range)[0] : range.Low;
+  const double high = look.Range ? (*look.Range)[1] : range.High;
+  prop.ColorMap = MakeColorMap(look.ColorMap, low, high, -1);
+}
+
+bool HasVectors(vtkDataObject* data, const std::string& name)
+{
+  for (const auto& leaf : Leaves(data))
+  {
+    vtkDataArray* array = leaf->GetPointData()->GetArray(name.c_str());
+    if (array == nullptr)
+    {
+      array = leaf->GetCellData()->GetArray(name.c_str());
+    }
+    if (array != nullptr)
+    {
+      if (array->GetNumberOfComponents() != 3)
+      {
+        Fail("the array '" + name + "' has " + std::to_string(array->GetNumberOfComponents()) +
+          " components; arrows and stream lines need 3");
+      }
+      return true;
+    }
+  }
+  return false;
+}
+
+// The props that have the array, drawn as arrows or tubes instead.
+void ReplaceByVectors(Scene& scene, const Look& look)
+{
+  std::vector<SceneProp> replaced;
+  for (const auto& [name, arrows] :
+    { std::make_pair(look.Vectors, true), std::make_pair(look.StreamLines, false) })
+  {
+    if (name.empty())
+    {
+      continue;
+    }
+    bool found = false;
+    for (const SceneProp& prop : scene.Props)
+    {
+      if (HasVectors(prop.Source, name))
+      {
+        const Progress progress((arrows ? "arrows of " : "stream lines of ") + prop.Label);
+        found = true;
+        replaced.push_back(prop);
+        replaced.back().Surface = arrows ? MakeArrows(prop.Source, name, ArrowSettings())
+                                         : MakeStreamTubes(prop.Source, name, TubeSettings());
+      }
+    }
+    if (!found)
+    {
+      FailNoArray(scene, arrows ? "--vectors" : "--streamlines", name);
+    }
+  }
+  scene.Props = replaced;
+}
+}
+
+void ApplyLook(Scene& scene, const Look& look)
+{
+  const bool vectors = !look.Vectors.empty() || !look.StreamLines.empty();
+  if (vectors)
+  {
+    ReplaceByVectors(scene, look);
+  }
+  for (SceneProp& prop : scene.Props)
+  {
+    DropUnusable(prop);
+  }
+  std::string name = look.ColorBy;
+  if (name.empty() && vectors)
+  {
+    name = look.Vectors.empty() ? look.StreamLines : look.Vectors;
+  }
+  if (!name.empty())
+  {
+    const ArrayChoice choice = ParseChoice(scene, name);
+    if (!AnyHas(scene, choice.Name))
+    {
+      FailNoArray(scene, "--color-by", choice.Name);
+    }
+    ColorBy(scene, look, choice);
+    return;
+  }
+  for (SceneProp& prop : scene.Props)
+  {
+    if (prop.Array.empty())
+    {
+      ColorByOwnScalars(prop, look);
+    }
+  }
+}
+}

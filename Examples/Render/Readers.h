@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Files, by their ending, as VTK data.
+#ifndef WideFoVReaders_h
+#define WideFoVReaders_h
+
+#include "Scene.h"
+
+#include <string>
+#include <vector>
+
+namespace widefov
+{
+// The endings that ReadFile knows, such as ".vtp".
+std::vector<std::string> ReadableEndings();
+
+// What a file holds. Throws a Failure with ExitFailed where the file is missing, not a
+// regular file, empty, of an unknown ending, or damaged.
+vtkSmartPointer<vtkDataObject> ReadFile(const std::string& path);
+
+// One prop a file, in the order given. Cells with unusable points are left out with a
+// warning; a file of which nothing is left throws a Failure with ExitFailed.
+Scene ReadScene(const std::vector<std::string>& paths);
+
+// Leaves out cells with unusable points, with a warning; throws a Failure with
+// ExitFailed where nothing is left.
+void DropUnusable(SceneProp& prop);
+}
+
+#endif

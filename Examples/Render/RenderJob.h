@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Draws a scene as the options say.
+#ifndef WideFoVRenderJob_h
+#define WideFoVRenderJob_h
+
+#include "Display.h"
+#include "ImageOutput.h"
+#include "Options.h"
+#include "Scene.h"
+
+#include <optional>
+#include <vector>
+
+namespace widefov
+{
+// What a run found out. A figure that is not known stays empty.
+struct RenderStats
+{
+  GlStrings Gl;
+  std::vector<double> Milliseconds; // one a frame
+  int PropsTotal = 0;
+  std::optional<int> PropsDrawn;
+  std::optional<int> PlainDraws;
+  std::optional<int> PreClipDraws;
+};
+
+struct RenderResult
+{
+  Picture Color;                   // where a picture was asked for
+  std::optional<FloatPicture> Aov; // where channels were asked for
+  RenderStats Stats;
+};
+
+// Opens a window and draws. Throws a Failure with ExitFailed: no display, OpenGL too old,
+// a picture beyond its limits, an error of the renderer.
+RenderResult Render(const Scene& scene, const Options& options);
+}
+
+#endif

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene.h"
+
+#include <vtkBoundingBox.h>
+#include <vtkCellArray.h>
+#include <vtkNew.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+
+namespace widefov
+{
+bool SceneBounds(const Scene& scene, double bounds[6])
+{
+  vtkBoundingBox box;
+  for (const SceneProp& prop : scene.Props)
+  {
+    if (prop.Surface->GetNumberOfPoints() > 0)
+    {
+      box.AddBounds(prop.Surface->GetBounds());
+    }
+  }
+  box.GetBounds(bounds);
+  return box.IsValid() != 0;
+}
+
+Vector3 SceneEye(const Scene& scene)
+{
+  double b[6];
+  if (scene.Eye || !SceneBounds(scene, b))
+  {
+    return scene.Eye.value_or(Vector3{ { 0, 0, 0 } });
+  }
+  return { { 0.5 * (b[0] + b[1]), 0.5 * (b[2] + b[3]), 0.5 * (b[4] + b[5]) } };
+}
+
+PrimitiveCount CountPrimitives(const Scene& scene)
+{
+  PrimitiveCount count;
+  for (const SceneProp& prop : scene.Props)
+  {
+    vtkPolyData* const data = prop.Surface;
+    const auto excess = [](vtkCellArray* cells, int ends) {
+      return cells->GetNumberOfConnectivityIds() - ends * cells->GetNumberOfCells();
+    };
+    count.Triangles += excess(data->GetPolys(), 2) + excess(data->GetStrips(), 2);
+    count.Lines += excess(data->GetLines(), 1);
+    count.Points += data->GetVerts()->GetNumberOfConnectivityIds();
+  }
+  return count;
+}
+
+namespace
+{
+void SetColors(vtkPolyDataMapper* mapper, const SceneProp& prop)
+{
+  if (prop.Array.empty())
+  {
+    mapper->ScalarVisibilityOff();
+    return;
+  }
+  mapper->ScalarVisibilityOn();
+  if (prop.CellArray)
+  {
+    mapper->SetScalarModeToUseCellFieldData();
+  }
+  else
+  {
+    mapper->SetScalarModeToUsePointFieldData();
+  }
+  mapper->SelectColorArray(prop.Array.c_str());
+  if (prop.Direct)
+  {
+    mapper->SetColorModeToDirectScalars();
+    return;
+  }
+  mapper->SetColorModeToMapScalars();
+  mapper->SetLookupTable(prop.ColorMap);
+  mapper->UseLookupTableScalarRangeOn();
+  // the colour of a place is that of its value, not a blend of its corners' colours
+  mapper->SetInterpolateScalarsBeforeMapping(!prop.CellArray);
+}
+
+void SetRepresentation(vtkProperty* property, const std::string& name)
+{
+  if (name == "points")
+  {
+    property->SetRepresentationToPoints();
+  }
+  else if (name == "wireframe")
+  {
+    property->SetRepresentationToWireframe();
+  }
+  else
+  {
+    property->SetRepresentationToSurface();
+    property->SetEdgeVisibility(name == "surface-with-edges");
+  }
+}
+}
+
+vtkSmartPointer<vtkActor> MakeActor(const SceneProp& prop, const Look& look)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(prop.Surface);
+  SetColors(mapper, prop);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  vtkProperty* const property = actor->GetProperty();
+  property->SetColor(prop.Color[0], prop.Color[1], prop.Color[2]);
+  property->SetAmbient(prop.Ambient);
+  property->SetDiffuse(prop.Diffuse);
+  property->SetLineWidth(static_cast<float>(look.LineWidth));
+  property->SetPointSize(static_cast<float>(look.PointSize));
+  SetRepresentation(property, look.Representation);
+  return actor;
+}
+}

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is drawn, before there is a window: surfaces, and how they look.
+#ifndef WideFoVScene_h
+#define WideFoVScene_h
+
+#include "Look.h"
+
+#include <vtkActor.h>
+#include <vtkDataObject.h>
+#include <vtkPolyData.h>
+#include <vtkScalarsToColors.h>
+#include <vtkSmartPointer.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace widefov
+{
+// One actor.
+struct SceneProp
+{
+  vtkSmartPointer<vtkPolyData> Surface;  // what the mapper draws
+  vtkSmartPointer<vtkDataObject> Source; // what was read; vectors are looked up here
+  int Index = 0;                         // of the file, in the order given; 0 for a built-in scene
+  std::string Label;                     // for messages
+
+  Vector3 Color{ { 0.9, 0.9, 0.9 } };
+  std::string Array; // gives the colours; empty: Color
+  bool CellArray = false;
+  int Component = -1;  // -1: the magnitude
+  bool Direct = false; // the array holds colours already
+  vtkSmartPointer<vtkScalarsToColors> ColorMap;
+  double Ambient = 0.25; // shares of the light, 0 to 1
+  double Diffuse = 0.75;
+};
+
+struct Scene
+{
+  std::vector<SceneProp> Props;
+  std::optional<Vector3> Eye; // none: the centre of the bounds
+  std::string BarTitle;       // of the scalar bar, where BarMap is set
+  vtkSmartPointer<vtkScalarsToColors> BarMap;
+};
+
+// Bounds of all surfaces: xmin, xmax, .., zmax. False where there is nothing.
+bool SceneBounds(const Scene& scene, double bounds[6]);
+
+// The scene's eye, or the centre of its bounds.
+Vector3 SceneEye(const Scene& scene);
+
+struct PrimitiveCount
+{
+  long long Triangles = 0;
+  long long Lines = 0;
+  long long Points = 0;
+};
+
+// After polygons and strips are cut into triangles, polylines into segments.
+PrimitiveCount CountPrimitives(const Scene& scene);
+
+// An actor with a stock mapper (which a factory may replace).
+vtkSmartPointer<vtkActor> MakeActor(const SceneProp& prop, const Look& look);
+}
+
+#endif

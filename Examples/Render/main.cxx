@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// widefov-render: pictures of VTK data in wide and non-planar projections.
+#include "CameraSetup.h"
+#include "ImageOutput.h"
+#include "Listing.h"
+#include "MessageCatcher.h"
+#include "Messages.h"
+#include "Options.h"
+#include "OutputFiles.h"
+#include "Pipeline.h"
+#include "Progress.h"
+#include "Readers.h"
+#include "RenderJob.h"
+#include "Scenes.h"
+
+#include <csignal>
+#include <iostream>
+
+namespace
+{
+using namespace widefov;
+
+Scene LoadScene(const Options& options)
+{
+  Scene scene;
+  if (!options.Scene.empty())
+  {
+    const Progress progress("making the scene " + options.Scene);
+    scene = MakeScene(options.Scene);
+  }
+  else
+  {
+    scene = ReadScene(options.Files);
+  }
+  const Progress progress("preparing the data");
+  ApplyLook(scene, options.Look);
+  const std::string error = MessageCatcher::TakeFirstError();
+  if (!error.empty())
+  {
+    Fail("the data cannot be prepared: " + error + "; check them");
+  }
+  return scene;
+}
+
+void CheckOutputs(const Options& options)
+{
+  for (const std::string& output : options.Outputs)
+  {
+    CheckWritable(output);
+  }
+  for (const std::string& output : { options.Aov, options.Stats })
+  {
+    if (!output.empty())
+    {
+      CheckWritable(output);
+    }
+  }
+}
+
+void WriteAll(const Options& options, const Scene& scene, const RenderResult& result)
+{
+  const Progress progress("writing");
+  PanoramaInfo info;
+  info.Equirectangular = options.Projection == "equirectangular";
+  info.HorizontalFov = options.View.HorizontalFov;
+  info.VerticalFov = options.View.VerticalFov;
+  OutputFiles files;
+  for (const std::string& output : options.Outputs)
+  {
+    const std::vector<unsigned char> bytes = EncodePicture(result.Color, output, info);
+    files.Write(output, bytes.data(), bytes.size());
+  }
+  if (result.Aov)
+  {
+    const std::vector<unsigned char> bytes = EncodeFloats(*result.Aov, info);
+    files.Write(options.Aov, bytes.data(), bytes.size());
+  }
+  if (!options.Stats.empty())
+  {
+    const std::string text = StatsText(options, scene, result.Stats);
+    files.Write(options.Stats, text.data(), text.size());
+  }
+  files.Commit();
+}
+
+int Run(int argc, char** argv)
+{
+  Options options;
+  if (const std::optional<int> done = ParseOptions(argc, argv, options))
+  {
+    return *done;
+  }
+  const std::string listing = ListingText(options);
+  if (!listing.empty())
+  {
+    std::cout << listing << std::flush;
+    CheckStandardOutput();
+    return ExitDone;
+  }
+  CheckOutputs(options);
+  const Scene scene = LoadScene(options);
+  MakePose(scene, options); // complains before a window is opened
+  const RenderResult result = Render(scene, options);
+  WriteAll(options, scene, result);
+  return ExitDone;
+}
+}
+
+int main(int argc, char** argv)
+{
+  // a full disk or a closed pipe is an error to report, not a reason to die
+  std::signal(SIGXFSZ, SIG_IGN);
+  std::signal(SIGPIPE, SIG_IGN);
+  MessageCatcher::Install();
+  try
+  {
+    return Run(argc, argv);
+  }
+  catch (const Failure& failure)
+  {
+    Say(failure.what());
+    return failure.ExitCode;
+  }
+  catch (const std::bad_alloc&)
+  {
+    Say("there is not enough memory; choose smaller data or a smaller picture");
+  }
+  catch (const std::exception& error)
+  {
+    Say(std::string("unexpected: ") + error.what() + "; please report it");
+  }
+  return ExitFailed;
+}

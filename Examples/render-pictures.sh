@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# The pictures of Examples/run.sh, which calls this: needs build/bin/widefov-render and
+# a display, writes output/*.jpg and lists them.
+#
+#   Examples/render-pictures.sh [FILE]
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+office=../shared/data/office.binary.vtk
+pictures=()
+
+# render NAME OPTION...: one picture, output/NAME.jpg
+render() {
+  local picture="output/$1.jpg"
+  shift
+  echo "Rendering $picture"
+  build/bin/widefov-render "$@" --output "$picture"
+  pictures+=("$PWD/$picture")
+}
+
+# render_all NAME OPTION...: what the options show, in the three projections. The dome
+# leans 15 degrees forward: its middle is 75 degrees above the direction of view.
+render_all() {
+  local name="$1"
+  shift
+  render "$name-equirectangular" "$@" --projection equirectangular --size 2048x1024
+  render "$name-hammer" "$@" --projection hammer --size 2048x1024
+  render "$name-dome" "$@" --projection azimuthal-equidistant --fov 180 --tilt 75 --size 1024x1024
+}
+
+mkdir -p output
+render_all winds --scene winds
+if [ -f "$office" ]; then
+  render_all office "$office" --streamlines vectors --vectors vectors
+fi
+if [ "$#" -gt 0 ]; then
+  name="$(basename "$1")"
+  render_all "${name%.*}" "$1"
+fi
+
+echo
+echo "Pictures:"
+printf '  %s\n' "${pictures[@]}"

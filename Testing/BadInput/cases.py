@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The table of bad input: one row a case."""
+
+from collections import namedtuple
+
+from inputs import ENDINGS
+
+DONE, FAILED, USAGE = 0, 1, 2
+
+# arguments: the command line, blanks between; {out} is the folder for outputs. A row
+#            that does not name --output gets two: a file that exists and one that does not.
+# code:      the exit code of the contract.
+# says:      what the one line on standard error must hold, besides the program's name.
+# place:     "plain", or how the outputs' folder or the process is hampered (runner.py).
+# env:       changes to the environment; None removes a variable.
+Case = namedtuple("Case", "arguments code says place env", defaults=("plain", {}))
+
+
+def usage(arguments, says):
+    return Case(arguments, USAGE, says)
+
+
+def failed(arguments, says, **more):
+    return Case(arguments, FAILED, says, **more)
+
+
+COMMAND_LINE = [
+    usage("", "FILE"),
+    usage("good.vtk --frobnicate", "--frobnicate"),
+    usage("good.vtk -z", "-z"),
+    usage("good.vtk --hfov", "--hfov"),
+    usage("--scene nowhere", "nowhere"),
+    usage("good.vtk --projection bent", "bent"),
+    usage("good.vtk --technique magic", "magic"),
+    usage("good.vtk --size 64", "--size"),
+    usage("good.vtk --size 0x32", "--size"),
+    usage("good.vtk --size -64x32", "--size"),
+    usage("good.vtk --size 64x32x2", "--size"),
+    usage("good.vtk --size 1e3x32", "--size"),
+    usage("good.vtk --size 99999999999x32", "--size"),
+    usage("good.vtk --hfov 0", "hfov"),
+    usage("good.vtk --hfov -90", "-90"),
+    usage("good.vtk --hfov 360.5", "360.5"),
+    usage("good.vtk --hfov nan", "nan"),
+    usage("good.vtk --hfov inf", "inf"),
+    usage("good.vtk --hfov 90deg", "90deg"),
+    usage("good.vtk --vfov 181", "181"),
+    usage("good.vtk --projection hammer --vfov 200", "200"),
+    usage("good.vtk --projection perspective --hfov 180 --vfov 90", "180"),
+    usage("good.vtk --projection azimuthal-equidistant --fov 361", "361"),
+    usage("good.vtk --tilt nan", "nan"),
+    usage("good.vtk --clip 2,1", "near"),
+    usage("good.vtk --clip 1,1", "near"),
+    usage("good.vtk --clip 0,1", "near"),
+    usage("good.vtk --clip -1,1", "near"),
+    usage("good.vtk --clip 1,inf", "1,inf"),
+    usage("good.vtk --clip 1", "--clip"),
+    usage("good.vtk --projection azimuthal-equidistant --lens 1,-1", "lens"),
+    usage("good.vtk --projection azimuthal-equidistant --lens -0.3", "lens"),
+    usage("good.vtk --projection azimuthal-equidistant --lens nan", "--lens"),
+    usage("good.vtk --projection azimuthal-equidistant --lens 1,0,0,0,0,0", "--lens"),
+    usage("good.vtk --lens 0.3", "lens"),
+    usage("good.vtk --eye 1,2", "1,2"),
+    usage("good.vtk --eye 1,2,nan", "1,2,nan"),
+    usage("good.vtk --direction 0,0,0", "--direction"),
+    usage("good.vtk --up 0,0,0", "--up"),
+    usage("good.vtk --up 0,0,1 --direction 0,0,-1", "--up"),
+    usage("good.vtk --eye 1,2,3 --look-at 1,2,3", "--look-at"),
+    usage("good.vtk --tolerance 0", "--tolerance"),
+    usage("good.vtk --tolerance nan", "--tolerance"),
+    usage("good.vtk --samples -1", "--samples"),
+    usage("good.vtk --samples many", "--samples"),
+    usage("good.vtk --frames -1", "--frames"),
+    usage("good.vtk --range 2,1", "--range"),
+    usage("good.vtk --range 0,nan", "--range"),
+    usage("good.vtk --representation cloudy", "cloudy"),
+    usage("good.vtk --colormap mud", "mud"),
+    usage("good.vtk --line-width 0", "--line-width"),
+    usage("good.vtk --point-size -2", "--point-size"),
+    usage("good.vtk --output {out}/picture.xyz", "picture.xyz"),
+    usage("good.vtk --output {out}/picture", "picture"),
+    usage("good.vtk --aov {out}/data.png", "data.png"),
+]
+
+DATA = [
+    failed("missing.vtk", "missing.vtk"),
+    failed("good.vtk missing.vtk", "missing.vtk"),
+    failed("folder.vtk", "folder.vtk"),
+    failed("loop.vtk", "loop.vtk"),
+    failed("pipe.vtk", "pipe.vtk"),
+    failed("unknown.xyz", "unknown.xyz"),
+    failed("no-ending", "no-ending"),
+    failed("truncated.vtk", "truncated.vtk"),
+    failed("truncated.vtp", "truncated.vtp"),
+    failed("truncated.ply", "truncated.ply"),
+    failed("no-points.vtk", "no-points.vtk"),
+    failed("negative-count.vtk", "negative-count.vtk"),
+    failed("huge-count.vtk", "huge-count.vtk"),
+    failed("wrong-index.vtk", "wrong-index.vtk"),
+    failed("negative-index.vtk", "negative-index.vtk"),
+    failed("only-nan.vtk", "only-nan.vtk"),
+    failed("good.vtk --color-by cold", "cold"),
+    failed("good.vtk --color-by wind:7", "wind"),
+    failed("good.vtk --vectors cold", "cold"),
+    failed("good.vtk --vectors heat", "heat"),
+    failed("good.vtk --streamlines cold", "cold"),
+    failed("good.vtk --streamlines heat", "heat"),
+]
+DATA += [failed("empty." + ending, "empty." + ending) for ending in ENDINGS]
+DATA += [failed("noise." + ending, "noise." + ending) for ending in ENDINGS]
+
+# What can be drawn is drawn; what cannot is named in one line each.
+TOLERATED = [
+    Case("nan.vtk", DONE, "nan.vtk"),
+    Case("infinite.vtk", DONE, "infinite.vtk"),
+    Case("zero-area.vtk", DONE, None),
+    Case("only-zero-area.vtk", DONE, None),
+    Case("no-cells.vtk", DONE, None),
+    Case("good.vtk", DONE, None),
+]
+
+DISPLAY = [
+    failed("good.vtk", "display", env={"DISPLAY": None}),
+    failed("good.vtk", "display", env={"DISPLAY": ":54321"}),
+    failed("good.vtk", "display", env={"DISPLAY": "no such display"}),
+    failed("good.vtk", "OpenGL", env={"MESA_GL_VERSION_OVERRIDE": "3.1"}),
+    failed("good.vtk", "OpenGL", env={"MESA_GL_VERSION_OVERRIDE": "2.1"}),
+    failed("good.vtk --size 40000x16", "40000"),
+]
+
+OUTPUT = [
+    failed("good.vtk --output {out}/nowhere/picture.png", "nowhere"),
+    failed("good.vtk --output good.vtk/picture.png", "good.vtk"),
+    failed("good.vtk --output {out}/folder.png", "folder.png", place="folder in the way"),
+    failed("good.vtk --output /proc/picture.png", "/proc"),
+    failed("good.vtk --aov {out}/nowhere/data.exr", "nowhere"),
+    failed("good.vtk --stats {out}/nowhere/stats.json", "nowhere"),
+    failed("good.vtk", "old.png", place="read-only"),
+    failed("good.vtk --size 512x256", "old.png", place="full disk"),
+    failed("good.vtk --size 512x256", "old.png", place="file size limit"),
+    failed("good.vtk --size 512x256 --output {out}/new.exr", "new.exr", place="full disk"),
+    failed("good.vtk --size 512x256 --output {out}/new.jpg", "new.jpg", place="full disk"),
+    failed("good.vtk --size 512x256 --output {out}/new.tif", "new.tif", place="full disk"),
+    failed("good.vtk --size 512x256 --aov {out}/new.exr", "new.exr", place="full disk"),
+    failed("--list-projections", "", place="full standard output"),
+    failed("--list-scenes", "", place="full standard output"),
+    failed("--help", "", place="full standard output"),
+]
+
+GROUPS = {
+    "CommandLine": COMMAND_LINE,
+    "Data": DATA,
+    "Tolerated": TOLERATED,
+    "Display": DISPLAY,
+    "Output": OUTPUT,
+}

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Writes the input files of the bad-input test: good ones, and every kind of broken."""
+
+import os
+import random
+import struct
+
+NAN = float("nan")
+INFINITY = float("inf")
+
+# Endings that widefov-render reads.
+ENDINGS = (
+    "vtk vtp vtu vti vts vtr vtm stl ply obj g pdb ex2 nc cdf glb gltf"
+).split()
+
+# Four triangles in front of and behind the eye at the origin.
+POINTS = [
+    (-1, -1, -2), (1, -1, -2), (0, 1, -2),
+    (-1, -1, 2), (1, -1, 2), (0, 1, 2),
+    (-2, -1, 1), (-2, -1, -1), (-2, 1, 0),
+    (2, -1, 1), (2, -1, -1), (2, 1, 0),
+]
+TRIANGLES = [(0, 1, 2), (3, 4, 5), (6, 7, 8), (9, 10, 11)]
+
+
+def legacy(points=None, triangles=None, count=None):
+    """A legacy .vtk text with the point arrays `heat` (scalars) and `wind` (vectors)."""
+    points = POINTS if points is None else points
+    triangles = TRIANGLES if triangles is None else triangles
+    lines = ["# vtk DataFile Version 3.0", "bad-input test", "ASCII", "DATASET POLYDATA"]
+    lines.append("POINTS %s float" % (len(points) if count is None else count))
+    lines += ["%s %s %s" % point for point in points]
+    lines.append("POLYGONS %d %d" % (len(triangles), 4 * len(triangles)))
+    lines += ["3 %d %d %d" % triangle for triangle in triangles]
+    lines += ["POINT_DATA %d" % len(points), "SCALARS heat float", "LOOKUP_TABLE default"]
+    lines += ["%d" % i for i in range(len(points))]
+    lines += ["VECTORS wind float"] + ["1 0 %d" % (i % 3) for i in range(len(points))]
+    return "\n".join(lines) + "\n"
+
+
+def binary(points):
+    """A legacy .vtk file in binary, which, unlike the text, can hold NaN and infinity."""
+    head = "# vtk DataFile Version 3.0\nbad-input test\nBINARY\nDATASET POLYDATA\n"
+    flat = [coordinate for point in points for coordinate in point]
+    ids = [number for triangle in TRIANGLES for number in (3,) + triangle]
+    body = b"POINTS %d float\n" % len(points) + struct.pack(">%df" % len(flat), *flat)
+    body += b"\nPOLYGONS %d %d\n" % (len(TRIANGLES), len(ids))
+    return head.encode() + body + struct.pack(">%di" % len(ids), *ids) + b"\n"
+
+
+def replaced(index, point):
+    """POINTS with one of them replaced."""
+    points = list(POINTS)
+    points[index] = point
+    return points
+
+
+XML = (
+    '<?xml version="1.0"?>\n<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian">\n'
+    '<PolyData><Piece NumberOfPoints="3" NumberOfPolys="1"><Points>\n'
+    '<DataArray type="Float32" NumberOfComponents="3" format="ascii">0 0 -1 1 0 -1 '
+)
+
+PLY = (
+    "ply\nformat ascii 1.0\nelement vertex 900\nproperty float x\nproperty float y\n"
+    "property float z\nelement face 300\nproperty list uchar int vertex_indices\n"
+    "end_header\n0 0 -1\n1 0 -1\n"
+)
+
+
+def texts():
+    """File name -> text of every file that is text."""
+    files = {
+        "good.vtk": legacy(),
+        "truncated.vtk": legacy()[: len(legacy()) // 3],
+        "truncated.vtp": XML,
+        "truncated.ply": PLY,
+        "no-points.vtk": legacy([], []),
+        "no-cells.vtk": legacy(triangles=[]),
+        "negative-count.vtk": legacy(count=-3),
+        "huge-count.vtk": legacy(count=10**15),
+        "wrong-index.vtk": legacy(triangles=TRIANGLES + [(0, 1, 40000000)]),
+        "negative-index.vtk": legacy(triangles=TRIANGLES + [(0, 1, -7)]),
+        "zero-area.vtk": legacy(triangles=TRIANGLES + [(0, 0, 1), (5, 5, 5)]),
+        "only-zero-area.vtk": legacy(triangles=[(0, 0, 1), (5, 5, 5)]),
+        "unknown.xyz": "1 2 3\n",
+        "no-ending": legacy(),
+    }
+    files.update(("empty." + ending, "") for ending in ENDINGS)
+    return files
+
+
+def write_inputs(folder):
+    """Writes all of them below folder, with a folder, a pipe and a link that loops."""
+    files = {name: text.encode() for name, text in texts().items()}
+    files["nan.vtk"] = binary(replaced(2, (NAN, 1, -2)))
+    files["infinite.vtk"] = binary(replaced(2, (0, INFINITY, -2)))
+    files["only-nan.vtk"] = binary([(NAN, NAN, NAN)] * len(POINTS))
+    noise = random.Random(1).randbytes(4096)
+    files.update(("noise." + ending, noise) for ending in ENDINGS)
+    for name, content in files.items():
+        with open(os.path.join(folder, name), "wb") as stream:
+            stream.write(content)
+    os.mkdir(os.path.join(folder, "folder.vtk"))
+    os.mkfifo(os.path.join(folder, "pipe.vtk"))
+    os.symlink("loop.vtk", os.path.join(folder, "loop.vtk"))

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Drawing.h"
+
+#include "vtkWideFoVCamera.h"
+#include "vtkWideFoVDataPass.h"
+#include "vtkWideFoVPass.h"
+#include "vtkWideFoVRenderer.h"
+
+#include <vtkActor.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkRenderWindow.h>
+
+#include <cstdio>
+
+namespace wfv
+{
+namespace test
+{
+struct Drawing::Internals
+{
+  vtkNew<vtkRenderWindow> Window;
+  vtkNew<vtkWideFoVRenderer> Renderer;
+  vtkNew<vtkWideFoVCamera> Camera;
+  vtkNew<vtkWideFoVPass> Pass;
+  vtkNew<vtkWideFoVDataPass> Data;
+  vtkNew<vtkPolyDataMapper> Mapper;
+  vtkNew<vtkActor> Actor;
+  std::unique_ptr<View> LastView;
+};
+
+Drawing::Drawing()
+  : Internal(new Internals)
+{
+  Internals& in = *this->Internal;
+  in.Window->SetOffScreenRendering(1);
+  in.Window->SetMultiSamples(0);
+  in.Window->AddRenderer(in.Renderer);
+  in.Renderer->SetActiveCamera(in.Camera);
+  in.Actor->SetMapper(in.Mapper);
+  in.Renderer->AddActor(in.Actor);
+  in.Pass->SetTechniqueToPreClip();
+  in.Data->SetPropIndex(in.Actor, 0);
+  in.Data->SetDelegatePass(in.Pass);
+  in.Renderer->SetPass(in.Data);
+}
+
+Drawing::~Drawing() = default;
+
+void Drawing::SetMesh(vtkPolyData* mesh)
+{
+  this->Internal->Mapper->SetInputData(mesh);
+}
+
+vtkPolyData* Drawing::GetMesh() const
+{
+  return this->Internal->Mapper->GetInput();
+}
+
+void Drawing::SetTolerance(double pixels)
+{
+  this->Internal->Pass->SetTolerance(pixels);
+}
+
+void Drawing::SetPreClip(bool on)
+{
+  this->Internal->Pass->SetTechnique(on ? vtkWideFoVPass::PRECLIP : vtkWideFoVPass::VERTEX);
+}
+
+reference::DrawnPicture Drawing::Draw(const Shot& s)
+{
+  Internals& in = *this->Internal;
+  in.Window->SetSize(s.Width, s.Height);
+  vtkWideFoVCamera* camera = in.Camera;
+  // from one within the range of every projection, which others would be clamped to
+  camera->SetFieldOfView(1);
+  camera->SetVerticalFieldOfView(1);
+  camera->SetProjection(s.Projection.c_str());
+  camera->SetHorizontalFieldOfView(s.Options.HorizontalFov);
+  camera->SetVerticalFieldOfView(s.Options.VerticalFov);
+  camera->SetTilt(s.Options.Tilt);
+  camera->SetClipRadii(s.Options.Radii[0], s.Options.Radii[1]);
+  camera->SetPosition(s.Eye.x, s.Eye.y, s.Eye.z);
+  // as far as the scene is large: a focal point one unit away vanishes beside 1e8
+  const vec3 focus = s.Eye + s.Direction * s.Options.Radii[1];
+  camera->SetFocalPoint(focus.x, focus.y, focus.z);
+  camera->SetViewUp(s.Up.x, s.Up.y, s.Up.z);
+  in.Window->Render();
+  in.LastView.reset(new View(camera->GetView(double(s.Width) / s.Height)));
+  return reference::ToDrawnPicture(in.Data->GetOutput());
+}
+
+const View& Drawing::GetView() const
+{
+  return *this->Internal->LastView;
+}
+
+reference::Pose Drawing::GetPose() const
+{
+  reference::Pose pose;
+  const double* m = this->Internal->Camera->GetModelViewTransformMatrix()->GetData();
+  std::copy_n(m, 16, pose.begin());
+  return pose;
+}
+
+int Drawing::GetNumberOfPreClipDraws() const
+{
+  return this->Internal->Pass->GetNumberOfPreClipDraws();
+}
+
+std::string Describe(const Shot& s)
+{
+  char text[400];
+  std::snprintf(text, sizeof text,
+    "%s hfov %g vfov %g size %dx%d eye %.9g,%.9g,%.9g direction %.9g,%.9g,%.9g up "
+    "%.9g,%.9g,%.9g clip %g,%g",
+    s.Projection.c_str(), s.Options.HorizontalFov, s.Options.VerticalFov, s.Width, s.Height,
+    s.Eye.x, s.Eye.y, s.Eye.z, s.Direction.x, s.Direction.y, s.Direction.z, s.Up.x, s.Up.y, s.Up.z,
+    s.Options.Radii[0], s.Options.Radii[1]);
+  return text;
+}
+
+std::string DescribePixel(const View& view, int width, int height, const reference::WorstPixel& p)
+{
+  const vec2 ndc = reference::PixelToNdc(p.I + 0.5, p.J + 0.5, width, height);
+  const ViewRay ray = view.Ray(ndc);
+  const vec2 a = wfvMeridianAngles(ray.Direction) * (180 / WFV_PI);
+  char text[300];
+  std::snprintf(text, sizeof text,
+    "pixel (%d, %d) ndc (%.6f, %.6f) lambda %.5f phi %.5f%s drawn cell %lld at %g, reference "
+    "%lld at %g, nearest agreement %g px",
+    p.I, p.J, ndc.x, ndc.y, a.x, a.y, ray.Inside ? "" : " OUTSIDE THE MAP", (long long)p.Drawn,
+    p.DrawnDistance, (long long)p.Reference, p.ReferenceDistance, p.Pixels);
+  return text;
+}
+
+std::string Row(const Shot& s, const std::string& scene, const reference::Metrics& m)
+{
+  char text[300];
+  std::snprintf(text, sizeof text,
+    "%-22s %3g %-34s mismatched %6ld unexplained %5ld missing %5.0f spurious %5.0f max %7.3g px "
+    "p99 %7.3g px depth %.2e",
+    s.Projection.c_str(), s.Options.HorizontalFov, scene.c_str(), m.Mismatched, m.UnexplainedPixels,
+    m.Missing * s.Width * s.Height, m.Spurious * s.Width * s.Height, m.MaxPx, m.P99Px,
+    m.MaxDepthRel);
+  return text;
+}
+
+std::string Details(const Shot& s, const View& view, const reference::Metrics& m)
+{
+  std::string text;
+  for (const reference::WorstPixel& p : m.Worst)
+  {
+    text += "    " + DescribePixel(view, s.Width, s.Height, p) + "\n";
+  }
+  return text;
+}
+}
+}

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Draws a mesh through the module, and sets it beside the ray caster's picture.
+#ifndef WideFoVTestDrawing_h
+#define WideFoVTestDrawing_h
+
+#include "Metrics.h"
+#include "Projection.h"
+
+#include <vtkSmartPointer.h>
+
+#include <memory>
+#include <string>
+
+class vtkPolyData;
+
+namespace wfv
+{
+namespace test
+{
+// What is drawn, and from where.
+struct Shot
+{
+  std::string Projection = "equirectangular";
+  ViewOptions Options; // the aspect is that of the size
+  int Width = 512;
+  int Height = 256;
+  vec3 Eye{ 0 };
+  vec3 Direction{ 0, 0, -1 };
+  vec3 Up{ 0, 1, 0 };
+};
+
+// One line that says everything needed to draw the shot again.
+std::string Describe(const Shot& shot);
+
+// A window that outlives many shots, so that shaders are compiled once.
+class Drawing
+{
+public:
+  Drawing();
+  ~Drawing();
+
+  // What is drawn from now on.
+  void SetMesh(vtkPolyData* mesh);
+
+  vtkPolyData* GetMesh() const;
+
+  // Of the pass, pixels (0.25).
+  void SetTolerance(double pixels);
+
+  // Whether triangles are clipped at all (yes).
+  void SetPreClip(bool on);
+
+  // Draws the mesh; the picture is empty where the window failed.
+  reference::DrawnPicture Draw(const Shot& shot);
+
+  // The view and the pose that the last picture was drawn with.
+  const View& GetView() const;
+  reference::Pose GetPose() const;
+
+  // 1, or 0 where the prop met no discontinuity and went without the geometry stage.
+  int GetNumberOfPreClipDraws() const;
+
+private:
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+// Where a pixel looks: NDC, and longitude and latitude (view coordinates) in degrees.
+std::string DescribePixel(const View& view, int width, int height, const reference::WorstPixel& p);
+
+// One line of the table of results.
+std::string Row(const Shot& shot, const std::string& scene, const reference::Metrics& m);
+
+// The unexplained pixels, one line each.
+std::string Details(const Shot& shot, const View& view, const reference::Metrics& m);
+}
+}
+
+#endif

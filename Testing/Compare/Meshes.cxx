@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Meshes.h"
+
+#include <vtkCellArray.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+#include <array>
+#include <map>
+
+namespace wfv
+{
+namespace test
+{
+namespace
+{
+// Points and triangles on their way to a polydata; equal points become one.
+class MeshMaker
+{
+public:
+  explicit MeshMaker(const Placement& where)
+    : Where(where)
+  {
+    this->Points->SetDataType(where.Double ? VTK_DOUBLE : VTK_FLOAT);
+  }
+
+  vtkIdType Point(const vec3& p)
+  {
+    const vec3 q = this->Where.Centre + p * this->Where.Scale;
+    return this->Points->InsertNextPoint(q.x, q.y, q.z);
+  }
+
+  void Triangle(vtkIdType a, vtkIdType b, vtkIdType c) { this->Cells->InsertNextCell({ a, b, c }); }
+
+  void Quad(vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType d)
+  {
+    this->Triangle(a, b, c);
+    this->Triangle(a, c, d);
+  }
+
+  vtkSmartPointer<vtkPolyData> Finish()
+  {
+    auto mesh = vtkSmartPointer<vtkPolyData>::New();
+    mesh->SetPoints(this->Points);
+    mesh->SetPolys(this->Cells);
+    return mesh;
+  }
+
+private:
+  Placement Where;
+  vtkNew<vtkPoints> Points;
+  vtkNew<vtkCellArray> Cells;
+};
+
+// The point (i, j) of a face of the room; axis 0, 1, 2 and sign say which.
+std::array<int, 3> RoomKey(int axis, int sign, int i, int j, int n)
+{
+  std::array<int, 3> key;
+  key[axis] = sign > 0 ? n : 0;
+  key[(axis + 1) % 3] = i;
+  key[(axis + 2) % 3] = j;
+  return key;
+}
+}
+
+vtkSmartPointer<vtkPolyData> MakeGlobe(int n, const Placement& where)
+{
+  MeshMaker mesh(where);
+  std::map<std::array<int, 3>, vtkIdType> ids;
+  const auto id = [&](int x, int y, int z) {
+    const auto found = ids.find({ { x, y, z } });
+    if (found != ids.end())
+    {
+      return found->second;
+    }
+    return ids[{ { x, y, z } }] = mesh.Point(glm::normalize(vec3(x, y, z)));
+  };
+  for (int octant = 0; octant < 8; ++octant)
+  {
+    const int sx = octant & 1 ? -1 : 1;
+    const int sy = octant & 2 ? -1 : 1;
+    const int sz = octant & 4 ? -1 : 1;
+    const auto at = [&](int i, int j) { return id(sx * i, sy * j, sz * (n - i - j)); };
+    for (int i = 0; i < n; ++i)
+    {
+      for (int j = 0; i + j < n; ++j)
+      {
+        mesh.Triangle(at(i, j), at(i + 1, j), at(i, j + 1));
+        if (i + j + 1 < n)
+        {
+          mesh.Triangle(at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+        }
+      }
+    }
+  }
+  return mesh.Finish();
+}
+
+vtkSmartPointer<vtkPolyData> MakeRoom(int n, const Placement& where)
+{
+  MeshMaker mesh(where);
+  std::map<std::array<int, 3>, vtkIdType> ids;
+  const auto coordinate = [n](int i) {
+    const int c = 2 * i - n; // symmetric, so that opposite walls match to the bit
+    return std::abs(c) == n ? c / double(n) : std::tan(0.25 * WFV_PI * c / n);
+  };
+  const auto id = [&](int axis, int sign, int i, int j) {
+    const std::array<int, 3> key = RoomKey(axis, sign, i, j, n);
+    const auto found = ids.find(key);
+    if (found != ids.end())
+    {
+      return found->second;
+    }
+    const vtkIdType fresh =
+      mesh.Point(vec3(coordinate(key[0]), coordinate(key[1]), coordinate(key[2])));
+    ids[key] = fresh;
+    return fresh;
+  };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (int sign : { -1, 1 })
+    {
+      for (int i = 0; i < n; ++i)
+      {
+        for (int j = 0; j < n; ++j)
+        {
+          mesh.Quad(id(axis, sign, i, j), id(axis, sign, i + 1, j), id(axis, sign, i + 1, j + 1),
+            id(axis, sign, i, j + 1));
+        }
+      }
+    }
+  }
+  return mesh.Finish();
+}
+
+double LongestEdge(const reference::TriangleSoup& soup, double nearRadius)
+{
+  double longest = 0;
+  for (const auto& t : soup.Triangles)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const vec3 a = soup.Points[t[k]];
+      const vec3 b = soup.Points[t[(k + 1) % 3]];
+      if (glm::length(a) > nearRadius && glm::length(b) > nearRadius)
+      {
+        longest = std::max(longest, std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
+      }
+    }
+  }
+  return longest * 180 / WFV_PI;
+}
+}
+}

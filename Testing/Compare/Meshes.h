@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Closed meshes round the origin, of any fineness.
+#ifndef WideFoVTestMeshes_h
+#define WideFoVTestMeshes_h
+
+#include "ProjectionMath.h"
+#include "TriangleSoup.h"
+
+#include <vtkSmartPointer.h>
+
+class vtkPolyData;
+
+namespace wfv
+{
+namespace test
+{
+// Where a mesh lies in the world: p -> centre + scale * p. Points are kept as float, so
+// that the mapper and the ray caster see the same numbers, or as double.
+struct Placement
+{
+  vec3 Centre{ 0 };
+  double Scale = 1;
+  bool Double = false;
+};
+
+// The unit sphere as an octahedron of n x n triangles a face, pushed outwards: vertices on
+// the axes, edges in the planes x = 0, y = 0 and z = 0, and no thin triangle anywhere. The
+// vertex k from an axis towards another lies at atan2(k, n - k).
+vtkSmartPointer<vtkPolyData> MakeGlobe(int n, const Placement& where = {});
+
+// The cube [-1, 1]^3, n x n cells of two triangles a face, their borders at equal angles
+// as seen from its centre; n even puts a vertex into the middle of each face.
+vtkSmartPointer<vtkPolyData> MakeRoom(int n, const Placement& where = {});
+
+// The longest edge of the mesh as seen from the origin of view coordinates, degrees; edges
+// that reach inside the given radius do not count.
+double LongestEdge(const reference::TriangleSoup& soup, double nearRadius);
+}
+}
+
+#endif

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Metrics.h"
+
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkPointData.h>
+#include <vtkSMPTools.h>
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_set>
+
+namespace wfv
+{
+namespace reference
+{
+namespace
+{
+constexpr int PointsPerCircle = 16;
+
+// Whether the ray caster sees the drawn cell somewhere on a circle round the pixel's centre.
+bool AgreesOnCircle(const RayCaster& caster, int width, int height, const WorstPixel& pixel,
+  double radius, int points)
+{
+  for (int k = 0; k < points; ++k)
+  {
+    const double angle = 2 * WFV_PI * k / points;
+    const double x = pixel.I + 0.5 + radius * std::cos(angle);
+    const double y = pixel.J + 0.5 + radius * std::sin(angle);
+    if (caster.Cast(PixelToNdc(x, y, width, height)).Cell == pixel.Drawn)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// The smallest of the radii b/4, b/2, b, 2b, 4b, ... at which the reference agrees. Beyond
+// b, a cell that is `seen` at no pixel centre of the reference is not looked for.
+double DistanceToAgreement(const RayCaster& caster, const DrawnPicture& p, const WorstPixel& pixel,
+  double tolerance, bool seen)
+{
+  const double limit = seen ? std::max(tolerance, SearchLimit) : tolerance;
+  for (double r = tolerance / 4; r <= limit; r *= 2)
+  {
+    if (AgreesOnCircle(caster, p.Width, p.Height, pixel, r, PointsPerCircle))
+    {
+      return r;
+    }
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+vtkIdType DrawnCell(float value)
+{
+  return value > 0 ? vtkIdType(value) - 1 : -1;
+}
+
+// Adds the pixels whose cells agree to the metrics, returns the others.
+std::vector<WorstPixel> FindMismatches(
+  const DrawnPicture& drawn, const HitPicture& reference, Metrics& metrics)
+{
+  std::vector<WorstPixel> pixels;
+  for (std::size_t n = 0; n < reference.Hits.size(); ++n)
+  {
+    const Hit& hit = reference.Hits[n];
+    const vtkIdType cell = DrawnCell(drawn.Cell[n]);
+    metrics.DomainPixels += hit.InDomain;
+    if (cell != hit.Cell)
+    {
+      pixels.push_back({ int(n % drawn.Width), int(n / drawn.Width), cell, hit.Cell,
+        drawn.Distance[n], hit.Distance, 0 });
+    }
+    else if (cell >= 0)
+    {
+      const double e = std::abs(drawn.Distance[n] - hit.Distance) / hit.Distance;
+      // a NaN must not pass for agreement
+      metrics.MaxDepthRel =
+        e <= metrics.MaxDepthRel ? metrics.MaxDepthRel : (std::isnan(e) ? INFINITY : e);
+    }
+  }
+  return pixels;
+}
+
+void Summarize(std::vector<WorstPixel>& pixels, double tolerance, Metrics& m)
+{
+  std::sort(pixels.begin(), pixels.end(),
+    [](const WorstPixel& a, const WorstPixel& b) { return a.Pixels > b.Pixels; });
+  m.Mismatched = long(pixels.size());
+  if (pixels.empty())
+  {
+    return;
+  }
+  m.MaxPx = pixels.front().Pixels;
+  m.P99Px = pixels[pixels.size() / 100].Pixels;
+  long missing = 0;
+  long spurious = 0;
+  for (const WorstPixel& p : pixels)
+  {
+    if (p.Pixels <= tolerance)
+    {
+      break;
+    }
+    ++m.UnexplainedPixels;
+    missing += p.Drawn < 0;
+    spurious += p.Reference < 0;
+    if (m.Worst.size() < Metrics::MaxWorst)
+    {
+      m.Worst.push_back(p);
+    }
+  }
+  m.Unexplained = double(m.UnexplainedPixels);
+  m.Missing = double(missing);
+  m.Spurious = double(spurious);
+}
+}
+
+DrawnPicture ToDrawnPicture(vtkImageData* image)
+{
+  DrawnPicture p;
+  vtkDataArray* cell = image ? image->GetPointData()->GetArray("cell") : nullptr;
+  vtkDataArray* distance = image ? image->GetPointData()->GetArray("distance") : nullptr;
+  if (!cell || !distance)
+  {
+    return p;
+  }
+  int size[3];
+  image->GetDimensions(size);
+  p.Width = size[0];
+  p.Height = size[1];
+  for (int j = p.Height - 1; j >= 0; --j)
+  {
+    for (int i = 0; i < p.Width; ++i)
+    {
+      const vtkIdType n = vtkIdType(j) * p.Width + i;
+      p.Cell.push_back(float(cell->GetComponent(n, 0)));
+      p.Distance.push_back(float(distance->GetComponent(n, 0)));
+    }
+  }
+  return p;
+}
+
+Metrics Compare(const DrawnPicture& drawn, const RayCaster& caster, double tolerance)
+{
+  return Compare(drawn, caster, caster.Render(drawn.Width, drawn.Height), tolerance);
+}
+
+Metrics Compare(
+  const DrawnPicture& drawn, const RayCaster& caster, const HitPicture& reference, double tolerance)
+{
+  Metrics m;
+  std::vector<WorstPixel> pixels = FindMismatches(drawn, reference, m);
+  std::unordered_set<vtkIdType> seen;
+  for (const Hit& hit : reference.Hits)
+  {
+    seen.insert(hit.Cell);
+  }
+  vtkSMPTools::For(0, vtkIdType(pixels.size()), 16, [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType n = begin; n < end; ++n)
+    {
+      const bool known = seen.count(pixels[n].Drawn) > 0;
+      pixels[n].Pixels = DistanceToAgreement(caster, drawn, pixels[n], tolerance, known);
+    }
+  });
+  Summarize(pixels, tolerance, m);
+  const double all = double(drawn.Width) * drawn.Height;
+  m.Unexplained /= all;
+  m.Missing /= all;
+  m.Spurious /= all;
+  return m;
+}
+
+double NearestAgreement(
+  const RayCaster& caster, int width, int height, const WorstPixel& pixel, double radius)
+{
+  constexpr int Angles = 128;
+  constexpr int Circles = 32; // down to radius / 100
+  const double step = std::pow(100, 1.0 / (Circles - 1));
+  double r = radius / 100;
+  for (int k = 0; k < Circles; ++k, r *= step)
+  {
+    if (AgreesOnCircle(caster, width, height, pixel, std::min(r, radius), Angles))
+    {
+      return std::min(r, radius);
+    }
+  }
+  return std::numeric_limits<double>::infinity();
+}
+}
+}

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How far a drawn picture is from the ray caster's: the metrics of the benchmark.
+#ifndef WideFoVMetrics_h
+#define WideFoVMetrics_h
+
+#include "RayCaster.h"
+
+#include <vector>
+
+class vtkImageData;
+
+namespace wfv
+{
+namespace reference
+{
+// What was drawn, rows from the top.
+struct DrawnPicture
+{
+  int Width = 0;
+  int Height = 0;
+  std::vector<float> Cell;     // 0 for nothing, else 1 + the cell id
+  std::vector<float> Distance; // eye to surface along the ray, scene units; +inf for nothing
+};
+
+// From the output of vtkWideFoVDataPass (its arrays "cell" and "distance", rows from the
+// bottom). Empty where an array is missing.
+DrawnPicture ToDrawnPicture(vtkImageData* image);
+
+// A pixel that no place near it explains.
+struct WorstPixel
+{
+  int I = 0;
+  int J = 0;                // from the top
+  vtkIdType Drawn = -1;     // cell id, -1 for nothing
+  vtkIdType Reference = -1; // at the pixel centre
+  double DrawnDistance = 0;
+  double ReferenceDistance = 0;
+  double Pixels = 0; // to the nearest place found where the reference agrees, may be inf
+};
+
+struct Metrics
+{
+  double Unexplained = 0; // fractions of all pixels of the picture
+  double Missing = 0;     // part of it: the reference hits, nothing was drawn
+  double Spurious = 0;    // part of it: something was drawn, the reference hits nothing
+  double MaxPx = 0;       // pixels; over the mismatched pixels, 0 if there are none
+  double P99Px = 0;
+  double MaxDepthRel = 0; // relative difference of the distances where the cells agree
+  long Mismatched = 0;    // pixels whose cells differ at the pixel centre
+  long UnexplainedPixels = 0;
+  long DomainPixels = 0;         // pixels whose centre lies in the domain of the map
+  std::vector<WorstPixel> Worst; // unexplained, farthest first, at most MaxWorst
+  static constexpr std::size_t MaxWorst = 64;
+};
+
+// Where an unexplained pixel is not explained within this many pixels, MaxPx is inf.
+constexpr double SearchLimit = 64;
+
+// `tolerance` is b in pixels: a mismatched pixel is explained if the reference agrees at
+// one of 48 points, 16 on each of the circles of radius b, b/2 and b/4 round its centre.
+Metrics Compare(const DrawnPicture& drawn, const RayCaster& caster, double tolerance);
+
+// The same with the ray caster's own picture at hand (of the drawn one's size).
+Metrics Compare(const DrawnPicture& drawn, const RayCaster& caster, const HitPicture& reference,
+  double tolerance);
+
+// The 48 points step over cells thinner than a quarter of b. This looks closely: the least
+// distance in pixels, up to `radius` and to a few percent, at which the reference agrees
+// with what was drawn at this pixel; inf where it does nowhere. 4,000 rays.
+double NearestAgreement(
+  const RayCaster& caster, int width, int height, const WorstPixel& pixel, double radius);
+}
+}
+
+#endif

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RayCaster.h"
+
+#include <vtkCellArray.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSMPThreadLocalObject.h>
+#include <vtkSMPTools.h>
+#include <vtkStaticCellLocator.h>
+
+namespace wfv
+{
+namespace reference
+{
+namespace
+{
+// The locator walks its bins in double, and rounding may take it past the corner of one:
+// cells are entered in every bin within this fraction of a bin's diagonal, far more than
+// rounding amounts to, so no candidate is lost.
+constexpr double BinTolerance = 1e-3;
+
+// Lines end this factor beyond the farthest corner of the bounds, so that their end
+// takes no part in the decision.
+constexpr double Beyond = 1.01;
+
+vtkSmartPointer<vtkPolyData> ToPolyData(const TriangleSoup& soup)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const vec3& p : soup.Points)
+  {
+    points->InsertNextPoint(p.x, p.y, p.z);
+  }
+  vtkNew<vtkCellArray> triangles;
+  for (const auto& t : soup.Triangles)
+  {
+    triangles->InsertNextCell(3, t.data());
+  }
+  auto polyData = vtkSmartPointer<vtkPolyData>::New();
+  polyData->SetPoints(points);
+  polyData->SetPolys(triangles);
+  return polyData;
+}
+}
+
+struct RayCaster::Locator
+{
+  vtkSmartPointer<vtkPolyData> Triangles;
+  vtkNew<vtkStaticCellLocator> Bins;
+  mutable vtkSMPThreadLocalObject<vtkIdList> Ids;
+  double Bounds[6];
+
+  explicit Locator(const TriangleSoup& soup)
+    : Triangles(ToPolyData(soup))
+  {
+    this->Triangles->GetBounds(this->Bounds);
+    this->Bins->SetDataSet(this->Triangles);
+    this->Bins->SetUseDiagonalLengthTolerance(true);
+    this->Bins->SetTolerance(BinTolerance);
+    if (this->Triangles->GetNumberOfCells() > 0)
+    {
+      this->Bins->BuildLocator();
+    }
+  }
+
+  // How far the farthest corner of the bounds lies.
+  double Reach(const vec3& o) const
+  {
+    const double* b = this->Bounds;
+    const vec3 r(std::max(std::abs(b[0] - o.x), std::abs(b[1] - o.x)),
+      std::max(std::abs(b[2] - o.y), std::abs(b[3] - o.y)),
+      std::max(std::abs(b[4] - o.z), std::abs(b[5] - o.z)));
+    return Beyond * std::hypot(r.x, std::hypot(r.y, r.z));
+  }
+
+  vtkIdList* Find(const vec3& origin, const vec3& direction) const
+  {
+    const vec3 end = origin + direction * this->Reach(origin);
+    const double a[3] = { origin.x, origin.y, origin.z };
+    const double b[3] = { end.x, end.y, end.z };
+    vtkIdList* ids = this->Ids.Local();
+    // VTK 9.1 ignores the tolerance given here for the one set above.
+    this->Bins->FindCellsAlongLine(a, b, 0, ids);
+    return ids;
+  }
+};
+
+vec2 PixelToNdc(double x, double y, int width, int height)
+{
+  return vec2(2 * x / width - 1, 1 - 2 * y / height);
+}
+
+RayCaster::RayCaster(vtkPolyData* polyData, const View& view, const Pose& worldToView)
+  : TheView(view)
+  , Soup(Triangulate(polyData, worldToView))
+  , Candidates(new Locator(Soup))
+{
+}
+
+RayCaster::~RayCaster() = default;
+
+Hit RayCaster::Cast(vec2 ndc) const
+{
+  const ViewRay ray = this->TheView.Ray(ndc);
+  if (!ray.Inside)
+  {
+    return {};
+  }
+  Hit hit = this->Cast(ray.Origin, ray.Direction);
+  hit.InDomain = true;
+  return hit;
+}
+
+Hit RayCaster::Cast(const vec3& origin, const vec3& direction) const
+{
+  Hit best;
+  if (this->Soup.Triangles.empty())
+  {
+    return best;
+  }
+  const vec2 radii = this->TheView.GetParameters().radii;
+  vtkIdList* ids = this->Candidates->Find(origin, direction);
+  for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+  {
+    const vtkIdType id = ids->GetId(i);
+    const auto& t = this->Soup.Triangles[id];
+    const auto& p = this->Soup.Points;
+    const RayTriangleHit hit =
+      IntersectTriangle(origin, direction, { { p[t[0]], p[t[1]], p[t[2]] } });
+    const bool nearer =
+      hit.Distance < best.Distance || (hit.Distance == best.Distance && id < best.Triangle);
+    if (hit.Found && hit.Distance >= radii.x && hit.Distance <= radii.y && nearer)
+    {
+      best.Cell = this->Soup.CellIds[id];
+      best.Triangle = id;
+      best.Distance = hit.Distance;
+      best.Barycentrics = hit.Barycentrics;
+    }
+  }
+  return best;
+}
+
+HitPicture RayCaster::Render(int width, int height) const
+{
+  HitPicture picture;
+  picture.Width = width;
+  picture.Height = height;
+  picture.Hits.resize(std::size_t(width) * height);
+  vtkSMPTools::For(0, height, 1, [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType j = begin; j < end; ++j)
+    {
+      for (int i = 0; i < width; ++i)
+      {
+        picture.Hits[j * width + i] = this->Cast(PixelToNdc(i + 0.5, j + 0.5, width, height));
+      }
+    }
+  });
+  return picture;
+}
+}
+}

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TriangleSoup.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellArrayIterator.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+namespace wfv
+{
+namespace reference
+{
+namespace
+{
+vec3 Apply(const Pose& m, const double p[3])
+{
+  return vec3(m[0] * p[0] + m[1] * p[1] + m[2] * p[2] + m[3],
+    m[4] * p[0] + m[5] * p[1] + m[6] * p[2] + m[7],
+    m[8] * p[0] + m[9] * p[1] + m[10] * p[2] + m[11]);
+}
+
+void AddTriangle(TriangleSoup& soup, vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType cell)
+{
+  const std::vector<vec3>& p = soup.Points;
+  if (p[a] == p[b] || p[b] == p[c] || p[c] == p[a])
+  {
+    return;
+  }
+  soup.Triangles.push_back({ { a, b, c } });
+  soup.CellIds.push_back(cell);
+}
+
+void AddCells(TriangleSoup& soup, vtkCellArray* cells, bool strips, vtkIdType cell)
+{
+  auto it = vtk::TakeSmartPointer(cells->NewIterator());
+  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell(), ++cell)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    it->GetCurrentCell(size, ids);
+    for (vtkIdType i = 1; i + 1 < size; ++i)
+    {
+      AddTriangle(soup, ids[strips ? i - 1 : 0], ids[i], ids[i + 1], cell);
+    }
+  }
+}
+}
+
+Pose IdentityPose()
+{
+  return { { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 } };
+}
+
+TriangleSoup Triangulate(vtkPolyData* polyData, const Pose& worldToView)
+{
+  TriangleSoup soup;
+  const vtkIdType count = polyData->GetNumberOfPoints();
+  soup.Points.reserve(count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    double p[3];
+    polyData->GetPoint(i, p);
+    soup.Points.push_back(Apply(worldToView, p));
+  }
+  // Cell ids count verts, lines, polys, strips, in this order.
+  const vtkIdType firstPoly = polyData->GetNumberOfVerts() + polyData->GetNumberOfLines();
+  AddCells(soup, polyData->GetPolys(), false, firstPoly);
+  AddCells(soup, polyData->GetStrips(), true, firstPoly + polyData->GetNumberOfPolys());
+  return soup;
+}
+}
+}

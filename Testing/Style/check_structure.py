@@ -1,0 +1,139 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Checks that the checkout keeps its structure.
+
+    check_structure.py ROOT
+
+Rules: dependencies run one way; the mathematics knows no VTK; functions and sources
+stay short; shaders are .glsl files; every source names its licence; nothing names a
+folder of somebody's machine. Prints `path:line: rule: what is wrong` for every breach
+and exits with 1 when there is one.
+"""
+
+import os
+import re
+import sys
+
+from functions import cpp_functions, python_functions, without_comments
+from sources import CPP, SHADERS, find_sources
+
+MAX_FUNCTION_LINES = 39  # "under 40": what fits a screen
+MAX_SOURCE_LINES = 399  # "under 400": one idea a file
+
+# Folder -> folders whose headers it may include. The longest matching folder counts.
+MAY_INCLUDE = {
+    "Module/Projections": {"Module/Projections"},
+    "Module/Stereo": {"Module/Stereo", "Module/Projections"},
+    "Module": {"Module", "Module/Projections", "Module/Stereo"},
+    "Plugin": {"Plugin", "Module", "Module/Projections", "Module/Stereo"},
+    "Examples": {"Examples", "Module", "Module/Projections", "Module/Stereo"},
+    "Testing": {"Testing", "Examples", "Module", "Module/Projections", "Module/Stereo"},
+}
+PURE = ("Module/Projections", "Module/Stereo")
+
+# Text that belongs to a shader, and the files that may hold it because they rewrite
+# the text of VTK's own shaders.
+SHADER_TEXT = re.compile(r"\bvoid\s+main\b|\bgl_Position\b|\bEmitVertex\b|#version\s+\d")
+REWRITES_SHADERS = ("Module/vtkWideFoVShaderBuilder.cxx",)
+
+INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(["<])([^">]+)[">]', re.M)
+
+# Written in pieces, so that this file does not match itself.
+MACHINE_PATH = re.compile(
+    r"(?<![\w.$}>-])/(?:" + "|".join(["work", "home", "root", "Users", "mnt", "tmp"]) + r")/\w"
+)
+
+SPDX = "SPDX-License-Identifier: BSD-3-" + "Clause"
+
+
+def folder_of(path):
+    """The key of MAY_INCLUDE that a path belongs to, or None."""
+    fitting = [folder for folder in MAY_INCLUDE if path.startswith(folder + "/")]
+    return max(fitting, key=len) if fitting else None
+
+
+def line_of(text, position):
+    return text.count("\n", 0, position) + 1
+
+
+def check_includes(source, headers):
+    """One way only; `headers` maps a file's name to the paths that bear it."""
+    home = folder_of(source.path)
+    if home is None or not source.is_kind(CPP + SHADERS):
+        return
+    for match in INCLUDE.finditer(without_comments(source.text)):
+        name = os.path.basename(match.group(2))
+        line = line_of(source.text, match.start())
+        if home in PURE and name.startswith("vtk"):
+            yield line, "pure mathematics", "%s includes %s, but knows no VTK" % (home, name)
+            continue
+        homes = {folder_of(path) for path in headers.get(name, [])} - {None}
+        if homes and not homes & MAY_INCLUDE[home]:
+            yield line, "one way", "%s includes %s of %s" % (home, name, sorted(homes)[0])
+
+
+def check_length(source):
+    """Short functions, short sources."""
+    if not source.is_code:
+        return
+    if len(source.lines) > MAX_SOURCE_LINES:
+        text = "%d lines, at most %d" % (len(source.lines), MAX_SOURCE_LINES)
+        yield MAX_SOURCE_LINES + 1, "source length", text
+    functions = []
+    if source.is_kind(CPP + SHADERS):
+        functions = cpp_functions(source.text)
+    elif source.is_kind((".py",)):
+        functions = python_functions(source.text)
+    for name, first, lines in functions:
+        if lines > MAX_FUNCTION_LINES:
+            text = "%s has %d lines, at most %d" % (name, lines, MAX_FUNCTION_LINES)
+            yield first, "function length", text
+
+
+def check_shaders(source):
+    """Shaders live in .glsl files, where tools and people find them."""
+    if not source.is_kind(CPP) or source.path in REWRITES_SHADERS:
+        return
+    if source.path.startswith("Testing/"):
+        return  # tests compare shader text
+    for match in SHADER_TEXT.finditer(without_comments(source.text)):
+        line = line_of(source.text, match.start())
+        yield line, "shader text", "'%s' belongs into a .glsl file" % match.group()
+
+
+def check_licence(source):
+    if source.is_code and not any(SPDX in line for line in source.lines[:3]):
+        yield 1, "licence", "no line '%s' among the first three" % SPDX
+
+
+def check_paths(source):
+    for number, line in enumerate(source.lines, 1):
+        match = MACHINE_PATH.search(line)
+        if match:
+            yield number, "machine path", "'%s...' exists on one machine only" % match.group()
+
+
+def breaches(root):
+    """Every breach below root, as printable lines."""
+    sources = find_sources(root)
+    headers = {}
+    for source in sources:
+        headers.setdefault(os.path.basename(source.path), []).append(source.path)
+    for source in sources:
+        for check in (check_length, check_shaders, check_licence, check_paths):
+            for line, rule, text in check(source):
+                yield "%s:%d: %s: %s" % (source.path, line, rule, text)
+        for line, rule, text in check_includes(source, headers):
+            yield "%s:%d: %s: %s" % (source.path, line, rule, text)
+
+
+def main():
+    if len(sys.argv) != 2 or not os.path.isdir(sys.argv[1]):
+        sys.exit("check_structure.py: name the root of the checkout")
+    found = list(breaches(sys.argv[1]))
+    print("\n".join(found) if found else "structure: nothing to complain about")
+    sys.exit(1 if found else 0)
+
+
+if __name__ == "__main__":
+    main()

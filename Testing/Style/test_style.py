@@ -1,0 +1,134 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Shows that the style checks fail where they should: a tidy checkout passes, and each
+seeded breach is found, by the rule it breaks and in the file that breaks it."""
+
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.dirname(os.path.dirname(HERE))
+LICENCE = "SPDX-License-Identifier: BSD-3-" + "Clause"
+HEAD = "// " + LICENCE + "\n"
+
+
+def long_function(lines):
+    """A function of this many lines, braces and signature included."""
+    return "int Long()\n{\n" + "  Step();\n" * (lines - 4) + "  return 0;\n}\n"
+
+
+# The initializer list counts: 40 lines in all.
+LONG_CONSTRUCTOR = (
+    "namespace a\n{\nA::A()\n  : B{ 1 }\n{\n" + "  Step();\n" * 36 + "}\n}\n"
+)
+
+TIDY = {
+    "Module/Projections/Map.h": HEAD + "#include <cmath>\n",
+    "Module/Stereo/Eyes.h": HEAD + '#include "Map.h"\n',
+    "Module/vtkWide.h": HEAD + '#include "Map.h"\n#include "vtkObject.h"\n',
+    "Module/Shaders/stage.glsl": HEAD + "void main()\n{\n  gl_Position = vec4(0.0);\n}\n",
+    "Module/vtkWide.cxx": HEAD + '#include "vtkWide.h"\n\n// gl_Position: see the shader\n'
+    + "const Size s{ 1 };\n"
+    + long_function(39),
+    "Examples/Tool.h": HEAD + '#include "vtkWide.h"\n',
+    "Testing/Unit/TestTool.cxx": HEAD + '#include "Tool.h"\n#include "Map.h"\n',
+    "Testing/helper.py": "# " + LICENCE + "\n\n\ndef helper():\n    return 1\n",
+}
+
+# rule, file, its text
+BREACHES = [
+    ("pure mathematics", "Module/Projections/Map.h", HEAD + "#include <vtkMath.h>\n"),
+    ("pure mathematics", "Module/Stereo/Eyes.h", HEAD + '# include "vtkWide.h"\n'),
+    ("one way", "Module/Projections/Map.h", HEAD + '#include "Eyes.h"\n'),
+    ("one way", "Module/vtkWide.h", HEAD + '#include "Tool.h"\n'),
+    ("one way", "Examples/Tool.h", HEAD + '#include "../Testing/Unit/Check.h"\n'),
+    ("function length", "Module/vtkWide.cxx", HEAD + long_function(40)),
+    ("function length", "Module/Shaders/stage.glsl", HEAD + long_function(40)),
+    ("function length", "Module/vtkWide.cxx", HEAD + LONG_CONSTRUCTOR),
+    ("function length", "Testing/helper.py", "# " + LICENCE + "\ndef f():\n" + "    g()\n" * 39),
+    ("source length", "Module/vtkWide.cxx", HEAD + "int i;\n" * 399),
+    ("shader text", "Module/vtkWide.cxx", HEAD + 'const char* s = "void main() {}";\n'),
+    ("shader text", "Module/vtkWide.cxx", HEAD + 'const char* s = "gl_Position = p;";\n'),
+    ("licence", "Module/vtkWide.cxx", "int i;\n"),
+    ("licence", "CMakeLists.txt", "project(X)\n"),
+    ("licence", "Testing/run.sh", "#!/bin/bash\n"),
+    ("machine path", "README.md", "see /" + "home/somebody/file\n"),
+    ("machine path", "CMakeLists.txt", "# " + LICENCE + '\nset(x "/' + 'work/x")\n'),
+]
+
+
+class Checkout:
+    """A checkout of a few files in a folder of its own."""
+
+    def __init__(self, files):
+        self.root = tempfile.mkdtemp(prefix="style-")
+        for path, text in files.items():
+            full = os.path.join(self.root, path)
+            os.makedirs(os.path.dirname(full), exist_ok=True)
+            with open(full, "w", encoding="utf-8") as stream:
+                stream.write(text)
+        for name in (".clang-format", ".codespellrc"):
+            shutil.copy(os.path.join(ROOT, name), self.root)
+
+    def __enter__(self):
+        return self.root
+
+    def __exit__(self, *_):
+        shutil.rmtree(self.root)
+
+
+def run(check, root):
+    """Exit code and output of one of the checks."""
+    command = [sys.executable, os.path.join(HERE, check), root]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    return done.returncode, done.stdout + done.stderr
+
+
+class StructureCheck(unittest.TestCase):
+    def test_tidy_checkout_passes(self):
+        with Checkout(TIDY) as root:
+            status, output = run("check_structure.py", root)
+            self.assertEqual(status, 0, output)
+
+    def test_each_breach_is_found(self):
+        for rule, path, text in BREACHES:
+            files = {**TIDY, "Testing/Unit/Check.h": HEAD, path: text}
+            with self.subTest(rule=rule, path=path), Checkout(files) as root:
+                status, output = run("check_structure.py", root)
+                self.assertEqual(status, 1, output)
+                lines = output.splitlines()
+                self.assertEqual(len(lines), 1, "one breach, one line: " + output)
+                self.assertTrue(lines[0].startswith(path + ":"), output)
+                self.assertIn(": " + rule + ": ", lines[0])
+
+    def test_build_trees_are_not_read(self):
+        with Checkout({**TIDY, "build/x.cxx": "no licence\n", "build-2/x.cxx": "\n"}) as root:
+            self.assertEqual(run("check_structure.py", root)[0], 0)
+
+
+class ToolChecks(unittest.TestCase):
+    def test_format(self):
+        for text, expected in (("int i = 0;\n", 0), ("int  i=0 ;\n", 1)):
+            with Checkout({"Module/vtkWide.cxx": HEAD + text}) as root:
+                self.assertEqual(run("check_format.py", root)[0], expected)
+
+    def test_spelling(self):
+        for word, expected in (("receive", 0), ("reci" + "eve", 1)):
+            with Checkout({"README.md": "We " + word + " it.\n"}) as root:
+                self.assertEqual(run("check_spelling.py", root)[0], expected)
+
+    def test_tolerances(self):
+        row = "| `Limit` | `%s` | pixels | what | [Limit.h](../Module/Limit.h) |\n"
+        source = HEAD + "constexpr double Limit = 0.25; // pixels\n"
+        for value, expected in (("0.25", 0), ("0.2", 1), ("0.25` broken", 1)):
+            page = {"Documentation/tolerances.md": row % value, "Module/Limit.h": source}
+            with Checkout(page) as root:
+                self.assertEqual(run("check_tolerances.py", root)[0], expected)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What options a projection takes, what it says to the others, and which lenses grow.
+#include "Views.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <limits>
+#include <set>
+
+using namespace wfv;
+using namespace wfv::test;
+
+namespace
+{
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+
+ViewOptions Small()
+{
+  ViewOptions o;
+  o.HorizontalFov = 90;
+  o.VerticalFov = 60;
+  return o;
+}
+
+// One message, no line break, that names all of these.
+void ExpectRefused(const Projection& p, const ViewOptions& o, const std::vector<std::string>& words)
+{
+  const std::string message = CheckOptions(p, o);
+  EXPECT_FALSE(message.empty()) << MakeView(p, Small()).Name;
+  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  for (const std::string& word : words)
+  {
+    EXPECT_NE(message.find(word), std::string::npos) << "'" << word << "' in: " << message;
+  }
+}
+}
+
+TEST(Options, RegistryIsConsistent)
+{
+  std::set<std::string> names;
+  for (const Projection& p : Projections())
+  {
+    EXPECT_TRUE(names.insert(p.Name).second) << p.Name;
+    EXPECT_EQ(FindProjection(p.Name), &p);
+    EXPECT_FALSE(p.Title.empty()) << p.Name;
+    ASSERT_TRUE(p.Glsl && p.Map && p.Project && p.Unproject && p.Bounds) << p.Name;
+    EXPECT_NE(std::string(p.Glsl).find("wfvProject"), std::string::npos) << p.Name;
+  }
+  for (const char* name : { "equirectangular", "hammer", "azimuthal-equidistant", "perspective" })
+  {
+    EXPECT_EQ(names.count(name), 1u) << name;
+  }
+  EXPECT_EQ(FindProjection(""), nullptr);
+  EXPECT_EQ(FindProjection("Hammer"), nullptr);
+  EXPECT_EQ(FindProjection("no such projection"), nullptr);
+}
+
+TEST(Options, FieldsOfViewHaveARange)
+{
+  for (const Projection& p : Projections())
+  {
+    EXPECT_EQ(CheckOptions(p, Small()), "") << p.Name;
+    for (double bad : { 0.0, -1.0, p.MaxHorizontalFov * 1.001, NaN, Infinity, -Infinity })
+    {
+      ViewOptions o = Small();
+      o.HorizontalFov = bad;
+      ExpectRefused(p, o, { "horizontal", p.Name, "degrees" });
+    }
+    for (double bad : { 0.0, -1.0, p.MaxVerticalFov * 1.001, NaN, Infinity })
+    {
+      ViewOptions o = Small();
+      o.VerticalFov = bad;
+      ExpectRefused(p, o, { "vertical", p.Name, "degrees" });
+    }
+    ViewOptions o = Small();
+    o.HorizontalFov = p.MaxHorizontalFov;
+    o.VerticalFov = p.MaxVerticalFov;
+    EXPECT_EQ(CheckOptions(p, o), "") << p.Name;
+  }
+}
+
+TEST(Options, RefusalsNameTheValues)
+{
+  const Projection& p = *FindProjection("hammer");
+  ViewOptions o = Small();
+  o.HorizontalFov = 361.5;
+  ExpectRefused(p, o, { "360", "361.5" });
+  o = Small();
+  o.Radii = { { 3, 2 } };
+  ExpectRefused(p, o, { "clip", "near", "far", "3", "2" });
+}
+
+TEST(Options, TiltAndRadii)
+{
+  for (const Projection& p : Projections())
+  {
+    for (double bad : { NaN, Infinity, -Infinity })
+    {
+      ViewOptions o = Small();
+      o.Tilt = bad;
+      ExpectRefused(p, o, { "tilt" });
+    }
+    const std::array<double, 2> bad[] = { { { 0, 1 } }, { { -1, 1 } }, { { 1, 1 } }, { { 2, 1 } },
+      { { NaN, 1 } }, { { 1, NaN } }, { { 1, Infinity } } };
+    for (const auto& radii : bad)
+    {
+      ViewOptions o = Small();
+      o.Radii = radii;
+      ExpectRefused(p, o, { "clip" });
+    }
+  }
+}
+
+TEST(Options, Lens)
+{
+  ViewOptions o = Small();
+  o.HorizontalFov = 180;
+  o.Lens = Lenses(180)[0];
+  for (const Projection& p : Projections())
+  {
+    if (p.HasLens)
+    {
+      EXPECT_EQ(CheckOptions(p, o), "") << p.Name;
+    }
+    else if (p.MaxHorizontalFov >= 180)
+    {
+      ExpectRefused(p, o, { p.Name, "lens" });
+    }
+  }
+  const Projection& fisheye = *FindProjection("azimuthal-equidistant");
+  // c1 0: the slope is 0 on the axis; sin turns round at 90 degrees; falling at once
+  const std::array<double, 5> bad[] = { { { 0, 1, 0, 0, 0 } }, { { 1, 0, -0.3, 0, 0 } },
+    { { -1, 0, 0, 0, 0 } }, { { NaN, 0, 0, 0, 0 } }, { { 1, Infinity, 0, 0, 0 } } };
+  for (const auto& lens : bad)
+  {
+    o.Lens = lens;
+    ExpectRefused(fisheye, o, { "lens", "grow" });
+  }
+}
+
+TEST(Lens, MonotoneIsDecidedUpToTheRim)
+{
+  // r = t - t^3 / 3 has its top at t = 1
+  const std::array<double, 5> lens{ { 1, 0, -1.0 / 3, 0, 0 } };
+  EXPECT_TRUE(LensIsMonotone(lens, 0.99));
+  EXPECT_FALSE(LensIsMonotone(lens, 1.01));
+  EXPECT_TRUE(LensIsMonotone({ { 1, 0, 0, 0, 0 } }, WFV_PI));
+  EXPECT_FALSE(LensIsMonotone({ { 0, 0, 0, 0, 0 } }, WFV_PI));
+  EXPECT_FALSE(LensIsMonotone({ { -1, 0, 0, 0, 0 } }, WFV_PI));
+}
+
+// A slope with a dip of given width: (t - m)^2 - w^2 is negative for w round m.
+TEST(Lens, NarrowDipsAreFound)
+{
+  for (double m : { 0.3, 1.0, 1.5, 2.9 })
+  {
+    for (double w : { 0.1, 0.01, 0.001 })
+    {
+      const std::array<double, 5> lens{ { m * m - w * w, -m, 1.0 / 3, 0, 0 } };
+      EXPECT_FALSE(LensIsMonotone(lens, WFV_PI)) << "dip at " << m << " of width " << w;
+      const std::array<double, 5> lifted{ { m * m + w * w, -m, 1.0 / 3, 0, 0 } };
+      EXPECT_TRUE(LensIsMonotone(lifted, WFV_PI)) << "lifted dip at " << m;
+    }
+  }
+}
+
+// What is called monotone can be inverted: theta comes back from r.
+RC_GTEST_PROP(Lens, MonotoneOnesInvert, ())
+{
+  // the shares of the five terms in the radius at the rim
+  const auto c = *rc::gen::container<std::vector<int>>(5, rc::gen::inRange(0, 41));
+  ViewOptions o;
+  o.HorizontalFov = *rc::gen::inRange(1, 361);
+  o.Aspect = 1;
+  const double rim = 0.5 * o.HorizontalFov * Degree;
+  for (int i = 0; i < 5; ++i)
+  {
+    const double share = (c[i] % 2 ? -1 : 1) * c[i] / 200.0;
+    o.Lens[i] = ((i == 0 ? 0.6 : 0) + share) / std::pow(rim, i + 1);
+  }
+  const Projection& p = *FindProjection("azimuthal-equidistant");
+  RC_PRE(CheckOptions(p, o).empty());
+  const View view(p, o);
+  const double theta = view.GetParameters().maxAngle * *rc::gen::inRange(0, 1001) / 1000.0;
+  const vec3 d = wfvAzimuthalDirection(vec2(0.7, theta));
+  const vec3 ndc = view.Forward(d).Ndc;
+  const vec3 back = view.Forward(view.Ray(vec2(ndc.x, ndc.y)).Direction).Ndc;
+  // compared in the picture, where a nearly flat lens is not ill-conditioned
+  RC_ASSERT(glm::length(back - ndc) < 1e-12 * std::max(1.0, glm::length(ndc)));
+}

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Views.h"
+
+#include <cstdio>
+#include <random>
+
+namespace wfv
+{
+namespace test
+{
+namespace
+{
+// The smallest distance from a border, radians, that a round trip is asked to survive,
+// and larger ones on the way to the open sphere.
+constexpr double Offsets[] = { 1e-9, 1e-7, 1e-5, 1e-3, 0.1 };
+
+std::vector<std::array<double, 5>> LensesAndNone(const Projection& p, double fov)
+{
+  std::vector<std::array<double, 5>> lenses{ { { 0, 0, 0, 0, 0 } } };
+  if (p.HasLens)
+  {
+    for (const auto& lens : Lenses(fov))
+    {
+      lenses.push_back(lens);
+    }
+  }
+  return lenses;
+}
+
+void AddViews(std::vector<NamedView>& views, const Projection& p, double fov)
+{
+  for (double tilt : { 0.0, 21.0, 90.0, -135.0 })
+  {
+    for (const auto& lens : LensesAndNone(p, fov))
+    {
+      ViewOptions o;
+      o.HorizontalFov = fov;
+      o.VerticalFov = std::min(p.MaxVerticalFov, fov / 2);
+      o.Tilt = tilt;
+      o.Lens = lens;
+      views.push_back(MakeView(p, o));
+    }
+  }
+}
+}
+
+NamedView MakeView(const Projection& p, const ViewOptions& o)
+{
+  char text[200];
+  std::snprintf(text, sizeof text, "%s hfov %g vfov %g tilt %g aspect %g lens %g %g %g %g %g",
+    p.Name.c_str(), o.HorizontalFov, o.VerticalFov, o.Tilt, o.Aspect, o.Lens[0], o.Lens[1],
+    o.Lens[2], o.Lens[3], o.Lens[4]);
+  const bool lens = o.Lens != std::array<double, 5>{ { 0, 0, 0, 0, 0 } };
+  return { text, o, View(p, o), lens };
+}
+
+std::vector<NamedView> AllViews()
+{
+  std::vector<NamedView> views;
+  for (const Projection& p : Projections())
+  {
+    for (double fov : { 0.001, 1.0, 60.0, 90.0, 120.0, 179.0, 180.0, 270.0, 359.9, 360.0 })
+    {
+      if (fov <= p.MaxHorizontalFov)
+      {
+        AddViews(views, p, fov);
+      }
+    }
+  }
+  return views;
+}
+
+std::vector<std::array<double, 5>> Lenses(double fov)
+{
+  const double h = 0.5 * fov * Degree;
+  return { { { 0.8 / h, 0, 0.2 / (h * h * h), 0, 0 } },
+    { { 1.2 / h, -0.1 / (h * h), 0, -0.1 / (h * h * h * h), 0 } },
+    { { 1.1 / h, 0, 0, 0, -0.1 / (h * h * h * h * h) } },
+    // flat in the middle: a quarter of the mean slope
+    { { 2.5 / h, -4.5 / (h * h), 3 / (h * h * h), 0, 0 } } };
+}
+
+std::vector<vec3> SpecialDirections(double offset)
+{
+  std::vector<vec3> d;
+  for (int x = -1; x <= 1; ++x)
+  {
+    for (int y = -1; y <= 1; ++y)
+    {
+      for (int z = -1; z <= 1; ++z)
+      {
+        if (x || y || z)
+        {
+          d.push_back(glm::normalize(vec3(x, y, z)));
+        }
+      }
+    }
+  }
+  constexpr int Around = 24;
+  for (int i = 0; i < Around; ++i)
+  {
+    const double a = 2 * WFV_PI * (i + 0.125) / Around - WFV_PI;
+    for (double s : { -1.0, 1.0 })
+    {
+      d.push_back(wfvMeridianDirection(vec2(a, s * (0.5 * WFV_PI - offset))));
+      d.push_back(wfvMeridianDirection(vec2(a, s * offset)));
+      d.push_back(wfvMeridianDirection(vec2(s * (WFV_PI - offset), a / 2)));
+    }
+    d.push_back(wfvAzimuthalDirection(vec2(a, WFV_PI - offset)));
+    d.push_back(wfvAzimuthalDirection(vec2(a, offset)));
+  }
+  return d;
+}
+
+std::vector<vec3> RandomDirections(int count)
+{
+  std::mt19937_64 engine(20240229);
+  std::normal_distribution<double> normal;
+  std::vector<vec3> d;
+  for (int i = 0; i < count; ++i)
+  {
+    const double x = normal(engine);
+    const double y = normal(engine);
+    d.push_back(glm::normalize(vec3(x, y, normal(engine))));
+  }
+  return d;
+}
+
+std::vector<vec3> RimDirections(const View& view, double offset)
+{
+  std::vector<vec3> d;
+  const double rim = view.GetParameters().maxAngle - offset;
+  if (view.GetProjection().Axis == Family::Azimuthal && rim > 0)
+  {
+    for (int i = 0; i < 32; ++i)
+    {
+      d.push_back(wfvAzimuthalDirection(vec2(2 * WFV_PI * i / 32, rim)));
+    }
+  }
+  return d;
+}
+
+std::vector<vec3> DirectionsFor(const View& view)
+{
+  std::vector<vec3> all = RandomDirections(2000);
+  for (double offset : Offsets)
+  {
+    for (const auto& some : { SpecialDirections(offset), RimDirections(view, offset) })
+    {
+      all.insert(all.end(), some.begin(), some.end());
+    }
+  }
+  for (vec3& d : all)
+  {
+    d = wfvUntilt(d, view.GetParameters());
+  }
+  return all;
+}
+
+bool InDomain(const View& view, const vec3& direction)
+{
+  const WfvView& v = view.GetParameters();
+  const vec3 p = wfvTilt(direction, v);
+  switch (view.GetProjection().Axis)
+  {
+    case Family::Azimuthal:
+      return wfvAzimuthalAngles(p).y <= v.maxAngle;
+    case Family::Planar:
+      return p.z < 0;
+    default:
+      return true;
+  }
+}
+
+vec2 AnglesOf(const Projection& projection, const vec3& d)
+{
+  return projection.Axis == Family::Azimuthal ? wfvAzimuthalAngles(d) : wfvMeridianAngles(d);
+}
+
+std::string Text(const vec3& v)
+{
+  char text[120];
+  std::snprintf(text, sizeof text, "(%.17g, %.17g, %.17g)", v.x, v.y, v.z);
+  return text;
+}
+
+std::string Text(const vec2& v)
+{
+  char text[80];
+  std::snprintf(text, sizeof text, "(%.17g, %.17g)", v.x, v.y);
+  return text;
+}
+}
+}
