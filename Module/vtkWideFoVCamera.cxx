@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVCamera.h"
 
-#include "Projections/Projection.h"
+#include "vtkWideFoVCameraInternals.h"
 
 #include "vtkMath.h"
 #include "vtkMatrix3x3.h"
@@ -35,9 +35,8 @@ double ClampAngle(vtkObject* self, const char* what, double value, double max)
   const double clamped = std::isnan(value) ? max : std::clamp(value, MinFieldOfView, max);
   if (clamped != value)
   {
-    vtkWarningWithObjectMacro(self,
-      << what << " " << value << " is outside [" << MinFieldOfView << ", " << max
-      << "] degrees; " << clamped << " is used");
+    vtkWarningWithObjectMacro(self, << what << " " << value << " is outside [" << MinFieldOfView
+                                    << ", " << max << "] degrees; " << clamped << " is used");
   }
   return clamped;
 }
@@ -60,16 +59,6 @@ void DistanceToBounds(const double p[3], const double b[6], double& nearest, dou
   farthest = std::sqrt(far2);
 }
 }
-
-struct vtkWideFoVCamera::Internals
-{
-  wfv::ViewOptions Options;
-  std::optional<wfv::View> Cache;
-  double CacheAspect = 0;
-  vtkMTimeType CacheTime = 0;
-  vtkTimeStamp MatrixTime;
-  vtkRenderer* MatrixRenderer = nullptr;
-};
 
 vtkWideFoVCamera::vtkWideFoVCamera()
   : Internal(new Internals)
@@ -140,7 +129,8 @@ void vtkWideFoVCamera::SetProjection(const char* name)
     {
       known += " " + p.Name;
     }
-    vtkErrorMacro(<< "No projection is named " << (name ? name : "(null)") << "; there are" << known);
+    vtkErrorMacro(<< "No projection is named " << (name ? name : "(null)") << "; there are"
+                  << known);
     return;
   }
   if (found == this->Definition)
@@ -220,7 +210,8 @@ void vtkWideFoVCamera::SetTilt(double degrees)
   const double v = std::isnan(degrees) ? 0 : std::clamp(degrees, -180.0, 180.0);
   if (v != degrees)
   {
-    vtkWarningMacro(<< "Tilt " << degrees << " is outside [-180, 180] degrees; " << v << " is used");
+    vtkWarningMacro(<< "Tilt " << degrees << " is outside [-180, 180] degrees; " << v
+                    << " is used");
   }
   if (v != this->Internal->Options.Tilt)
   {
@@ -313,138 +304,5 @@ void vtkWideFoVCamera::ResetClipRadii(const double bounds[6])
       // for those who know no clip spheres
       this->SetClippingRange(n, f);
     }
-  }
-}
-
-bool vtkWideFoVCamera::IsWide()
-{
-  return this->Definition->Axis != wfv::Family::Planar;
-}
-
-const wfv::View& vtkWideFoVCamera::GetView(double aspect)
-{
-  Internals& in = *this->Internal;
-  if (!in.Cache || in.CacheAspect != aspect || in.CacheTime < this->GetMTime())
-  {
-    wfv::ViewOptions options = in.Options;
-    options.Aspect = aspect;
-    if (!this->Definition->HasLens)
-    {
-      options.Lens.fill(0);
-    }
-    in.Cache.emplace(*this->Definition, options);
-    in.CacheAspect = aspect;
-    in.CacheTime = this->GetMTime();
-  }
-  return *in.Cache;
-}
-
-bool vtkWideFoVCamera::WorldToNDC(const double world[3], double aspect, double ndc[3])
-{
-  double p[4] = { world[0], world[1], world[2], 1 };
-  this->GetModelViewTransformMatrix()->MultiplyPoint(p, p);
-  const wfv::NdcPoint q = this->GetView(aspect).Forward(wfv::vec3(p[0], p[1], p[2]));
-  ndc[0] = q.Ndc.x;
-  ndc[1] = q.Ndc.y;
-  ndc[2] = q.Ndc.z;
-  return q.Inside;
-}
-
-bool vtkWideFoVCamera::NDCToWorld(const double ndc[3], double aspect, double world[3])
-{
-  double origin[3];
-  double direction[3];
-  const bool inside = this->NDCToRay(ndc, aspect, origin, direction);
-  const std::array<double, 2>& radii = this->Internal->Options.Radii;
-  const double rho = radii[0] + 0.5 * (ndc[2] + 1) * (radii[1] - radii[0]);
-  for (int i = 0; i < 3; i++)
-  {
-    world[i] = origin[i] + rho * direction[i];
-  }
-  return inside;
-}
-
-bool vtkWideFoVCamera::NDCToRay(
-  const double ndc[2], double aspect, double origin[3], double direction[3])
-{
-  const wfv::ViewRay ray = this->GetView(aspect).Ray(wfv::vec2(ndc[0], ndc[1]));
-  double o[4] = { ray.Origin.x, ray.Origin.y, ray.Origin.z, 1 };
-  double d[4] = { ray.Direction.x, ray.Direction.y, ray.Direction.z, 0 };
-  vtkNew<vtkMatrix4x4> inverse;
-  vtkMatrix4x4::Invert(this->GetModelViewTransformMatrix(), inverse);
-  inverse->MultiplyPoint(o, o);
-  inverse->MultiplyPoint(d, d);
-  vtkMath::Normalize(d);
-  std::copy_n(o, 3, origin);
-  std::copy_n(d, 3, direction);
-  return ray.Inside;
-}
-
-void vtkWideFoVCamera::PrepareFrame(vtkRenderer* renderer)
-{
-  if (this->AutomaticClipRadii)
-  {
-    double bounds[6];
-    renderer->ComputeVisiblePropBounds(bounds);
-    this->ResetClipRadii(bounds);
-  }
-}
-
-void vtkWideFoVCamera::Render(vtkRenderer* renderer)
-{
-  this->PrepareFrame(renderer);
-  this->Superclass::Render(renderer);
-}
-
-void vtkWideFoVCamera::UpdateViewport(vtkRenderer* renderer)
-{
-  this->PrepareFrame(renderer);
-  this->Superclass::UpdateViewport(renderer);
-}
-
-void vtkWideFoVCamera::GetKeyMatrices(vtkRenderer* renderer, vtkMatrix4x4*& wcvc,
-  vtkMatrix3x3*& normals, vtkMatrix4x4*& vcdc, vtkMatrix4x4*& wcdc)
-{
-  this->Superclass::GetKeyMatrices(renderer, wcvc, normals, vcdc, wcdc);
-  if (!this->IsWide())
-  {
-    return;
-  }
-  // Stock mappers then write view coordinates to gl_Position; the stages that the
-  // pass adds do the rest.
-  vcdc->Identity();
-  wcdc->DeepCopy(wcvc);
-}
-
-void vtkWideFoVCamera::ComputeProjectionTransform(double aspect, double nearz, double farz)
-{
-  if (this->IsWide())
-  {
-    this->Superclass::ComputeProjectionTransform(aspect, nearz, farz);
-    return;
-  }
-  // The planes touch the clip spheres: near at the corner of the picture, far on the axis.
-  const wfv::ViewOptions& o = this->Internal->Options;
-  const double tx = std::tan(vtkMath::RadiansFromDegrees(0.5 * o.HorizontalFov));
-  const double ty = std::tan(vtkMath::RadiansFromDegrees(0.5 * o.VerticalFov));
-  const double n = o.Radii[0] / std::sqrt(1 + tx * tx + ty * ty);
-  this->ProjectionTransform->Identity();
-  this->ProjectionTransform->AdjustZBuffer(-1, +1, nearz, farz);
-  this->ProjectionTransform->Frustum(-n * tx, n * tx, -n * ty, n * ty, n, o.Radii[1]);
-}
-
-void vtkWideFoVCamera::GetFrustumPlanes(double aspect, double planes[24])
-{
-  if (!this->IsWide())
-  {
-    this->Superclass::GetFrustumPlanes(aspect, planes);
-    return;
-  }
-  // Six planes that everything is in front of: cullers that think in a linear
-  // frustum must drop nothing.
-  std::fill_n(planes, 24, 0.0);
-  for (int i = 0; i < 6; i++)
-  {
-    planes[4 * i + 3] = std::numeric_limits<float>::max();
   }
 }

@@ -151,7 +151,10 @@ public:
    * Valid until the camera is changed or another aspect is asked for.
    */
   const wfv::View& GetView(double aspect);
-  const wfv::Projection& GetProjectionDefinition() { return *this->Definition; }
+  const wfv::Projection& GetProjectionDefinition()
+  {
+    return *this->Definition;
+  }
 #endif
 
   /**
@@ -187,7 +190,7 @@ protected:
 
   void CopyView(const vtkWideFoVCamera* source);
   void ComputeProjectionTransform(double aspect, double nearz, double farz) override;
-  
+
   vtkTypeBool AutomaticClipRadii = 1;
 
 private:

@@ -2,6 +2,7 @@
 #include "vtkWideFoVDataPass.h"
 
 #include "vtkWideFoVCamera.h"
+#include "WideFoVGlsl.h"
 #include "vtkWideFoVShaderBuilder.h"
 
 #include "vtkActor.h"
@@ -29,7 +30,7 @@
 
 #include <cmath>
 #include <limits>
-#include <map>
+#include <vector>
 
 vtkStandardNewMacro(vtkWideFoVDataPass);
 
@@ -37,11 +38,6 @@ namespace
 {
 // Attachments: colour; distance, primitive, prop; normal.
 constexpr int Attachments = 3;
-
-// Where the stock vertex stage leaves its clip coordinates, taken back to view
-// coordinates; the identity for a wide camera.
-const char* const VertexOutput = "out vec3 wfvPositionVSOutput;\nuniform mat4 wfvClipToView;\n";
-const char* const FragmentInput = "in vec3 wfvPositionVSOutput;\nuniform int wfvPropNumber;\n";
 
 vtkSmartPointer<vtkFloatArray> AddArray(vtkImageData* image, const char* name, int components)
 {
@@ -71,11 +67,19 @@ vtkSmartPointer<vtkOpenGLCellToVTKCellMap> CellMap(vtkProp* prop)
 }
 }
 
+namespace
+{
+struct IndexedProp
+{
+  vtkWeakPointer<vtkProp> Prop;
+  int Index;
+};
+}
+
 struct vtkWideFoVDataPass::Internals
 {
   vtkSmartPointer<vtkRenderPass> Delegate;
-  std::map<vtkProp*, int> Index;
-  std::map<int, vtkWeakPointer<vtkProp>> Alive;
+  std::vector<IndexedProp> Props; // numbered from 1 in the order given
   vtkNew<vtkImageData> Output;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   vtkNew<vtkTextureObject> Color[Attachments];
@@ -85,7 +89,9 @@ struct vtkWideFoVDataPass::Internals
   bool Wide = false; // the delegate brings surface edges of its own
 
   void Allocate(vtkOpenGLRenderWindow* window, int width, int height);
+  void Bind();
   void Clear(vtkRenderer* renderer);
+  void Prepare(vtkRenderer* renderer); // the camera's side of a frame
   void Read();
   void Decode(const std::vector<float>& data, const std::vector<float>& normal);
 };
@@ -101,7 +107,7 @@ void vtkWideFoVDataPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "DelegatePass: " << this->Internal->Delegate.Get() << "\n"
-     << indent << "Props with an index: " << this->Internal->Index.size() << "\n";
+     << indent << "Props with an index: " << this->Internal->Props.size() << "\n";
 }
 
 void vtkWideFoVDataPass::SetDelegatePass(vtkRenderPass* pass)
@@ -120,8 +126,15 @@ vtkRenderPass* vtkWideFoVDataPass::GetDelegatePass()
 
 void vtkWideFoVDataPass::SetPropIndex(vtkProp* prop, int index)
 {
-  this->Internal->Index[prop] = index;
-  this->Internal->Alive[index] = prop;
+  for (IndexedProp& entry : this->Internal->Props)
+  {
+    if (entry.Prop == prop)
+    {
+      entry.Index = index;
+      return;
+    }
+  }
+  this->Internal->Props.push_back({ prop, index });
 }
 
 vtkImageData* vtkWideFoVDataPass::GetOutput()
@@ -193,13 +206,10 @@ void vtkWideFoVDataPass::Internals::Read()
 void vtkWideFoVDataPass::Internals::Decode(
   const std::vector<float>& data, const std::vector<float>& normals)
 {
-  std::map<int, vtkSmartPointer<vtkOpenGLCellToVTKCellMap>> maps;
-  for (const auto& entry : this->Alive)
+  std::vector<vtkSmartPointer<vtkOpenGLCellToVTKCellMap>> maps;
+  for (const IndexedProp& entry : this->Props)
   {
-    if (entry.first >= 0 && entry.second)
-    {
-      maps[entry.first + 1] = CellMap(entry.second);
-    }
+    maps.push_back(CellMap(entry.Prop));
   }
   auto distance = AddArray(this->Output, "distance", 1);
   auto cell = AddArray(this->Output, "cell", 1);
@@ -209,25 +219,55 @@ void vtkWideFoVDataPass::Internals::Decode(
   for (vtkIdType i = 0; i < pixels; i++)
   {
     const float* d = &data[4 * i];
-    const int number = static_cast<int>(d[2]);
-    const auto map = maps.find(number);
-    const bool known = map != maps.end() && map->second;
+    const int number = static_cast<int>(d[2]) - 1;
+    const bool known = number >= 0 && number < static_cast<int>(maps.size());
     const vtkIdType primitive = static_cast<vtkIdType>(d[1]) - 1;
+    vtkIdType id = 0;
+    if (known && maps[number] && primitive >= 0)
+    {
+      id = maps[number]->ConvertOpenGLCellIdToVTKCellId(false, primitive) + 1;
+    }
     distance->SetValue(i, d[3] > 0 ? d[0] : std::numeric_limits<float>::infinity());
-    prop->SetValue(i, d[2]);
-    cell->SetValue(i,
-      known && primitive >= 0
-        ? static_cast<float>(map->second->ConvertOpenGLCellIdToVTKCellId(false, primitive) + 1)
-        : 0.0f);
+    prop->SetValue(i, known ? static_cast<float>(this->Props[number].Index + 1) : 0.0f);
+    cell->SetValue(i, static_cast<float>(id));
     normal->SetTypedTuple(i, &normals[4 * i]);
   }
+}
+
+void vtkWideFoVDataPass::Internals::Bind()
+{
+  this->Framebuffer->Bind();
+  for (int i = 0; i < Attachments; i++)
+  {
+    this->Framebuffer->AddColorAttachment(i, this->Color[i]);
+  }
+  this->Framebuffer->AddDepthAttachment(this->Depth);
+  this->Framebuffer->ActivateDrawBuffers(Attachments);
+}
+
+void vtkWideFoVDataPass::Internals::Prepare(vtkRenderer* renderer)
+{
+  auto* camera = vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera());
+  auto* wide = vtkWideFoVCamera::SafeDownCast(camera);
+  if (wide)
+  {
+    wide->PrepareFrame(renderer);
+  }
+  this->Wide = wide && wide->IsWide();
+  vtkMatrix4x4* toView;
+  vtkMatrix4x4* toClip;
+  vtkMatrix4x4* toBoth;
+  vtkMatrix3x3* normals;
+  camera->GetKeyMatrices(renderer, toView, normals, toClip, toBoth);
+  vtkMatrix4x4::Invert(toClip, this->ClipToView);
 }
 
 void vtkWideFoVDataPass::Render(const vtkRenderState* s)
 {
   Internals& in = *this->Internal;
   auto* renderer = vtkOpenGLRenderer::SafeDownCast(s->GetRenderer());
-  auto* window = renderer ? vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()) : nullptr;
+  auto* window =
+    renderer ? vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()) : nullptr;
   if (!window || !in.Delegate)
   {
     vtkErrorMacro(<< "A delegate pass and a renderer with an OpenGL window are needed");
@@ -239,30 +279,12 @@ void vtkWideFoVDataPass::Render(const vtkRenderState* s)
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();
   in.Allocate(window, origin[0] + size[0], origin[1] + size[1]);
-  in.Framebuffer->Bind();
-  for (int i = 0; i < Attachments; i++)
-  {
-    in.Framebuffer->AddColorAttachment(i, in.Color[i]);
-  }
-  in.Framebuffer->AddDepthAttachment(in.Depth);
-  in.Framebuffer->ActivateDrawBuffers(Attachments);
+  in.Bind();
   vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
   state->vtkglDisable(GL_SCISSOR_TEST);
   in.Clear(renderer);
+  in.Prepare(renderer);
 
-  vtkMatrix4x4* toView;
-  vtkMatrix4x4* toClip;
-  vtkMatrix4x4* toBoth;
-  vtkMatrix3x3* normals;
-  auto* camera = vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera());
-  auto* wide = vtkWideFoVCamera::SafeDownCast(camera);
-  if (wide)
-  {
-    wide->PrepareFrame(renderer);
-  }
-  in.Wide = wide && wide->IsWide();
-  camera->GetKeyMatrices(renderer, toView, normals, toClip, toBoth);
-  vtkMatrix4x4::Invert(toClip, in.ClipToView);
   const vtkTypeBool erase = renderer->GetErase();
   renderer->EraseOff();
   this->PreRender(s);
@@ -291,22 +313,15 @@ bool vtkWideFoVDataPass::PreReplaceShaderValues(std::string&, std::string& geome
 bool vtkWideFoVDataPass::PostReplaceShaderValues(std::string& vertexShader, std::string&,
   std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
 {
-  vtkWideFoVShaderBuilder::WrapMain(
-    vertexShader, "", "  wfvPositionVSOutput = (wfvClipToView * gl_Position).xyz;\n");
-  vtkWideFoVShaderBuilder::Declare(vertexShader, VertexOutput);
-  vtkWideFoVShaderBuilder::Declare(fragmentShader, FragmentInput);
+  vtkWideFoVShaderBuilder::WrapMain(vertexShader, "", "  wfvKeepPosition();\n");
+  vtkWideFoVShaderBuilder::Declare(vertexShader, data_vertex_glsl);
+  vtkWideFoVShaderBuilder::Declare(fragmentShader, data_fragment_glsl);
   const bool lit = fragmentShader.find("vec3 normalVCVSOutput =") != std::string::npos;
-  const std::string flat = "  vec3 wfvFlat = normalize(cross(dFdx(wfvPositionVSOutput), "
-                           "dFdy(wfvPositionVSOutput)));\n"
-                           "  vec3 wfvNormal = dot(wfvFlat, wfvPositionVSOutput) > 0.0 ? -wfvFlat : wfvFlat;\n";
-  const std::string shaded = "  vec3 wfvNormal = normalVCVSOutput;\n";
+  const std::string normal = lit ? "normalVCVSOutput" : "wfvFlatNormal()";
   vtkShaderProgram::Substitute(fragmentShader, "//VTK::DepthPeeling::Impl",
-    (lit ? shaded : flat) +
-      "  gl_FragData[1] = vec4(length(wfvPositionVSOutput),\n"
-      "    wfvPropNumber > 0 ? float(gl_PrimitiveID + PrimitiveIDOffset + 1) : 0.0,\n"
-      "    float(wfvPropNumber), 1.0);\n"
-      "  gl_FragData[2] = vec4(wfvNormal, 1.0);\n"
-      "  //VTK::DepthPeeling::Impl\n",
+    "  gl_FragData[1] = wfvData(gl_PrimitiveID + PrimitiveIDOffset);\n"
+    "  gl_FragData[2] = vec4(" +
+      normal + ", 1.0);\n  //VTK::DepthPeeling::Impl\n",
     false);
   return true;
 }
@@ -314,10 +329,14 @@ bool vtkWideFoVDataPass::PostReplaceShaderValues(std::string& vertexShader, std:
 bool vtkWideFoVDataPass::SetShaderParameters(
   vtkShaderProgram* program, vtkAbstractMapper*, vtkProp* prop, vtkOpenGLVertexArrayObject*)
 {
-  const auto found = this->Internal->Index.find(prop);
+  int number = 0;
+  const std::vector<IndexedProp>& props = this->Internal->Props;
+  for (size_t i = 0; i < props.size(); i++)
+  {
+    number = props[i].Prop == prop && props[i].Index >= 0 ? static_cast<int>(i) + 1 : number;
+  }
+  program->SetUniformi("wfvPropNumber", number);
   program->SetUniformMatrix("wfvClipToView", this->Internal->ClipToView);
-  program->SetUniformi(
-    "wfvPropNumber", found == this->Internal->Index.end() ? 0 : std::max(0, found->second + 1));
   return true;
 }
 

@@ -33,9 +33,9 @@ public:
    */
   enum Techniques
   {
-    AUTO = 0,  ///< the cheapest that keeps the tolerance (today: PRECLIP)
-    PRECLIP,   ///< clipped at the discontinuities, projected per vertex
-    VERTEX     ///< projected per vertex, not clipped: for comparison only
+    AUTO = 0, ///< the cheapest that keeps the tolerance (today: PRECLIP)
+    PRECLIP,  ///< clipped at the discontinuities, projected per vertex
+    VERTEX    ///< projected per vertex, not clipped: for comparison only
   };
 
   ///@{

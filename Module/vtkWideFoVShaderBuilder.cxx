@@ -28,10 +28,7 @@ struct Varying
     return (this->Flat ? "flat in " : "in ") + this->Type + " " + this->Name + "[];\n";
   }
 
-  std::string Declaration(const std::string& name) const
-  {
-    return this->Type + " " + name + ";\n";
-  }
+  std::string Declaration(const std::string& name) const { return this->Type + " " + name + ";\n"; }
 };
 
 std::vector<Varying> FindVaryings(const std::string& vertex)
@@ -69,7 +66,8 @@ PackedArray PackArray(const std::string& name, int count, int number)
     {
       const std::string at = name + "[" + std::to_string(first + k) + "]";
       p.Pack += (k ? ", " : "") + (first + k < count ? at : std::string("0.0"));
-      p.Unpack += first + k < count ? "  " + at + " = " + vector + "[" + std::to_string(k) + "];\n" : "";
+      p.Unpack +=
+        first + k < count ? "  " + at + " = " + vector + "[" + std::to_string(k) + "];\n" : "";
     }
     p.Pack += ");\n";
   }
@@ -126,6 +124,7 @@ std::string ViewSource(const Request& r)
   const bool meridian = r.Projection->Axis == wfv::Family::Meridian;
   return "#define WFV_FN\n" + Define("WFV_NEWTON_STEPS", NewtonSteps) +
     Define("WFV_MERIDIAN", meridian) + Define("WFV_STRAIGHT_SEAM", r.Projection->StraightSeam) +
+    "#define WFV_SPLITS " + (r.Projection->StraightSeam ? "true" : "false") + "\n" +
     Define("WFV_WIDE_LINES", r.WideLines) + Define("WFV_EDGES", r.Edges) +
     Define("WFV_EDGE_FLAGS", r.EdgeFlags) + "#define WFV_ANGLES " +
     (meridian ? "wfvMeridianAngles" : "wfvAzimuthalAngles") + "\n" + wfv::MathGlsl() +
@@ -221,7 +220,8 @@ void RewriteLights(std::string& fragment)
 
 void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
 {
-  const bool triangles = vtkWideFoVShaderBuilder::NeedsGeometryStage(r) && r.Kind == Primitive::Triangles;
+  const bool triangles =
+    vtkWideFoVShaderBuilder::NeedsGeometryStage(r) && r.Kind == Primitive::Triangles;
   const bool round = r.Projection->Axis == wfv::Family::Azimuthal;
   std::string declarations;
   std::string before;
@@ -246,7 +246,10 @@ void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std:
   if (!after.empty())
   {
     vtkWideFoVShaderBuilder::WrapMain(fragment, before, after);
-    vtkWideFoVShaderBuilder::Declare(fragment, ViewSource(r) + declarations);
+    // for gl_SampleMask; without it a covered pixel is covered whole
+    const std::string extension = "#extension GL_ARB_sample_shading : enable\n";
+    vtkWideFoVShaderBuilder::Declare(
+      fragment, (triangles ? extension : "") + ViewSource(r) + declarations);
   }
 }
 }
@@ -266,7 +269,8 @@ void vtkWideFoVShaderBuilder::WrapMain(
     depth++;
   }
   const std::string name = "wfvStockMain" + std::to_string(depth) + "()";
-  source = std::regex_replace(source, main, "void " + name, std::regex_constants::format_first_only);
+  source =
+    std::regex_replace(source, main, "void " + name, std::regex_constants::format_first_only);
   source += "\nvoid main()\n{\n" + before + "  " + name + ";\n" + after + "}\n";
 }
 
@@ -309,7 +313,8 @@ void vtkWideFoVShaderBuilder::Finish(
     const bool lines = r.Kind == Primitive::Lines;
     geometry = "//VTK::System::Dec\n" + ViewSource(r) + preclip_glsl +
       (lines ? LineOutputs(varyings) + preclip_lines_glsl
-             : TriangleOutputs(varyings) + preclip_triangles_glsl);
+             : TriangleOutputs(varyings) + preclip_emit_glsl + preclip_cover_glsl +
+            preclip_triangles_glsl);
   }
   else
   {

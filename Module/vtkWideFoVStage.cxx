@@ -55,14 +55,14 @@ public:
       actor->GetProperty()->GetLineWidth() > window->GetMaximumHardwareLineWidth();
     request.Edges = request.Kind == Primitive::Triangles &&
       actor->GetProperty()->GetEdgeVisibility() && !renderer->GetSelector();
-    request.EdgeFlags = request.Edges && type == PrimitiveTris &&
-      !(mapper->*(&MapperAccess::EdgeValues)).empty();
+    request.EdgeFlags =
+      request.Edges && type == PrimitiveTris && !(mapper->*(&MapperAccess::EdgeValues)).empty();
   }
 };
 
 // Range of the tilted view coordinates of a box in world coordinates.
-void ViewBounds(const double b[6], const double m[16], const wfv::WfvView& view, double low[3],
-  double high[3])
+void ViewBounds(
+  const double b[6], const double m[16], const wfv::WfvView& view, double low[3], double high[3])
 {
   std::fill_n(low, 3, VTK_DOUBLE_MAX);
   std::fill_n(high, 3, -VTK_DOUBLE_MAX);
@@ -86,7 +86,8 @@ double NearestInPlane(double low0, double high0, double low1, double high1)
 }
 
 // True where a box of tilted view coordinates meets a discontinuity of the projection.
-bool MeetsDiscontinuity(const wfv::Projection& projection, const double low[3], const double high[3])
+bool MeetsDiscontinuity(
+  const wfv::Projection& projection, const double low[3], const double high[3])
 {
   if (projection.Axis == wfv::Family::Meridian)
   {
@@ -162,8 +163,7 @@ vtkWideFoVShaderBuilder::Request vtkWideFoVStage::MakeRequest(
 bool vtkWideFoVStage::PreReplaceShaderValues(std::string&, std::string& geometryShader,
   std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop)
 {
-  vtkWideFoVShaderBuilder::Prepare(
-    this->MakeRequest(mapper, prop), geometryShader, fragmentShader);
+  vtkWideFoVShaderBuilder::Prepare(this->MakeRequest(mapper, prop), geometryShader, fragmentShader);
   return true;
 }
 
@@ -202,11 +202,37 @@ bool vtkWideFoVStage::SetShaderParameters(
   {
     renderer->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
   }
+  this->SetSampleParameters(program);
   const float f[4] = { static_cast<float>(viewport[0]), static_cast<float>(viewport[1]),
     static_cast<float>(viewport[2]), static_cast<float>(viewport[3]) };
   program->SetUniform4f("wfvViewport", f);
   this->NumberOfDraws++;
   return true;
+}
+
+void vtkWideFoVStage::SetSampleParameters(vtkShaderProgram* program)
+{
+  // uniforms are found by name, so programs without a pre-clip cost one look-up here
+  if (!program->IsUniformUsed("wfvSamples"))
+  {
+    return;
+  }
+  constexpr int MaxSamples = 16; // as in cover_fragment.glsl
+  int samples = 0;
+  glGetIntegerv(GL_SAMPLES, &samples);
+  samples = glIsEnabled(GL_MULTISAMPLE) ? std::min(samples, MaxSamples) : 0;
+  float offsets[MaxSamples][2];
+  for (int i = 0; i < samples; i++)
+  {
+    glGetMultisamplefv(GL_SAMPLE_POSITION, i, offsets[i]);
+    offsets[i][0] -= 0.5f;
+    offsets[i][1] -= 0.5f;
+  }
+  program->SetUniformi("wfvSamples", samples);
+  if (samples > 1)
+  {
+    program->SetUniform2fv("wfvSampleOffsets", samples, offsets);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -59,6 +59,9 @@ private:
 
   vtkWideFoVShaderBuilder::Request MakeRequest(vtkAbstractMapper* mapper, vtkProp* prop) const;
 
+  // How the bound framebuffer is sampled, for the coverage of the pre-clip.
+  static void SetSampleParameters(vtkShaderProgram* program);
+
   vtkWideFoVShaderBuilder::Variant Variant = vtkWideFoVShaderBuilder::Variant::Plain;
   vtkRenderer* Renderer = nullptr; // valid between SetView and the end of the frame
   const wfv::Projection* Projection = nullptr;

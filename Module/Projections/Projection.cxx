@@ -145,8 +145,8 @@ bool LensIsMonotone(const std::array<double, 5>& lens, double maxAngle)
   for (int i = 0; i <= Steps; i++)
   {
     const double t = maxAngle * i / Steps;
-    const double slope = lens[0] +
-      t * (2 * lens[1] + t * (3 * lens[2] + t * (4 * lens[3] + t * 5 * lens[4])));
+    const double slope =
+      lens[0] + t * (2 * lens[1] + t * (3 * lens[2] + t * (4 * lens[3] + t * 5 * lens[4])));
     if (!(slope > 0) || !std::isfinite(slope))
     {
       return false;
@@ -155,33 +155,28 @@ bool LensIsMonotone(const std::array<double, 5>& lens, double maxAngle)
   return true;
 }
 
-std::string CheckOptions(const Projection& p, const ViewOptions& o)
+namespace
 {
-  const auto inRange = [](double v, double max) { return v > 0 && v <= max; };
-  const auto text = [](double v) {
-    std::string s = std::to_string(v);
-    s.erase(s.find_last_not_of('0') + 1);
-    return s.back() == '.' ? s.substr(0, s.size() - 1) : s;
-  };
-  if (!inRange(o.HorizontalFov, p.MaxHorizontalFov))
+std::string Text(double v)
+{
+  std::string s = std::to_string(v);
+  s.erase(s.find_last_not_of('0') + 1);
+  return s.back() == '.' ? s.substr(0, s.size() - 1) : s;
+}
+
+std::string CheckFov(
+  const std::string& which, const std::string& projection, double degrees, double max)
+{
+  if (degrees > 0 && degrees <= max)
   {
-    return "the horizontal field of view of " + p.Name + " must be above 0 and at most " +
-      text(p.MaxHorizontalFov) + " degrees, not " + text(o.HorizontalFov);
+    return "";
   }
-  if (!inRange(o.VerticalFov, p.MaxVerticalFov))
-  {
-    return "the vertical field of view of " + p.Name + " must be above 0 and at most " +
-      text(p.MaxVerticalFov) + " degrees, not " + text(o.VerticalFov);
-  }
-  if (!std::isfinite(o.Tilt))
-  {
-    return "the tilt must be a finite number of degrees";
-  }
-  if (!(o.Radii[0] > 0) || !(o.Radii[1] > o.Radii[0]) || !std::isfinite(o.Radii[1]))
-  {
-    return "the clip spheres need 0 < near < far, not " + text(o.Radii[0]) + " and " +
-      text(o.Radii[1]);
-  }
+  return "the " + which + " field of view of " + projection + " must be above 0 and at most " +
+    Text(max) + " degrees, not " + Text(degrees);
+}
+
+std::string CheckLens(const Projection& p, const ViewOptions& o)
+{
   if (!HasLens(o.Lens))
   {
     return "";
@@ -190,9 +185,30 @@ std::string CheckOptions(const Projection& p, const ViewOptions& o)
   {
     return p.Name + " takes no lens; azimuthal-equidistant does";
   }
-  if (!LensIsMonotone(o.Lens, 0.5 * o.HorizontalFov * Degree))
+  const bool fits = LensIsMonotone(o.Lens, 0.5 * o.HorizontalFov * Degree);
+  return fits ? "" : "the lens polynomial does not grow everywhere up to half the field of view";
+}
+}
+
+std::string CheckOptions(const Projection& p, const ViewOptions& o)
+{
+  for (const std::string& problem :
+    { CheckFov("horizontal", p.Name, o.HorizontalFov, p.MaxHorizontalFov),
+      CheckFov("vertical", p.Name, o.VerticalFov, p.MaxVerticalFov), CheckLens(p, o) })
   {
-    return "the lens polynomial does not grow everywhere up to half the field of view";
+    if (!problem.empty())
+    {
+      return problem;
+    }
+  }
+  if (!std::isfinite(o.Tilt))
+  {
+    return "the tilt must be a finite number of degrees";
+  }
+  if (!(o.Radii[0] > 0) || !(o.Radii[1] > o.Radii[0]) || !std::isfinite(o.Radii[1]))
+  {
+    return "the clip spheres need 0 < near < far, not " + Text(o.Radii[0]) + " and " +
+      Text(o.Radii[1]);
   }
   return "";
 }

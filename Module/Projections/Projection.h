@@ -28,9 +28,9 @@ enum class Family
 
 struct Projection
 {
-  std::string Name;        // as on the command line
-  std::string Title;       // for people
-  std::string Properties;  // "equidistant", "equal-area", ..., asserted by the tests
+  std::string Name;       // as on the command line
+  std::string Title;      // for people
+  std::string Properties; // "equidistant", "equal-area", ..., asserted by the tests
   Family Axis = Family::Meridian;
   double MaxHorizontalFov = 360; // degrees
   double MaxVerticalFov = 180;   // degrees

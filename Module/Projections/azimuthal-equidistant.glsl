@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Azimuthal equidistant (fisheye, dome): the distance from the centre is the angle
 // theta from -z, r = theta / (fov/2), or the lens polynomial
 // r = c1 theta + c2 theta^2 + .. + c5 theta^5. Source: Bailey, Clothier and Gebbie

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Shared by every projection. GLSL 3.30 that also compiles as C++ with GLM
 // (ProjectionMath.h): no swizzles, no float suffixes, no out parameters.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Equirectangular (plate carree): x = 2 lambda / hfov, y = 2 phi / vfov.
 // Equidistant along meridians and the equator. Source: Ardouin et al. 2014, eq. (1).
 // Discontinuities: the meridian lambda = +-pi; both poles stretch to the top and

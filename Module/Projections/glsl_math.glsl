@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The two functions whose accuracy GLSL leaves open, for the GPU only; the C++
 // side has std::atan2 and std::hypot (ProjectionMath.h).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Hammer: equal-area, the whole sphere in an ellipse. Lambert's azimuthal
 // equal-area map of (lambda/2, phi) with x doubled. Source: Snyder, Flattening
 // the Earth (1993), p. 130; Ardouin et al. 2014, section 3.2.

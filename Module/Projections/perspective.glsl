@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Perspective (gnomonic): straight lines stay straight; fields of view below 180
 // degrees. The paper's baseline. Nothing behind the eye has a place in the map.
 

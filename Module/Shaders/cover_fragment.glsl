@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Fragment side of the pre-clip: barycentric coordinates, coverage and depth of the
 // primitive at this pixel, before the stock shader runs.
 
@@ -19,26 +20,56 @@ vec3 wfvEdgePixels; // distance in pixels to the edge opposite to corner 0, 1, 2
 
 void wfvInterpolate(); // generated: sets the stock shader's inputs from wfvB
 
-bool wfvInside(float facing, float e, float slack, int tie)
+// Where a sample lies inside a pixel, from its centre, pixels; one sample: the centre.
+uniform int wfvSamples;
+uniform vec2 wfvSampleOffsets[16];
+
+bool wfvInside(float e, int tie)
 {
-  float s = facing * e + slack;
-  return s > 0.0 || (s == 0.0 && tie != 0);
+  return e > 0.0 || (e == 0.0 && tie != 0);
 }
 
 // Added to the slack of a chord: how far, in pixels, a rasterizer snaps its vertices.
 const float WFV_SNAP = 1.0 / 128.0;
 
-// Coverage by the ray of the pixel's centre. An edge that neighbours draw as a chord
-// is widened to reach it, so that no pixel falls between the two: most in the middle
-// of the edge, not at its ends, where chord and edge agree.
-vec3 wfvWidening(vec3 e)
+// An edge that neighbours draw as a chord is widened to reach it, so that no sample
+// falls between the two: most in the middle of the edge, not at its ends, where chord
+// and edge agree, nor beyond them.
+vec3 wfvWidening(vec3 e, vec3 perPixel)
 {
-  vec3 b = abs(e);
+  vec3 b = max(e, vec3(0.0));
   vec3 j = vec3(b.y, b.z, b.x);
   vec3 k = vec3(b.z, b.x, b.y);
   vec3 bulge = 4.0 * j * k / max((j + k) * (j + k), vec3(1e-30));
-  vec3 pixels = (wfvSlack * bulge + WFV_SNAP) * step(0.0, wfvSlack);
-  return pixels * (abs(dFdx(e)) + abs(dFdy(e)));
+  return (wfvSlack * bulge + WFV_SNAP) * step(0.0, wfvSlack) * perPixel;
+}
+
+bool wfvAllInside(vec3 e)
+{
+  return wfvInside(e.x, wfvMode & 2) && wfvInside(e.y, wfvMode & 4) && wfvInside(e.z, wfvMode & 8);
+}
+
+// Coverage by the ray: of the pixel's centre, or of each sample, to which the edge
+// functions are carried on along their slopes (the same from both sides of an edge).
+bool wfvCoverage(vec3 e)
+{
+  vec3 dx = dFdx(e);
+  vec3 dy = dFdy(e);
+  e += wfvWidening(e, abs(dx) + abs(dy));
+  if (wfvSamples <= 1)
+  {
+    return wfvAllInside(e);
+  }
+  int mask = 0;
+  for (int i = 0; i < wfvSamples; i++)
+  {
+    vec3 at = e + dx * wfvSampleOffsets[i].x + dy * wfvSampleOffsets[i].y;
+    mask |= wfvAllInside(at) ? 1 << i : 0;
+  }
+#ifdef GL_ARB_sample_shading
+  gl_SampleMask[0] = mask;
+#endif
+  return mask != 0;
 }
 
 bool wfvCovered()
@@ -47,19 +78,20 @@ bool wfvCovered()
   WfvRay ray = wfvUnproject((ndc - wfvTile.zw) / wfvTile.xy, wfvView);
   vec3 e = vec3(dot(ray.direction, wfvEdge0), dot(ray.direction, wfvEdge1),
     dot(ray.direction, wfvEdge2));
-  vec3 slack = wfvWidening(e);
   float facing = wfvPlane.w > 0.0 ? 1.0 : -1.0;
   float sum = dot(ray.direction, wfvPlane.xyz);
   float rho = wfvPlane.w / sum * exp2(floor(log2(wfvView.radii.y)));
   wfvB = e / (e.x + e.y + e.z);
   wfvDepth = (rho - wfvView.radii.x) / (wfvView.radii.y - wfvView.radii.x);
-  return ray.inside && facing * sum > 0.0 && wfvDepth >= 0.0 && wfvDepth <= 1.0 &&
-    wfvInside(facing, e.x, slack.x, wfvMode & 2) && wfvInside(facing, e.y, slack.y, wfvMode & 4) &&
-    wfvInside(facing, e.z, slack.z, wfvMode & 8);
+  bool inside = wfvCoverage(facing * e);
+  return inside && ray.inside && facing * sum > 0.0 && wfvDepth >= 0.0 && wfvDepth <= 1.0;
 }
 
 void wfvPrepare()
 {
+#ifdef GL_ARB_sample_shading
+  gl_SampleMask[0] = -1;
+#endif
   wfvB = wfvBary / (wfvBary.x + wfvBary.y + wfvBary.z);
   wfvDepth = gl_FragCoord.z;
   bool covered = (wfvMode & 1) == 0 || wfvCovered();

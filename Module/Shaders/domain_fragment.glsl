@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Round maps end at a circle that geometry may reach across.
 bool wfvOutsideDomain()
 {

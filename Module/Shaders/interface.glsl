@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What every stage of a wide view shares; set by vtkWideFoVStage.
 
 uniform WfvView wfvView;

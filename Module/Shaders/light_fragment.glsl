@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A headlight shines from the eye in every direction, not along the view axis.
 uniform int wfvHeadlights; // one bit a light
 vec3 wfvFromEye;           // unit vector from the eye to this fragment, view coordinates

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Pre-clip, shared by triangles and lines: where a primitive meets the seam, and
 // where a chord in the map is too far from the great circle it stands for.
 //
@@ -15,7 +16,7 @@ const float WFV_CURVE_SAFETY = 1.2;
 
 // Round a pole or the antipode, inside so many pixels or this angle (radians),
 // whichever is more, edges are never drawn as chords.
-const float WFV_SINGULAR_PIXELS = 8.0;
+const float WFV_SINGULAR_PIXELS = 16.0;
 const float WFV_SINGULAR_ANGLE = 0.035;
 
 // An edge that no chord may stand for.
@@ -117,17 +118,25 @@ bool wfvNears(vec3 a, vec3 b, vec3 axis, float s)
   return dot(cross(a, top), n) > 0.0 && dot(cross(top, b), n) > 0.0;
 }
 
-// True where the arc comes so near to a point that the map stretches without bound
-// that a pixel there no longer looks like a plane.
-bool wfvNearsSingularity(vec3 a, vec3 b)
+// Sine of the angle round a singular point of the map inside which no chord is drawn:
+// there a pixel no longer looks like a plane.
+float wfvSingularSine()
 {
 #if WFV_MERIDIAN
   float pixel = 2.0 * wfvView.halfFov.y / (wfvViewport.w * wfvTile.y);
-  float s = sin(clamp(WFV_SINGULAR_PIXELS * pixel, WFV_SINGULAR_ANGLE, 1.0));
-  return wfvNears(a, b, vec3(0.0, 1.0, 0.0), s) || wfvNears(a, b, vec3(0.0, -1.0, 0.0), s);
 #else
   float pixel = 2.0 * wfvView.halfFov.x / (wfvViewport.z * wfvTile.x);
-  float s = sin(clamp(WFV_SINGULAR_PIXELS * pixel, WFV_SINGULAR_ANGLE, 1.0));
+#endif
+  return sin(clamp(WFV_SINGULAR_PIXELS * pixel, WFV_SINGULAR_ANGLE, 1.0));
+}
+
+// True where the arc comes that near to a point that the map stretches without bound.
+bool wfvNearsSingularity(vec3 a, vec3 b)
+{
+  float s = wfvSingularSine();
+#if WFV_MERIDIAN
+  return wfvNears(a, b, vec3(0.0, 1.0, 0.0), s) || wfvNears(a, b, vec3(0.0, -1.0, 0.0), s);
+#else
   return wfvNears(a, b, vec3(0.0, 0.0, 1.0), s);
 #endif
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Pre-clip of lines: split at the seam and at the point nearest to a pole or the
 // antipode, then in as many pieces as the tolerance asks, up to the fixed number that
 // every OpenGL 3.2 can emit.
@@ -27,7 +28,7 @@ vec3 wfvAxis(vec3 p) // of the family, on the side of p
 #endif
 }
 
-bool wfvAtPole(vec3 p)
+bool wfvHasNoAzimuth(vec3 p)
 {
   vec3 axis = wfvAxis(p);
   return dot(p, axis) > 0.0 && length(cross(p, axis)) <= WFV_AT_POLE * length(p);
@@ -36,7 +37,7 @@ bool wfvAtPole(vec3 p)
 // A point of the stretch in the map; at a pole it takes the azimuth of the stretch.
 vec4 wfvLinePoint(vec3 p, vec3 middle, float side)
 {
-  if (!wfvAtPole(p))
+  if (!wfvHasNoAzimuth(p))
   {
     return wfvClipOnSide(p, side);
   }
@@ -68,6 +69,13 @@ void wfvEmitAcross(vec4 at, vec4 from, vec4 to, float t)
 }
 #endif
 
+// Parameter of the point s (0 to 1) of equal steps in the picture of a line whose ends
+// are la and lb from the eye.
+float wfvStep(float s, float la, float lb)
+{
+  return s * la / (s * la + (1.0 - s) * lb);
+}
+
 // One stretch of the line, from parameter t0 to t1, on one side of the seam.
 void wfvEmitStretch(float t0, float t1, float side)
 {
@@ -93,16 +101,13 @@ void wfvEmitStretch(float t0, float t1, float side)
   vec4 here = before;
   for (int i = 0; i <= n; i++)
   {
-    // equal steps in the picture of a line that runs away from the eye
-    float s = float(i + 1) / float(n);
-    float u = s * la / (s * la + (1.0 - s) * lb);
-    float s0 = float(i) / float(n);
-    float u0 = s0 * la / (s0 * la + (1.0 - s0) * lb);
-    vec4 after = i < n ? wfvLinePoint(mix(a, b, min(u, 1.0)), middle, side) : here;
+    float u = wfvStep(float(i) / float(n), la, lb);
+    float next = wfvStep(float(i + 1) / float(n), la, lb);
+    vec4 after = i < n ? wfvLinePoint(mix(a, b, min(next, 1.0)), middle, side) : here;
 #if WFV_WIDE_LINES
-    wfvEmitAcross(here, before, after, mix(t0, t1, u0));
+    wfvEmitAcross(here, before, after, mix(t0, t1, u));
 #else
-    wfvEmitPoint(here, mix(t0, t1, u0));
+    wfvEmitPoint(here, mix(t0, t1, u));
 #endif
     before = here;
     here = after;

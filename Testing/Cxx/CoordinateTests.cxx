@@ -127,7 +127,8 @@ TEST(Coordinates, AWorldPointPickerFindsTheSurface)
     test.Renderer->AddActor(MakeTestRoom());
     test.Window->Render();
     vtkNew<vtkWorldPointPicker> picker;
-    for (const auto& xy : { std::array<int, 2>{ { 200, 150 } }, { { 120, 140 } }, { { 260, 110 } } })
+    for (const auto& xy :
+      { std::array<int, 2>{ { 200, 150 } }, { { 120, 140 } }, { { 260, 110 } } })
     {
       picker->Pick(xy[0], xy[1], 0, test.Renderer);
       const double* p = picker->GetPickPosition();
@@ -161,6 +162,6 @@ TEST(Coordinates, ACellPickerPicksBehindTheEye)
   double hit[3];
   picker->GetPickPosition(hit);
   const double d = std::sqrt(vtkMath::Distance2BetweenPoints(hit, p));
-  EXPECT_NEAR(d, 0.3, 0.02); // on the coarse sphere
+  EXPECT_NEAR(d, 0.3, 0.02);                              // on the coarse sphere
   EXPECT_FALSE(picker->Pick(200, 100, 0, test.Renderer)); // nothing straight ahead
 }

@@ -60,11 +60,13 @@ TEST(ShaderBuilder, PlainProjectsInTheVertexStageAlone)
 
 TEST(ShaderBuilder, PreClipCarriesEveryOutputByThreeCorners)
 {
-  const Sources s = Build("equirectangular", Builder::Variant::PreClip, Builder::Primitive::Triangles);
+  const Sources s =
+    Build("equirectangular", Builder::Variant::PreClip, Builder::Primitive::Triangles);
   EXPECT_FALSE(Has(s.VertexStage, "wfvProject"));
   EXPECT_TRUE(Has(s.GeometryStage, "in vec3 normalVCVSOutput[];"));
   // GLSL 1.50 has no arrays of arrays
-  EXPECT_TRUE(Has(s.VertexStage, "wfvArray0_1VSOutput = vec4(clipDistancesVSOutput[4], clipDistancesVSOutput[5], 0.0, 0.0);"));
+  EXPECT_TRUE(Has(s.VertexStage,
+    "wfvArray0_1VSOutput = vec4(clipDistancesVSOutput[4], clipDistancesVSOutput[5], 0.0, 0.0);"));
   EXPECT_TRUE(Has(s.GeometryStage, "in vec4 wfvArray0_1VSOutput[];"));
   EXPECT_TRUE(Has(s.FragmentStage, "normalVCVSOutput = wfvB.x * "));
   EXPECT_TRUE(Has(s.FragmentStage, "clipDistancesVSOutput[5] = wfvArray0_1VSOutput[1];"));
@@ -91,7 +93,8 @@ TEST(ShaderBuilder, PointsNeverNeedAGeometryStage)
 
 TEST(ShaderBuilder, RoundMapsEndAtTheirRim)
 {
-  const Sources s = Build("azimuthal-equidistant", Builder::Variant::Plain, Builder::Primitive::Triangles);
+  const Sources s =
+    Build("azimuthal-equidistant", Builder::Variant::Plain, Builder::Primitive::Triangles);
   EXPECT_TRUE(Has(s.FragmentStage, "if (wfvOutsideDomain()) { discard; }"));
 }
 

@@ -23,7 +23,8 @@ int TestWideFoVDome(int argc, char* argv[])
   right->SetBackground(0.2, 0.1, 0.1);
   test.Window->AddRenderer(right);
 
-  for (vtkRenderer* renderer : { static_cast<vtkRenderer*>(test.Renderer), static_cast<vtkRenderer*>(right) })
+  for (vtkRenderer* renderer :
+    { static_cast<vtkRenderer*>(test.Renderer), static_cast<vtkRenderer*>(right) })
   {
     renderer->AddActor(MakeTestRoom());
     AddTestCones(renderer);

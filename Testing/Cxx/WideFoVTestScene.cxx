@@ -108,7 +108,7 @@ int CompareWithBaseline(vtkRenderWindow* window, int argc, char* argv[])
 {
   window->Render();
   return vtkRegressionTestImage(window) == vtkRegressionTester::PASSED ? EXIT_SUCCESS
-                                                                      : EXIT_FAILURE;
+                                                                       : EXIT_FAILURE;
 }
 
 TestPixels::TestPixels(vtkRenderWindow* window)

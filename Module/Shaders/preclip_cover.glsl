@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pre-clip of triangles: a shape that surely contains the picture of a triangle.
+
+// True where the ray from the eye along the axis (index 1: y, 2: z; sign s) meets
+// the triangle, ties included.
+bool wfvHolds(int axis, float s, float facing)
+{
+  for (int i = 0; i < 3; i++)
+  {
+    if (facing * s * wfvN[i][axis] < -WFV_POLE_SLACK * length(wfvN[i]))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+// True where p lies on the axis of the pole (either end), as far as float32 tells.
+bool wfvAtPole(vec3 p, vec3 pole)
+{
+  return length(cross(p, pole)) <= 1e-6 * length(p);
+}
+
+bool wfvCornerAtPole(vec3 pole)
+{
+  return wfvAtPole(wfvP[0], pole) || wfvAtPole(wfvP[1], pole) || wfvAtPole(wfvP[2], pole);
+}
+
+// Angles of corner i, the azimuth unwrapped from the corner before it; a corner at the
+// pole has no azimuth: the one before (or after) tells.
+vec2 wfvCornerAngles(int i, vec3 pole, vec2 before)
+{
+  vec2 a = WFV_ANGLES(wfvP[i]);
+  if (wfvAtPole(wfvP[i], pole))
+  {
+    a.x = i > 0 ? before.x : WFV_ANGLES(wfvP[1]).x;
+  }
+  else if (i > 0)
+  {
+    a.x = before.x + wfvWrap(a.x - before.x);
+  }
+  return a;
+}
+
+// Range of the polar angle (latitude, or theta) over the triangle, and of the azimuth
+// unwrapped from the first corner: (azimuth min, polar min, azimuth max, polar max).
+vec4 wfvAngularBounds(vec3 pole)
+{
+  vec2 a = vec2(0.0);
+  vec4 r = vec4(1e9, 1e9, -1e9, -1e9);
+  for (int i = 0; i < 3; i++)
+  {
+    a = wfvCornerAngles(i, pole, a);
+    r = vec4(min(r.xy, a), max(r.zw, a));
+  }
+  // the points of each great circle nearest to and farthest from the poles; no farther
+  // from the corners than half an edge, whatever rounding says of an edge seen end-on
+  vec4 corners = r;
+  float reach = 0.0;
+  for (int i = 0; i < 3; i++)
+  {
+    vec3 n = wfvN[i];
+    float l2 = dot(n, n);
+    vec3 top = l2 > 0.0 ? pole - n * (dot(pole, n) / l2) : pole;
+    vec3 p = wfvP[i == 2 ? 0 : i + 1];
+    vec3 q = wfvP[i == 0 ? 2 : i - 1];
+    reach = max(reach, 0.8 * length(p / length(p) - q / length(q)));
+    for (float s = -1.0; s < 2.0; s += 2.0)
+    {
+      vec3 e = s * top;
+      float slack = 1e-4 * sqrt(l2 * dot(e, e));
+      if (dot(cross(p, e), n) >= -slack * length(p) && dot(cross(e, q), n) >= -slack * length(q))
+      {
+        float polar = WFV_ANGLES(e).y;
+        r = vec4(r.x, min(r.y, polar), r.z, max(r.w, polar));
+      }
+    }
+  }
+  r = vec4(r.x, max(r.y, corners.y - reach), r.z, min(r.w, corners.w + reach));
+  return r + vec4(-WFV_ANGLE_PAD, -WFV_ANGLE_PAD, WFV_ANGLE_PAD, WFV_ANGLE_PAD);
+}
+
+void wfvEmitRectangle(vec4 angles, bool front)
+{
+  vec2 pad = 2.0 * WFV_PAD / (wfvViewport.zw * wfvTile.xy);
+  vec4 r = wfvBounds(angles, wfvView);
+  r = vec4(max(r.xy - pad, vec2(-1.0)), min(r.zw + pad, vec2(1.0)));
+  if (r.x >= r.z || r.y >= r.w)
+  {
+    return;
+  }
+  for (int i = 0; i < 4; i++)
+  {
+    bool right = front ? (i & 1) != 0 : (i & 2) != 0;
+    bool top = front ? (i & 2) != 0 : (i & 1) != 0;
+    vec2 p = vec2(right ? r.z : r.x, top ? r.w : r.y);
+    wfvEmit(vec4(p * wfvTile.xy + wfvTile.zw, 0.0, 1.0), vec3(0.0));
+  }
+  wfvEnd();
+}
+
+#if WFV_MERIDIAN
+void wfvCover(bool front, float facing)
+{
+  bool north = wfvHolds(1, 1.0, facing);
+  bool south = wfvHolds(1, -1.0, facing);
+  vec4 a = wfvAngularBounds(vec3(0.0, 1.0, 0.0));
+  a = vec4(a.x, south ? -0.5 * WFV_PI : max(a.y, -0.5 * WFV_PI), a.z,
+    north ? 0.5 * WFV_PI : min(a.w, 0.5 * WFV_PI));
+  bool round_ = (north || south) && !wfvCornerAtPole(vec3(0.0, 1.0, 0.0));
+  if (round_ || a.z - a.x >= 2.0 * WFV_PI)
+  {
+    wfvEmitRectangle(vec4(-WFV_PI, a.y, WFV_PI, a.w), front);
+    return;
+  }
+  float turn = 2.0 * WFV_PI;
+  wfvEmitRectangle(vec4(max(a.x, -WFV_PI), a.y, min(a.z, WFV_PI), a.w), front);
+  if (a.z > WFV_PI)
+  {
+    wfvEmitRectangle(vec4(-WFV_PI, a.y, a.z - turn, a.w), front);
+  }
+  else if (a.x < -WFV_PI)
+  {
+    wfvEmitRectangle(vec4(a.x + turn, a.y, WFV_PI, a.w), front);
+  }
+}
+#else
+// A ring sector in four pieces: chords outside the outer circle, inside the inner.
+void wfvCover(bool front, float facing)
+{
+  const int pieces = 4;
+  bool centre = wfvHolds(2, -1.0, facing);
+  bool antipode = wfvHolds(2, 1.0, facing);
+  vec4 a = wfvAngularBounds(vec3(0.0, 0.0, 1.0));
+  a = vec4(a.x, centre ? 0.0 : max(a.y, 0.0), a.z, antipode ? WFV_PI : a.w);
+  a.w = min(a.w, min(WFV_PI, wfvView.maxAngle + WFV_ANGLE_PAD));
+  if (a.y > a.w)
+  {
+    return;
+  }
+  vec2 size = 0.5 * wfvViewport.zw * wfvTile.xy;
+  float pixels = min(size.x * wfvView.scale.x, size.y * wfvView.scale.y);
+  float inner = max(0.0, wfvRadius(a.y, wfvView) - WFV_PAD / pixels);
+  float outer = wfvRadius(a.w, wfvView) + WFV_PAD / pixels;
+  float pad = WFV_PAD / max(inner * pixels, 1e-6);
+  bool corner = wfvCornerAtPole(vec3(0.0, 0.0, 1.0));
+  bool whole = ((centre || antipode) && !corner) || pad > 0.5 || a.z - a.x + 2.0 * pad >= 2.0 * WFV_PI;
+  float u0 = whole ? -WFV_PI : a.x - pad;
+  float du = (whole ? 2.0 * WFV_PI : a.z - a.x + 2.0 * pad) / float(pieces);
+  outer = outer / cos(0.5 * du);
+  for (int i = 0; i <= pieces; i++)
+  {
+    float u = u0 + du * float(i);
+    vec2 d = vec2(cos(u), sin(u)) * wfvView.scale;
+    vec2 first = d * (front ? inner : outer);
+    vec2 second = d * (front ? outer : inner);
+    wfvEmit(vec4(first * wfvTile.xy + wfvTile.zw, 0.0, 1.0), vec3(0.0));
+    wfvEmit(vec4(second * wfvTile.xy + wfvTile.zw, 0.0, 1.0), vec3(0.0));
+  }
+  wfvEnd();
+}
+#endif

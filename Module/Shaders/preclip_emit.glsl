@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pre-clip of triangles: what leaves the stage. Each triangle is drawn in one of three
+// ways (preclip_triangles.glsl decides):
+//   as it is      nothing torn, chords good enough;
+//   split         it crosses a straight seam: two polygons that meet it exactly
+//                 (the paper's rear triangle);
+//   covered       it holds a pole or the antipode (the paper's pole triangle), or
+//                 bends more than the tolerance: a shape that surely contains its
+//                 picture, and the fragment stage decides by the pixel's ray.
+
+layout(triangles) in;
+layout(triangle_strip, max_vertices = 10) out;
+
+out vec3 wfvBary;        // barycentric coordinates, used where not covered
+flat out vec3 wfvEdge0;  // planes through the eye and the edge opposite to corner i
+flat out vec3 wfvEdge1;
+flat out vec3 wfvEdge2;
+flat out vec4 wfvPlane;  // the triangle's own plane: dot(xyz, p) = w
+flat out vec3 wfvSlack;  // pixels by which edge i is widened to meet its chord; < 0: none
+flat out int wfvMode;    // bits: 1 covered, 2 4 8 a tie on edge i is inside
+
+// Pixels added round a covering shape, for the rounding of its own bounds.
+const float WFV_PAD = 1.5;
+
+// Angle added round a covering shape, radians: float32 rounding of angles.
+const float WFV_ANGLE_PAD = 2e-6;
+
+// Relative slack with which a triangle counts as holding a pole.
+const float WFV_POLE_SLACK = 1e-5;
+
+vec3 wfvP[3];
+int wfvVertexMode;
+vec3 wfvN[3];
+vec4 wfvT;
+vec3 wfvS;
+int wfvEmitted;
+
+void wfvEmit(vec4 position, vec3 bary)
+{
+  gl_Position = position;
+  wfvBary = bary;
+  // flat outputs count at a strip's third and later vertices only
+  if (wfvEmitted > 1)
+  {
+    wfvEdge0 = wfvN[0];
+    wfvEdge1 = wfvN[1];
+    wfvEdge2 = wfvN[2];
+    wfvPlane = wfvT;
+    wfvSlack = wfvS;
+    wfvMode = wfvVertexMode;
+    wfvWriteCorners();
+    gl_PrimitiveID = gl_PrimitiveIDIn;
+  }
+  wfvEmitted++;
+  EmitVertex();
+}
+
+void wfvEnd()
+{
+  EndPrimitive();
+  wfvEmitted = 0;
+}
+
+vec3 wfvCorner(int i)
+{
+  return vec3(i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0);
+}
+
+void wfvEmitWhole(float side)
+{
+  for (int i = 0; i < 3; i++)
+  {
+    wfvEmit(wfvClipOnSide(wfvP[i], side), wfvCorner(i));
+  }
+  wfvEnd();
+}
+
+// The part of the triangle on one side of the plane x = 0, as a strip.
+void wfvEmitSide(float side)
+{
+  vec3 p[4];
+  vec3 b[4];
+  int n = 0;
+  for (int i = 0; i < 3; i++)
+  {
+    int j = i == 2 ? 0 : i + 1;
+    float x = side * wfvP[i].x;
+    if (x >= 0.0 && n < 4)
+    {
+      p[n] = wfvP[i];
+      b[n] = wfvCorner(i);
+      n++;
+    }
+    if ((x > 0.0 && side * wfvP[j].x < 0.0) || (x < 0.0 && side * wfvP[j].x > 0.0))
+    {
+      if (n < 4)
+      {
+        p[n] = wfvSeamPoint(wfvP[i], wfvP[j]);
+        b[n] = mix(wfvCorner(i), wfvCorner(j), wfvSeamParameter(wfvP[i], wfvP[j]));
+        n++;
+      }
+    }
+  }
+  if (n < 3)
+  {
+    return;
+  }
+  wfvEmit(wfvClipOnSide(p[0], side), b[0]);
+  wfvEmit(wfvClipOnSide(p[1], side), b[1]);
+  if (n == 4)
+  {
+    wfvEmit(wfvClipOnSide(p[3], side), b[3]);
+  }
+  wfvEmit(wfvClipOnSide(p[2], side), b[2]);
+  wfvEnd();
+}
