@@ -130,6 +130,7 @@ void vtkWideFoVCamera::ComputeProjectionTransform(double aspect, double nearz, d
   this->ProjectionTransform->Identity();
   this->ProjectionTransform->AdjustZBuffer(-1, +1, nearz, farz);
   this->ProjectionTransform->Frustum(-n * tx, n * tx, -n * ty, n * ty, n, o.Radii[1]);
+  this->ProjectionTransform->RotateX(-o.Tilt);
 }
 
 void vtkWideFoVCamera::GetFrustumPlanes(double aspect, double planes[24])
