@@ -24,18 +24,23 @@ render() {
 render_all() {
   local name="$1"
   shift
-  render "$name-equirectangular" "$@" --projection equirectangular --size 2048x1024
-  render "$name-hammer" "$@" --projection hammer --size 2048x1024
+  render "$name-equirectangular" "$@" --projection equirectangular --size "$map_size"
+  render "$name-hammer" "$@" --projection hammer --size "$map_size"
   render "$name-dome" "$@" --projection azimuthal-equidistant --fov 180 --tilt 75 --size 1024x1024
 }
 
 mkdir -p output
+map_size=2048x1024
 render_all winds --scene winds
 if [ -f "$office" ]; then
-  render_all office "$office" --streamlines vectors --vectors vectors
+  map_size=1024x512
+  # inside the room, between desk and window; up is +z in these data
+  render_all office "$office" --streamlines vectors --vectors vectors --eye 2,2.2,1.4 \
+    --direction 1,0,0 --up 0,0,1 --range 0,0.25 --colormap rainbow --scalar-bar
 fi
 if [ "$#" -gt 0 ]; then
   name="$(basename "$1")"
+  map_size=2048x1024
   render_all "${name%.*}" "$1"
 fi
 

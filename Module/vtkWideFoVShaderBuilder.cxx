@@ -233,6 +233,7 @@ void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std:
     before = "  wfvPrepare();\n";
     after = "  if (wfvHide) { discard; }\n";
     ReplaceAll(fragment, "gl_FragCoord.z", "wfvDepth");
+    ReplaceAll(fragment, "gl_FrontFacing", "wfvFront");
     // the stock template names gl_FragDepth in a comment; only a value given counts
     static const std::regex setsDepth(R"(gl_FragDepth\s*=)");
     before += std::regex_search(fragment, setsDepth) ? "" : "  gl_FragDepth = wfvDepth;\n";

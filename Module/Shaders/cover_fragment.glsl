@@ -3,6 +3,7 @@
 // primitive at this pixel, before the stock shader runs.
 
 in vec3 wfvBary;
+in vec3 wfvPosition;
 flat in vec3 wfvEdge0;
 flat in vec3 wfvEdge1;
 flat in vec3 wfvEdge2;
@@ -13,6 +14,7 @@ flat in int wfvMode;
 vec3 wfvB;       // barycentric coordinates here
 float wfvDepth;  // window depth here, 0 to 1
 bool wfvHide;    // not covered: discarded once the stock shader has run
+bool wfvFront;   // seen from its front
 
 #if WFV_EDGES
 vec3 wfvEdgePixels; // distance in pixels to the edge opposite to corner 0, 1, 2
@@ -72,6 +74,18 @@ bool wfvCoverage(vec3 e)
   return mask != 0;
 }
 
+float wfvScale() // as in preclip.glsl
+{
+  return exp2(floor(log2(wfvView.radii.y)));
+}
+
+// Window depth of a distance from the eye in the stage's own units; interpolated depth
+// would err along edges that run away from the eye.
+float wfvWindowDepth(float rho)
+{
+  return (rho * wfvScale() - wfvView.radii.x) / (wfvView.radii.y - wfvView.radii.x);
+}
+
 bool wfvCovered()
 {
   vec2 ndc = 2.0 * (gl_FragCoord.xy - wfvViewport.xy) / wfvViewport.zw - 1.0;
@@ -80,11 +94,10 @@ bool wfvCovered()
     dot(ray.direction, wfvEdge2));
   float facing = wfvPlane.w > 0.0 ? 1.0 : -1.0;
   float sum = dot(ray.direction, wfvPlane.xyz);
-  float rho = wfvPlane.w / sum * exp2(floor(log2(wfvView.radii.y)));
   wfvB = e / (e.x + e.y + e.z);
-  wfvDepth = (rho - wfvView.radii.x) / (wfvView.radii.y - wfvView.radii.x);
+  wfvDepth = wfvWindowDepth(wfvPlane.w / sum);
   bool inside = wfvCoverage(facing * e);
-  return inside && ray.inside && facing * sum > 0.0 && wfvDepth >= 0.0 && wfvDepth <= 1.0;
+  return inside && ray.inside && facing * sum > 0.0;
 }
 
 void wfvPrepare()
@@ -93,8 +106,10 @@ void wfvPrepare()
   gl_SampleMask[0] = -1;
 #endif
   wfvB = wfvBary / (wfvBary.x + wfvBary.y + wfvBary.z);
-  wfvDepth = gl_FragCoord.z;
+  wfvDepth = wfvWindowDepth(length(wfvPosition));
+  wfvFront = (wfvMode & 1) == 0 ? gl_FrontFacing : wfvPlane.w < 0.0;
   bool covered = (wfvMode & 1) == 0 || wfvCovered();
+  covered = covered && wfvDepth >= 0.0 && wfvDepth <= 1.0;
 #if WFV_EDGES
   vec3 slope = vec3(length(vec2(dFdx(wfvB.x), dFdy(wfvB.x))),
     length(vec2(dFdx(wfvB.y), dFdy(wfvB.y))), length(vec2(dFdx(wfvB.z), dFdy(wfvB.z))));

@@ -8,9 +8,6 @@
 
 uniform float wfvTolerance; // pixels
 
-// Relative error of the distance at which a chord no longer stands for its edge.
-const float WFV_DEPTH_TOLERANCE = 0.002;
-
 // Safety over the three points at which the distance to the chord is sampled.
 const float WFV_CURVE_SAFETY = 1.2;
 
@@ -21,6 +18,9 @@ const float WFV_SINGULAR_ANGLE = 0.035;
 
 // An edge that no chord may stand for.
 const float WFV_CURVED = -1.0;
+
+// Pixels: more than any picture has.
+const float WFV_UNKNOWN = 1e9;
 
 float wfvScale() // view coordinates per unit of the stage's own coordinates
 {
@@ -141,38 +141,27 @@ bool wfvNearsSingularity(vec3 a, vec3 b)
 #endif
 }
 
-// How far, in pixels, the chord p, q in the map is from the edge; WFV_CURVED where
-// that is more than the tolerance, or where the distance interpolated along the chord
-// is too far from the truth.
-float wfvChordError(vec3 p, vec3 q)
+// The chord p, q in the map against its edge. x: by how many pixels they differ, or
+// WFV_CURVED where that is more than the tolerance. y: a bound of the pixels,
+// WFV_UNKNOWN near places where the map has none.
+vec2 wfvChordError(vec3 p, vec3 q)
 {
   vec3 a = wfvOrdered(p, q) ? p : q;
   vec3 b = wfvOrdered(p, q) ? q : p;
-  float la = length(a);
-  float lb = length(b);
-  vec3 da = a / la;
-  vec3 db = b / lb;
+  vec3 da = normalize(a);
+  vec3 db = normalize(b);
   float c = dot(da, db);
-  // distance at the bisector: 2 la lb cos(half angle) / (la + lb)
-  float mean = 0.5 * (la + lb);
-  float bisector = la * lb * sqrt(max(0.0, 0.5 + 0.5 * c)) / mean;
-  if (!(c > -0.5) || !(mean - bisector < WFV_DEPTH_TOLERANCE * mean))
-  {
-    return WFV_CURVED;
-  }
-  if (wfvNearsSingularity(da, db))
-  {
-    return WFV_CURVED;
-  }
+  bool unknown = !(c > -0.5) || wfvNearsSingularity(da, db);
 #if WFV_MERIDIAN && !WFV_STRAIGHT_SEAM
-  bool meets = min(a.x, b.x) <= 0.0 && max(a.x, b.x) >= 0.0 && (a.z > 0.0 || b.z > 0.0);
-  if (meets)
-  {
-    return WFV_CURVED;
-  }
+  unknown = unknown ||
+    (min(a.x, b.x) <= 0.0 && max(a.x, b.x) >= 0.0 && (a.z > 0.0 || b.z > 0.0));
 #endif
+  if (unknown)
+  {
+    return vec2(WFV_CURVED, WFV_UNKNOWN);
+  }
   float error = wfvEdgeError(da, db);
-  return error <= wfvTolerance ? error : WFV_CURVED;
+  return vec2(error <= wfvTolerance ? error : WFV_CURVED, c > 0.5 ? error : WFV_UNKNOWN);
 }
 
 // Clip coordinates of a point of a polygon that lies on one side of the seam.

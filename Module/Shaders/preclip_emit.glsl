@@ -12,6 +12,7 @@ layout(triangles) in;
 layout(triangle_strip, max_vertices = 10) out;
 
 out vec3 wfvBary;        // barycentric coordinates, used where not covered
+out vec3 wfvPosition;    // the surface, where not covered
 flat out vec3 wfvEdge0;  // planes through the eye and the edge opposite to corner i
 flat out vec3 wfvEdge1;
 flat out vec3 wfvEdge2;
@@ -33,12 +34,14 @@ int wfvVertexMode;
 vec3 wfvN[3];
 vec4 wfvT;
 vec3 wfvS;
+float wfvReach; // pixels: how far the edges surely stay from their chords
 int wfvEmitted;
 
 void wfvEmit(vec4 position, vec3 bary)
 {
   gl_Position = position;
   wfvBary = bary;
+  wfvPosition = bary.x * wfvP[0] + bary.y * wfvP[1] + bary.z * wfvP[2];
   // flat outputs count at a strip's third and later vertices only
   if (wfvEmitted > 1)
   {

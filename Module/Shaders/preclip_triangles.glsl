@@ -27,9 +27,9 @@ bool wfvReachesSeam()
   return false;
 }
 
-// Largest squared ratio of an edge to its distance at which the interpolated distance is
-// surely good enough: 4 WFV_DEPTH_TOLERANCE.
-const float WFV_EASY_EDGE = 4.0 * WFV_DEPTH_TOLERANCE;
+// Largest squared ratio of an edge to its distance (five degrees) for which the bend may
+// be judged by its second derivative.
+const float WFV_EASY_EDGE = 0.008;
 
 // Twice the largest second derivative of any map here, per squared sine of the angle
 // from its singular points: a bound for the chord error without drawing the edge.
@@ -89,8 +89,11 @@ bool wfvMustCover(float facing)
   wfvN[0] = wfvEdgePlane(wfvP[1], wfvP[2]);
   wfvN[1] = wfvEdgePlane(wfvP[2], wfvP[0]);
   wfvN[2] = wfvEdgePlane(wfvP[0], wfvP[1]);
-  wfvS = vec3(wfvChordError(wfvP[1], wfvP[2]), wfvChordError(wfvP[2], wfvP[0]),
-    wfvChordError(wfvP[0], wfvP[1]));
+  vec2 e0 = wfvChordError(wfvP[1], wfvP[2]);
+  vec2 e1 = wfvChordError(wfvP[2], wfvP[0]);
+  vec2 e2 = wfvChordError(wfvP[0], wfvP[1]);
+  wfvS = vec3(e0.x, e1.x, e2.x);
+  wfvReach = max(e0.y, max(e1.y, e2.y));
   bool bent = min(wfvS.x, min(wfvS.y, wfvS.z)) < 0.0;
 #if WFV_MERIDIAN
   return bent || wfvHolds(1, 1.0, facing) || wfvHolds(1, -1.0, facing);
@@ -146,7 +149,10 @@ void main()
   if ((tear || !easy) && (wfvMustCover(facing) || tear))
   {
     wfvVertexMode = wfvCoverMode(facing > 0.0);
-    wfvCover(facing < 0.0, facing);
+    if (seam || !wfvCoverNarrow(facing < 0.0))
+    {
+      wfvCover(facing < 0.0, facing);
+    }
     return;
   }
   wfvVertexMode = 0;

@@ -34,10 +34,10 @@ std::vector<reference::WorstPixel> LookClosely(
   return left;
 }
 
-// Relative. The distance is interpolated along chords: an edge of one degree seen at an
-// angle t from the perpendicular errs by (1 + 2 tan^2 t) (1 degree)^2 / 8, which is 4e-5
-// face on, where the globe is seen, 2e-4 in the corners of the room, and at most what the
-// module itself allows a chord (WFV_DEPTH_TOLERANCE) from a wall.
+// Relative. Attributes, and with them the distance, are interpolated along chords: an edge
+// of one degree seen at an angle t from the perpendicular errs by at most
+// (1 + 2 tan^2 t) (1 degree)^2 / 8, which is 4e-5 face on, where the globe is seen, 2e-4 in
+// the corners of the room, and 2e-3 where a wall is seen from its own surface, at 81 degrees.
 constexpr double GlobeDepth = 5e-5;
 constexpr double RoomDepth = 2e-4;
 constexpr double WallDepth = 2e-3;
