@@ -27,7 +27,7 @@ public:
 
   ///@{
   /**
-   * The pass that draws; nullptr draws as stock VTK does.
+   * The pass that draws; needed: without one, rendering is an error and draws nothing.
    */
   virtual void SetDelegatePass(vtkRenderPass* pass);
   vtkRenderPass* GetDelegatePass();
