@@ -124,7 +124,6 @@ std::string ViewSource(const Request& r)
   const bool meridian = r.Projection->Axis == wfv::Family::Meridian;
   return "#define WFV_FN\n" + Define("WFV_NEWTON_STEPS", NewtonSteps) +
     Define("WFV_MERIDIAN", meridian) + Define("WFV_STRAIGHT_SEAM", r.Projection->StraightSeam) +
-    "#define WFV_SPLITS " + (r.Projection->StraightSeam ? "true" : "false") + "\n" +
     Define("WFV_WIDE_LINES", r.WideLines) + Define("WFV_EDGES", r.Edges) +
     Define("WFV_EDGE_FLAGS", r.EdgeFlags) + "#define WFV_ANGLES " +
     (meridian ? "wfvMeridianAngles" : "wfvAzimuthalAngles") + "\n" + wfv::MathGlsl() +

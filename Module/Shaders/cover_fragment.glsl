@@ -74,11 +74,6 @@ bool wfvCoverage(vec3 e)
   return mask != 0;
 }
 
-float wfvScale() // as in preclip.glsl
-{
-  return exp2(floor(log2(wfvView.radii.y)));
-}
-
 // Window depth of a distance from the eye in the stage's own units; interpolated depth
 // would err along edges that run away from the eye.
 float wfvWindowDepth(float rho)

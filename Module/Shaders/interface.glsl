@@ -13,6 +13,12 @@ vec4 wfvClip(vec2 ndc, float rho)
   return vec4((ndc * wfvTile.xy + wfvTile.zw) * rho, depth * rho, rho);
 }
 
+// View coordinates per unit of the pre-clip's own: a power of two costs no rounding.
+float wfvScale()
+{
+  return exp2(floor(log2(wfvView.radii.y)));
+}
+
 float wfvLength(vec3 p)
 {
   return wfvHypot(wfvHypot(p.x, p.y), p.z);

@@ -22,9 +22,14 @@ const float WFV_CURVED = -1.0;
 // Pixels: more than any picture has.
 const float WFV_UNKNOWN = 1e9;
 
-float wfvScale() // view coordinates per unit of the stage's own coordinates
+// Sine of the angle from a pole or the antipode inside which a point has no azimuth of
+// its own: float32 cannot tell.
+const float WFV_AT_POLE = 1e-6;
+
+// True where p lies on the axis of the pole (either end).
+bool wfvAtPole(vec3 p, vec3 pole)
 {
-  return exp2(floor(log2(wfvView.radii.y)));
+  return length(cross(p, pole)) <= WFV_AT_POLE * length(p);
 }
 
 // Lexicographic order of two points: the canonical direction of an edge.
@@ -63,10 +68,10 @@ float wfvChordDistance(vec2 a, vec2 b, vec2 p)
 
 // Map of p, continued across the seam from the longitude of the point before it.
 #if WFV_MERIDIAN && WFV_STRAIGHT_SEAM
-vec2 wfvContinued(vec3 p, vec3 from, vec2 fromAngles)
+vec2 wfvContinued(vec3 p, vec2 from)
 {
   vec2 a = wfvMeridianAngles(p);
-  return vec2(fromAngles.x + wfvWrap(a.x - fromAngles.x), a.y);
+  return vec2(from.x + wfvWrap(a.x - from.x), a.y);
 }
 #endif
 
@@ -79,10 +84,10 @@ float wfvEdgeError(vec3 a, vec3 b)
 #if WFV_MERIDIAN && WFV_STRAIGHT_SEAM
   // longitudes are continued along the edge: the seam does not count as curvature
   vec2 ta = wfvMeridianAngles(a);
-  vec2 tp = wfvContinued(p, a, ta);
-  vec2 tm = wfvContinued(m, p, tp);
-  vec2 tq = wfvContinued(q, m, tm);
-  vec2 tb = wfvContinued(b, q, tq);
+  vec2 tp = wfvContinued(p, ta);
+  vec2 tm = wfvContinued(m, tp);
+  vec2 tq = wfvContinued(q, tm);
+  vec2 tb = wfvContinued(b, tq);
   vec2 na = wfvMap(ta, wfvView);
   vec2 np = wfvMap(tp, wfvView);
   vec2 nm = wfvMap(tm, wfvView);

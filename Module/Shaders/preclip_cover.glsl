@@ -15,12 +15,6 @@ bool wfvHolds(int axis, float s, float facing)
   return true;
 }
 
-// True where p lies on the axis of the pole (either end), as far as float32 tells.
-bool wfvAtPole(vec3 p, vec3 pole)
-{
-  return length(cross(p, pole)) <= 1e-6 * length(p);
-}
-
 bool wfvCornerAtPole(vec3 pole)
 {
   return wfvAtPole(wfvP[0], pole) || wfvAtPole(wfvP[1], pole) || wfvAtPole(wfvP[2], pole);
@@ -41,6 +35,12 @@ vec2 wfvCornerAngles(int i, vec3 pole, vec2 before)
   }
   return a;
 }
+
+// Relative slack with which an extreme latitude counts as on its edge.
+const float WFV_ARC_SLACK = 1e-4;
+
+// Half an angle of at most 180 degrees over its chord: pi / 4, rounded up.
+const float WFV_HALF_ARC = 0.8;
 
 // Range of the polar angle (latitude, or theta) over the triangle, and of the azimuth
 // unwrapped from the first corner: (azimuth min, polar min, azimuth max, polar max).
@@ -64,11 +64,11 @@ vec4 wfvAngularBounds(vec3 pole)
     vec3 top = l2 > 0.0 ? pole - n * (dot(pole, n) / l2) : pole;
     vec3 p = wfvP[i == 2 ? 0 : i + 1];
     vec3 q = wfvP[i == 0 ? 2 : i - 1];
-    reach = max(reach, 0.8 * length(p / length(p) - q / length(q)));
+    reach = max(reach, WFV_HALF_ARC * length(p / length(p) - q / length(q)));
     for (float s = -1.0; s < 2.0; s += 2.0)
     {
       vec3 e = s * top;
-      float slack = 1e-4 * sqrt(l2 * dot(e, e));
+      float slack = WFV_ARC_SLACK * sqrt(l2 * dot(e, e));
       if (dot(cross(p, e), n) >= -slack * length(p) && dot(cross(e, q), n) >= -slack * length(q))
       {
         float polar = WFV_ANGLES(e).y;
@@ -80,6 +80,18 @@ vec4 wfvAngularBounds(vec3 pole)
   return r + vec4(-WFV_ANGLE_PAD, -WFV_ANGLE_PAD, WFV_ANGLE_PAD, WFV_ANGLE_PAD);
 }
 
+// A parallelogram in the NDC of the tile, wound as the triangle is seen.
+void wfvEmitQuad(vec2 corner, vec2 right, vec2 up, bool front)
+{
+  vec2 first = front ? right : up;
+  vec2 second = front ? up : right;
+  wfvEmit(vec4(corner, 0.0, 1.0), vec3(0.0));
+  wfvEmit(vec4(corner + first, 0.0, 1.0), vec3(0.0));
+  wfvEmit(vec4(corner + second, 0.0, 1.0), vec3(0.0));
+  wfvEmit(vec4(corner + right + up, 0.0, 1.0), vec3(0.0));
+  wfvEnd();
+}
+
 void wfvEmitRectangle(vec4 angles, bool front)
 {
   vec2 pad = 2.0 * WFV_PAD / (wfvViewport.zw * wfvTile.xy);
@@ -89,14 +101,8 @@ void wfvEmitRectangle(vec4 angles, bool front)
   {
     return;
   }
-  for (int i = 0; i < 4; i++)
-  {
-    bool right = front ? (i & 1) != 0 : (i & 2) != 0;
-    bool top = front ? (i & 2) != 0 : (i & 1) != 0;
-    vec2 p = vec2(right ? r.z : r.x, top ? r.w : r.y);
-    wfvEmit(vec4(p * wfvTile.xy + wfvTile.zw, 0.0, 1.0), vec3(0.0));
-  }
-  wfvEnd();
+  vec2 size = (r.zw - r.xy) * wfvTile.xy;
+  wfvEmitQuad(r.xy * wfvTile.xy + wfvTile.zw, vec2(size.x, 0.0), vec2(0.0, size.y), front);
 }
 
 // Factor on the sampled distance of the edges from their chords, for a covering shape.
@@ -137,14 +143,9 @@ bool wfvCoverNarrow(bool front)
     low = min(low, at - grow);
     high = max(high, at + grow);
   }
-  for (int i = 0; i < 4; i++)
-  {
-    bool right = front ? (i & 1) != 0 : (i & 2) != 0;
-    bool top = front ? (i & 2) != 0 : (i & 1) != 0;
-    vec2 v = along * (right ? high.x : low.x) + across * (top ? high.y : low.y);
-    wfvEmit(vec4(v / (0.5 * wfvViewport.zw), 0.0, 1.0), vec3(0.0));
-  }
-  wfvEnd();
+  vec2 ndc = 2.0 / wfvViewport.zw;
+  wfvEmitQuad((along * low.x + across * low.y) * ndc, along * (high.x - low.x) * ndc,
+    across * (high.y - low.y) * ndc, front);
   return true;
 }
 

@@ -13,10 +13,6 @@ layout(line_strip, max_vertices = 36) out;
 const int WFV_MAX_PIECES = 8;
 #endif
 
-// Sine of the angle from a pole or the antipode inside which a point has no azimuth of
-// its own: float32 cannot tell.
-const float WFV_AT_POLE = 1e-6;
-
 vec3 wfvP[2];
 
 vec3 wfvAxis(vec3 p) // of the family, on the side of p
@@ -31,7 +27,7 @@ vec3 wfvAxis(vec3 p) // of the family, on the side of p
 bool wfvHasNoAzimuth(vec3 p)
 {
   vec3 axis = wfvAxis(p);
-  return dot(p, axis) > 0.0 && length(cross(p, axis)) <= WFV_AT_POLE * length(p);
+  return dot(p, axis) > 0.0 && wfvAtPole(p, axis);
 }
 
 // A point of the stretch in the map; at a pole it takes the azimuth of the stretch.

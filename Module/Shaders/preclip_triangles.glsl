@@ -31,8 +31,9 @@ bool wfvReachesSeam()
 // be judged by its second derivative.
 const float WFV_EASY_EDGE = 0.008;
 
-// Twice the largest second derivative of any map here, per squared sine of the angle
-// from its singular points: a bound for the chord error without drawing the edge.
+// Bound of a chord's error per squared edge and squared sine of the angle from the
+// singular points, in map units. Worked out by hand for the maps here (pi / 8 for the
+// azimuthal); Testing/Compare would show one that is too small.
 const float WFV_EASY_BEND = 0.5;
 
 // A cheap test that lets nearly every triangle of a fine mesh through: surely no pole,
@@ -144,7 +145,7 @@ void main()
   float facing = wfvT.w > 0.0 ? 1.0 : -1.0;
   bool seam = wfvReachesSeam();
   bool easy = wfvEasy(lengths);
-  bool tear = seam && !WFV_SPLITS;
+  bool tear = seam && WFV_STRAIGHT_SEAM == 0;
   // wfvMustCover also prepares the covering: it runs wherever one may follow
   if ((tear || !easy) && (wfvMustCover(facing) || tear))
   {
