@@ -52,17 +52,27 @@ vtkSmartPointer<vtkActor> Ball(double x, double y, double z)
   ball->SetRadius(0.3);
   return MakeTestActor(ball, 1, 1, 1);
 }
+
+// A ball behind the eye, drawn once.
+struct Drawn
+{
+  Drawn()
+  {
+    this->Test.Renderer->AddActor(this->Actor);
+    this->Test.Window->Render();
+  }
+  WideFoVTestWindow Test{ "equirectangular", 100, 50 };
+  vtkSmartPointer<vtkActor> Actor = Ball(0, 0, 2);
+  Programs Shaders{ this->Actor->GetMapper() };
+};
 }
 
 TEST(Pipeline, AFieldOfViewCostsNoShaderAndNoBuffer)
 {
-  WideFoVTestWindow test("equirectangular", 100, 50);
-  auto ball = Ball(0, 0, 2);
-  test.Renderer->AddActor(ball);
-  Programs programs(ball->GetMapper());
-  test.Window->Render();
-  const vtkMTimeType built = Inside::BuildTime(ball->GetMapper());
-  const std::set<vtkShaderProgram*> first = programs.Used;
+  Drawn drawn;
+  WideFoVTestWindow& test = drawn.Test;
+  const vtkMTimeType built = Inside::BuildTime(drawn.Actor->GetMapper());
+  const std::set<vtkShaderProgram*> first = drawn.Shaders.Used;
   ASSERT_EQ(first.size(), 1u);
   const vtkMTimeType compiled = (*first.begin())->GetMTime();
   for (double fov : { 300.0, 200.0, 90.0 })
@@ -72,28 +82,25 @@ TEST(Pipeline, AFieldOfViewCostsNoShaderAndNoBuffer)
     test.Camera->SetTilt(fov / 10);
     test.Window->Render();
   }
-  EXPECT_EQ(programs.Used, first);
+  EXPECT_EQ(drawn.Shaders.Used, first);
   EXPECT_EQ((*first.begin())->GetMTime(), compiled);
-  EXPECT_EQ(Inside::BuildTime(ball->GetMapper()), built);
+  EXPECT_EQ(Inside::BuildTime(drawn.Actor->GetMapper()), built);
 }
 
 TEST(Pipeline, AProjectionCostsOneShaderOnceAndNoBuffer)
 {
-  WideFoVTestWindow test("equirectangular", 100, 50);
-  auto ball = Ball(0, 0, 2);
-  test.Renderer->AddActor(ball);
-  Programs programs(ball->GetMapper());
-  test.Window->Render();
-  const vtkMTimeType built = Inside::BuildTime(ball->GetMapper());
+  Drawn drawn;
+  WideFoVTestWindow& test = drawn.Test;
+  const vtkMTimeType built = Inside::BuildTime(drawn.Actor->GetMapper());
   test.Camera->SetProjectionToHammer();
   test.Window->Render();
-  EXPECT_EQ(programs.Used.size(), 2u);
+  EXPECT_EQ(drawn.Shaders.Used.size(), 2u);
   test.Camera->SetProjectionToEquirectangular();
   test.Window->Render();
   test.Camera->SetProjectionToHammer();
   test.Window->Render();
-  EXPECT_EQ(programs.Used.size(), 2u); // both came from the cache
-  EXPECT_EQ(Inside::BuildTime(ball->GetMapper()), built);
+  EXPECT_EQ(drawn.Shaders.Used.size(), 2u); // both came from the cache
+  EXPECT_EQ(Inside::BuildTime(drawn.Actor->GetMapper()), built);
 }
 
 TEST(Pipeline, TheGeometryStageIsUsedWhereADiscontinuityIsMet)
