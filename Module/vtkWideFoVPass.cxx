@@ -35,7 +35,9 @@ void vtkWideFoVPass::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Tolerance: " << this->Tolerance << "\n"
      << indent << "DelegatePass: " << this->Internal->Delegate.Get() << "\n"
      << indent << "NumberOfPlainDraws: " << this->NumberOfPlainDraws << "\n"
-     << indent << "NumberOfPreClipDraws: " << this->NumberOfPreClipDraws << "\n";
+     << indent << "NumberOfPreClipDraws: " << this->NumberOfPreClipDraws << "\n"
+     << indent << "NumberOfExactDraws: " << this->NumberOfExactDraws << "\n"
+     << indent << "NumberOfTessellateDraws: " << this->NumberOfTessellateDraws << "\n";
 }
 
 void vtkWideFoVPass::SetDelegatePass(vtkRenderPass* pass)
@@ -74,6 +76,8 @@ void vtkWideFoVPass::Render(const vtkRenderState* s)
   auto* camera = vtkWideFoVCamera::SafeDownCast(renderer->GetActiveCamera());
   this->NumberOfPlainDraws = 0;
   this->NumberOfPreClipDraws = 0;
+  this->NumberOfExactDraws = 0;
+  this->NumberOfTessellateDraws = 0;
   if (!camera || !camera->IsWide())
   {
     this->DrawDelegate(s);
@@ -96,6 +100,7 @@ void vtkWideFoVPass::Render(const vtkRenderState* s)
   }
   this->NumberOfPlainDraws = in.Stages.Plain->GetNumberOfDraws();
   this->NumberOfPreClipDraws = in.Stages.PreClip->GetNumberOfDraws();
+  this->NumberOfExactDraws = in.Stages.Exact->GetNumberOfDraws();
 }
 
 void vtkWideFoVPass::ReleaseGraphicsResources(vtkWindow* window)

@@ -33,9 +33,11 @@ public:
    */
   enum Techniques
   {
-    AUTO = 0, ///< the cheapest that keeps the tolerance (today: PRECLIP)
-    PRECLIP,  ///< clipped at the discontinuities, projected per vertex
-    VERTEX    ///< projected per vertex, not clipped: for comparison only
+    AUTO = 0,   ///< per primitive the cheapest that keeps the tolerance
+    EXACT,      ///< every triangle by the ray of each pixel; the tolerance has no part in it
+    TESSELLATE, ///< tessellated to the tolerance, then as PRECLIP
+    PRECLIP,    ///< clipped at the discontinuities, projected per vertex
+    VERTEX      ///< projected per vertex, not clipped: for comparison only
   };
 
   ///@{
@@ -45,6 +47,8 @@ public:
   vtkSetClampMacro(Technique, int, AUTO, VERTEX);
   vtkGetMacro(Technique, int);
   void SetTechniqueToAuto() { this->SetTechnique(AUTO); }
+  void SetTechniqueToExact() { this->SetTechnique(EXACT); }
+  void SetTechniqueToTessellate() { this->SetTechnique(TESSELLATE); }
   void SetTechniqueToPreClip() { this->SetTechnique(PRECLIP); }
   void SetTechniqueToVertex() { this->SetTechnique(VERTEX); }
   ///@}
@@ -70,10 +74,13 @@ public:
 
   ///@{
   /**
-   * What the last frame drew: draw calls without and with the geometry stage.
+   * What the last frame drew: draw calls without the geometry stage, with the pre-clip,
+   * with everything exact, and tessellated.
    */
   vtkGetMacro(NumberOfPlainDraws, int);
   vtkGetMacro(NumberOfPreClipDraws, int);
+  vtkGetMacro(NumberOfExactDraws, int);
+  vtkGetMacro(NumberOfTessellateDraws, int);
   ///@}
 
   void Render(const vtkRenderState* s) override;
@@ -87,6 +94,8 @@ protected:
   double Tolerance = 0.25;
   int NumberOfPlainDraws = 0;
   int NumberOfPreClipDraws = 0;
+  int NumberOfExactDraws = 0;
+  int NumberOfTessellateDraws = 0;
 
 private:
   vtkWideFoVPass(const vtkWideFoVPass&) = delete;

@@ -124,10 +124,17 @@ std::string ViewSource(const Request& r)
   const bool meridian = r.Projection->Axis == wfv::Family::Meridian;
   return "#define WFV_FN\n" + Define("WFV_NEWTON_STEPS", NewtonSteps) +
     Define("WFV_MERIDIAN", meridian) + Define("WFV_STRAIGHT_SEAM", r.Projection->StraightSeam) +
+    Define("WFV_EXACT", r.Stage == vtkWideFoVShaderBuilder::Variant::Exact) +
     Define("WFV_WIDE_LINES", r.WideLines) + Define("WFV_EDGES", r.Edges) +
     Define("WFV_EDGE_FLAGS", r.EdgeFlags) + "#define WFV_ANGLES " +
     (meridian ? "wfvMeridianAngles" : "wfvAzimuthalAngles") + "\n" + wfv::MathGlsl() +
     wfv::CommonGlsl() + r.Projection->Glsl + interface_glsl;
+}
+
+// How the picture of a triangle is covered, one file a family.
+std::string CoverSource(const wfv::Projection& projection)
+{
+  return projection.Axis == wfv::Family::Meridian ? cover_meridian_glsl : cover_azimuthal_glsl;
 }
 
 std::string Corner(size_t varying, int corner)
@@ -256,7 +263,7 @@ void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std:
 
 bool vtkWideFoVShaderBuilder::NeedsGeometryStage(const Request& r)
 {
-  return r.Stage == Variant::PreClip && r.Kind != Primitive::Points;
+  return r.Stage != Variant::Plain && r.Kind != Primitive::Points;
 }
 
 void vtkWideFoVShaderBuilder::WrapMain(
@@ -314,7 +321,7 @@ void vtkWideFoVShaderBuilder::Finish(
     geometry = "//VTK::System::Dec\n" + ViewSource(r) + preclip_glsl +
       (lines ? LineOutputs(varyings) + preclip_lines_glsl
              : TriangleOutputs(varyings) + preclip_emit_glsl + preclip_cover_glsl +
-            preclip_triangles_glsl);
+            CoverSource(*r.Projection) + preclip_triangles_glsl);
   }
   else
   {

@@ -13,8 +13,9 @@ class WFV_EXPORT vtkWideFoVShaderBuilder
 public:
   enum class Variant
   {
-    Plain,  // the vertex stage projects
-    PreClip // a geometry stage clips, then projects
+    Plain,   // the vertex stage projects
+    PreClip, // a geometry stage clips, then projects
+    Exact    // the same stage, every triangle by the ray of each pixel
   };
 
   enum class Primitive

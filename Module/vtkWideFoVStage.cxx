@@ -239,6 +239,7 @@ void vtkWideFoVStage::SetSampleParameters(vtkShaderProgram* program)
 vtkWideFoVStages::vtkWideFoVStages()
 {
   this->PreClip->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
+  this->Exact->SetVariant(vtkWideFoVShaderBuilder::Variant::Exact);
 }
 
 void vtkWideFoVStages::Begin(
@@ -249,7 +250,7 @@ void vtkWideFoVStages::Begin(
   this->Projection = &view.GetProjection();
   this->View = view.GetParameters();
   vtkMatrix4x4::DeepCopy(this->WorldToView, camera->GetModelViewTransformMatrix());
-  for (vtkWideFoVStage* stage : { this->Plain.Get(), this->PreClip.Get() })
+  for (vtkWideFoVStage* stage : { this->Plain.Get(), this->PreClip.Get(), this->Exact.Get() })
   {
     stage->SetView(renderer, camera, tolerance);
     stage->SetClipless(technique == vtkWideFoVPass::VERTEX);
@@ -262,6 +263,10 @@ vtkWideFoVStage* vtkWideFoVStages::Choose(const double* bounds)
   if (this->Technique == vtkWideFoVPass::VERTEX)
   {
     return this->Plain;
+  }
+  if (this->Technique == vtkWideFoVPass::EXACT)
+  {
+    return this->Exact;
   }
   if (!bounds || !vtkMath::AreBoundsInitialized(bounds))
   {

@@ -75,7 +75,7 @@ private:
   int NumberOfDraws = 0;
 };
 
-// Both variants and the choice between them.
+// The variants and the choice between them.
 class vtkWideFoVStages
 {
 public:
@@ -94,6 +94,7 @@ public:
 
   vtkNew<vtkWideFoVStage> Plain;
   vtkNew<vtkWideFoVStage> PreClip;
+  vtkNew<vtkWideFoVStage> Exact;
 
 private:
   int Technique = 0;

@@ -117,7 +117,7 @@ std::string StatsText(const Options& options, const Scene& scene, const RenderSt
       { { "triangles", count.Triangles }, { "lines", count.Lines }, { "points", count.Points } } },
     { "variants",
       { { "plain", Known(stats.PlainDraws) }, { "preclip", Known(stats.PreClipDraws) },
-        { "tessellate", nullptr }, { "exact", nullptr } } } };
+        { "tessellate", Known(stats.TessellateDraws) }, { "exact", Known(stats.ExactDraws) } } } };
   return json.dump(2) + "\n";
 }
 }

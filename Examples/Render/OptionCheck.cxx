@@ -193,10 +193,12 @@ void CheckOutput(const Options& o)
 
 void CheckTechnique(Options& o)
 {
-  o.Technique = o.TechniqueName == "preclip" ? Technique::PreClip
-    : o.TechniqueName == "vertex"            ? Technique::Vertex
-    : o.TechniqueName == "cubemap"           ? Technique::CubeMap
-                                             : Technique::Auto;
+  o.Technique = o.TechniqueName == "exact" ? Technique::Exact
+    : o.TechniqueName == "tessellate"      ? Technique::Tessellate
+    : o.TechniqueName == "preclip"         ? Technique::PreClip
+    : o.TechniqueName == "vertex"          ? Technique::Vertex
+    : o.TechniqueName == "cubemap"         ? Technique::CubeMap
+                                           : Technique::Auto;
   if (o.Technique != Technique::CubeMap)
   {
     return;

@@ -16,6 +16,8 @@ namespace widefov
 enum class Technique
 {
   Auto,
+  Exact,
+  Tessellate,
   PreClip,
   Vertex,
   CubeMap

@@ -119,11 +119,26 @@ void SetCubeMapPass(Stage& stage, const Options& o)
   stage.Renderer->SetPass(stage.CubeMapPass);
 }
 
+int PassTechnique(Technique technique)
+{
+  switch (technique)
+  {
+    case Technique::Exact:
+      return vtkWideFoVPass::EXACT;
+    case Technique::Tessellate:
+      return vtkWideFoVPass::TESSELLATE;
+    case Technique::PreClip:
+      return vtkWideFoVPass::PRECLIP;
+    case Technique::Vertex:
+      return vtkWideFoVPass::VERTEX;
+    default:
+      return vtkWideFoVPass::AUTO;
+  }
+}
+
 void SetWidePass(Stage& stage, const Options& o)
 {
-  stage.WidePass->SetTechnique(o.Technique == Technique::PreClip ? vtkWideFoVPass::PRECLIP
-      : o.Technique == Technique::Vertex                         ? vtkWideFoVPass::VERTEX
-                                                                 : vtkWideFoVPass::AUTO);
+  stage.WidePass->SetTechnique(PassTechnique(o.Technique));
   stage.WidePass->SetTolerance(o.Tolerance);
   stage.Renderer->SetPass(stage.WidePass);
 }
@@ -307,6 +322,8 @@ void Count(Stage& stage, RenderStats& stats)
   {
     stats.PlainDraws = stage.WidePass->GetNumberOfPlainDraws();
     stats.PreClipDraws = stage.WidePass->GetNumberOfPreClipDraws();
+    stats.TessellateDraws = stage.WidePass->GetNumberOfTessellateDraws();
+    stats.ExactDraws = stage.WidePass->GetNumberOfExactDraws();
   }
 }
 }

@@ -22,6 +22,8 @@ struct RenderStats
   std::optional<int> PropsDrawn;
   std::optional<int> PlainDraws;
   std::optional<int> PreClipDraws;
+  std::optional<int> TessellateDraws;
+  std::optional<int> ExactDraws;
 };
 
 struct RenderResult

@@ -40,6 +40,9 @@ const float WFV_EASY_BEND = 0.5;
 // every chord within the tolerance.
 bool wfvEasy(vec3 lengths)
 {
+#if WFV_EXACT
+  return false;
+#endif
 #if !WFV_MERIDIAN
   if (wfvView.lens.x != 0.0)
   {
@@ -90,6 +93,9 @@ bool wfvMustCover(float facing)
   wfvN[0] = wfvEdgePlane(wfvP[1], wfvP[2]);
   wfvN[1] = wfvEdgePlane(wfvP[2], wfvP[0]);
   wfvN[2] = wfvEdgePlane(wfvP[0], wfvP[1]);
+#if WFV_EXACT
+  wfvS = vec3(WFV_CURVED);
+#endif
   vec2 e0 = wfvChordError(wfvP[1], wfvP[2]);
   vec2 e1 = wfvChordError(wfvP[2], wfvP[0]);
   vec2 e2 = wfvChordError(wfvP[0], wfvP[1]);

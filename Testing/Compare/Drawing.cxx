@@ -64,9 +64,9 @@ void Drawing::SetTolerance(double pixels)
   this->Internal->Pass->SetTolerance(pixels);
 }
 
-void Drawing::SetPreClip(bool on)
+void Drawing::SetTechnique(int technique)
 {
-  this->Internal->Pass->SetTechnique(on ? vtkWideFoVPass::PRECLIP : vtkWideFoVPass::VERTEX);
+  this->Internal->Pass->SetTechnique(technique);
 }
 
 reference::DrawnPicture Drawing::Draw(const Shot& s)

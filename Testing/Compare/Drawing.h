@@ -47,8 +47,8 @@ public:
   // Of the pass, pixels (0.25).
   void SetTolerance(double pixels);
 
-  // Whether triangles are clipped at all (yes).
-  void SetPreClip(bool on);
+  // vtkWideFoVPass::Techniques (default PRECLIP).
+  void SetTechnique(int technique);
 
   // Draws the mesh; the picture is empty where the window failed.
   reference::DrawnPicture Draw(const Shot& shot);

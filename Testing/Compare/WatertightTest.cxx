@@ -4,6 +4,7 @@
 #include "DrawingTest.h"
 #include "Meshes.h"
 #include "Poses.h"
+#include "vtkWideFoVPass.h"
 
 #include <vtkPolyData.h>
 
@@ -124,9 +125,9 @@ TEST_P(Watertight, VerticesAloneAreNot)
     GTEST_SKIP() << "the stock mapper draws it";
   }
   Picture->SetMesh(MakeRoom(1));
-  Picture->SetPreClip(false);
+  Picture->SetTechnique(vtkWideFoVPass::VERTEX);
   const reference::DrawnPicture picture = Picture->Draw(MakeShot(p.Name, 360, PlainPoses()[1]));
-  Picture->SetPreClip(true);
+  Picture->SetTechnique(vtkWideFoVPass::PRECLIP);
   EXPECT_GT(CountHoles(picture, Picture->GetView()).Holes, 100);
 }
 
