@@ -224,6 +224,18 @@ void RewriteLights(std::string& fragment)
   fragment = head + body;
 }
 
+// The wide camera's view and clip coordinates are the same; both stock statements are
+// replaced, so that neighbours and attributes agree to the bit.
+void TakeFromEye(std::string& vertex)
+{
+  static const std::regex product(R"(\bMC[DV]CMatrix\s*\*\s*vertexMC\b)");
+  if (std::regex_search(vertex, product))
+  {
+    vertex = std::regex_replace(vertex, product, "wfvFromEyeOf(MCDCMatrix, vertexMC)");
+    vtkWideFoVShaderBuilder::Declare(vertex, eye_vertex_glsl);
+  }
+}
+
 void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
 {
   const bool triangles =
@@ -314,6 +326,7 @@ void vtkWideFoVShaderBuilder::Finish(
   {
     FlattenArrays(vertex, fragment);
   }
+  TakeFromEye(vertex);
   const std::vector<Varying> varyings = FindVaryings(vertex);
   if (NeedsGeometryStage(r))
   {

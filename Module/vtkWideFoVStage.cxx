@@ -2,6 +2,7 @@
 #include "vtkWideFoVStage.h"
 
 #include "vtkWideFoVCamera.h"
+#include "vtkWideFoVEye.h"
 #include "vtkWideFoVPass.h"
 
 #include "vtkActor.h"
@@ -153,7 +154,8 @@ vtkWideFoVShaderBuilder::Request vtkWideFoVStage::MakeRequest(
     MapperAccess::Describe(polydata, this->Renderer, actor, request);
   }
   // stock VTK draws these with a geometry stage of its own, straight in the picture
-  if ((request.Edges || request.WideLines) && !this->Clipless)
+  const bool plain = request.Stage == vtkWideFoVShaderBuilder::Variant::Plain;
+  if ((request.Edges || request.WideLines) && plain && !this->Clipless)
   {
     request.Stage = vtkWideFoVShaderBuilder::Variant::PreClip;
   }
@@ -177,7 +179,7 @@ bool vtkWideFoVStage::PostReplaceShaderValues(std::string& vertexShader,
 }
 
 bool vtkWideFoVStage::SetShaderParameters(
-  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp*, vtkOpenGLVertexArrayObject*)
+  vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop, vtkOpenGLVertexArrayObject*)
 {
   const auto set2 = [program](const char* name, const wfv::vec2& v) {
     const float f[2] = { static_cast<float>(v.x), static_cast<float>(v.y) };
@@ -203,6 +205,12 @@ bool vtkWideFoVStage::SetShaderParameters(
     renderer->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
   }
   this->SetSampleParameters(program);
+  auto* polydata = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
+  auto* actor = vtkActor::SafeDownCast(prop);
+  if (polydata && actor && this->Renderer)
+  {
+    wfv::SetEye(program, polydata, actor, this->Renderer->GetActiveCamera());
+  }
   const float f[4] = { static_cast<float>(viewport[0]), static_cast<float>(viewport[1]),
     static_cast<float>(viewport[2]), static_cast<float>(viewport[3]) };
   program->SetUniform4f("wfvViewport", f);

@@ -93,14 +93,14 @@ bool wfvMustCover(float facing)
   wfvN[0] = wfvEdgePlane(wfvP[1], wfvP[2]);
   wfvN[1] = wfvEdgePlane(wfvP[2], wfvP[0]);
   wfvN[2] = wfvEdgePlane(wfvP[0], wfvP[1]);
-#if WFV_EXACT
-  wfvS = vec3(WFV_CURVED);
-#endif
   vec2 e0 = wfvChordError(wfvP[1], wfvP[2]);
   vec2 e1 = wfvChordError(wfvP[2], wfvP[0]);
   vec2 e2 = wfvChordError(wfvP[0], wfvP[1]);
   wfvS = vec3(e0.x, e1.x, e2.x);
   wfvReach = max(e0.y, max(e1.y, e2.y));
+#if WFV_EXACT
+  wfvS = vec3(WFV_CURVED);
+#endif
   bool bent = min(wfvS.x, min(wfvS.y, wfvS.z)) < 0.0;
 #if WFV_MERIDIAN
   return bent || wfvHolds(1, 1.0, facing) || wfvHolds(1, -1.0, facing);
