@@ -225,7 +225,7 @@ void vtkWideFoVStage::SetSampleParameters(vtkShaderProgram* program)
   {
     return;
   }
-  constexpr int MaxSamples = 16; // as in cover_fragment.glsl
+  constexpr int MaxSamples = 16; // as in ray_fragment.glsl
   int samples = 0;
   glGetIntegerv(GL_SAMPLES, &samples);
   samples = glIsEnabled(GL_MULTISAMPLE) ? std::min(samples, MaxSamples) : 0;

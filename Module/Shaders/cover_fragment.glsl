@@ -22,10 +22,6 @@ vec3 wfvEdgePixels; // distance in pixels to the edge opposite to corner 0, 1, 2
 
 void wfvInterpolate(); // generated: sets the stock shader's inputs from wfvB
 
-// Where a sample lies inside a pixel, from its centre, pixels; one sample: the centre.
-uniform int wfvSamples;
-uniform vec2 wfvSampleOffsets[16];
-
 bool wfvInside(float e, int tie)
 {
   return e > 0.0 || (e == 0.0 && tie != 0);
@@ -51,22 +47,37 @@ bool wfvAllInside(vec3 e)
   return wfvInside(e.x, wfvMode & 2) && wfvInside(e.y, wfvMode & 4) && wfvInside(e.z, wfvMode & 8);
 }
 
-// Coverage by the ray: of the pixel's centre, or of each sample, to which the edge
-// functions are carried on along their slopes (the same from both sides of an edge).
-bool wfvCoverage(vec3 e)
+vec3 wfvEdgesAt(vec3 direction)
 {
-  vec3 dx = dFdx(e);
-  vec3 dy = dFdy(e);
-  e += wfvWidening(e, abs(dx) + abs(dy));
+  vec3 e = vec3(dot(direction, wfvEdge0), dot(direction, wfvEdge1), dot(direction, wfvEdge2));
+  return wfvPlane.w > 0.0 ? e : -e;
+}
+
+// Pixels: no sample is farther from its pixel's centre along either axis.
+const float WFV_SAMPLE_REACH = 0.5;
+
+// Safety over first-order bounds of what changes inside a pixel.
+const float WFV_PIXEL_SAFETY = 1.5;
+
+// Coverage by the ray of the pixel's centre, or by the ray of each sample. e: the edge
+// functions at the centre; pixel: how the direction changes along x and y.
+bool wfvCoverage(WfvRay ray, vec3 e, mat2x3 pixel, bool rim)
+{
+  vec3 x = abs(wfvEdgesAt(pixel[0]));
+  vec3 y = abs(wfvEdgesAt(pixel[1]));
+  vec3 widening = wfvWidening(e, x + y);
   if (wfvSamples <= 1)
   {
-    return wfvAllInside(e);
+    return wfvAllInside(e + widening) && ray.inside;
   }
-  int mask = 0;
-  for (int i = 0; i < wfvSamples; i++)
+  vec3 reach = WFV_PIXEL_SAFETY * WFV_SAMPLE_REACH * (x + y);
+  vec3 near = e + widening;
+  bool certain = !rim && all(greaterThan(abs(near), reach));
+  int mask = certain && all(greaterThan(near, vec3(0.0))) ? -1 : 0;
+  for (int i = 0; i < wfvSamples && !certain; i++)
   {
-    vec3 at = e + dx * wfvSampleOffsets[i].x + dy * wfvSampleOffsets[i].y;
-    mask |= wfvAllInside(at) ? 1 << i : 0;
+    WfvRay at = wfvRayAt(wfvSampleOffsets[i]);
+    mask |= at.inside && wfvAllInside(wfvEdgesAt(at.direction) + widening) ? 1 << i : 0;
   }
 #ifdef GL_ARB_sample_shading
   gl_SampleMask[0] = mask;
@@ -83,16 +94,15 @@ float wfvWindowDepth(float rho)
 
 bool wfvCovered()
 {
-  vec2 ndc = 2.0 * (gl_FragCoord.xy - wfvViewport.xy) / wfvViewport.zw - 1.0;
-  WfvRay ray = wfvUnproject((ndc - wfvTile.zw) / wfvTile.xy, wfvView);
-  vec3 e = vec3(dot(ray.direction, wfvEdge0), dot(ray.direction, wfvEdge1),
-    dot(ray.direction, wfvEdge2));
+  WfvRay ray = wfvRayAt(vec2(0.0));
+  bool rim;
+  mat2x3 pixel = wfvRaySteps(ray, rim);
+  vec3 e = wfvEdgesAt(ray.direction);
   float facing = wfvPlane.w > 0.0 ? 1.0 : -1.0;
-  float sum = dot(ray.direction, wfvPlane.xyz);
+  float sum = facing * dot(ray.direction, wfvPlane.xyz);
   wfvB = e / (e.x + e.y + e.z);
-  wfvDepth = wfvWindowDepth(wfvPlane.w / sum);
-  bool inside = wfvCoverage(facing * e);
-  return inside && ray.inside && facing * sum > 0.0;
+  wfvDepth = wfvWindowDepth(facing * wfvPlane.w / sum);
+  return wfvCoverage(ray, e, pixel, rim) && sum > 0.0;
 }
 
 void wfvPrepare()

@@ -173,15 +173,13 @@ Metrics Compare(
 double NearestAgreement(
   const RayCaster& caster, int width, int height, const WorstPixel& pixel, double radius)
 {
-  constexpr int Angles = 128;
-  constexpr int Circles = 32; // down to radius / 100
-  const double step = std::pow(100, 1.0 / (Circles - 1));
-  double r = radius / 100;
-  for (int k = 0; k < Circles; ++k, r *= step)
+  constexpr int Halvings = 6;
+  for (int k = Halvings; k >= 0; --k)
   {
-    if (AgreesOnCircle(caster, width, height, pixel, std::min(r, radius), Angles))
+    const double r = radius / (1 << k);
+    if (AgreesOnCircle(caster, width, height, pixel, r, PointsPerCircle))
     {
-      return std::min(r, radius);
+      return r;
     }
   }
   return std::numeric_limits<double>::infinity();

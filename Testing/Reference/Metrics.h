@@ -64,9 +64,9 @@ Metrics Compare(const DrawnPicture& drawn, const RayCaster& caster, double toler
 Metrics Compare(const DrawnPicture& drawn, const RayCaster& caster, const HitPicture& reference,
   double tolerance);
 
-// The 48 points step over cells thinner than a quarter of b. This looks closely: the least
-// distance in pixels, up to `radius` and to a few percent, at which the reference agrees
-// with what was drawn at this pixel; inf where it does nowhere. 4,000 rays.
+// The 48 points step over cells thinner than a quarter of b; but what is explained within a
+// smaller b is explained within b. The least of the radii b, b/2, .. b/64 at which one of
+// 16 points of its circle agrees with what was drawn at this pixel; inf where none does.
 double NearestAgreement(
   const RayCaster& caster, int width, int height, const WorstPixel& pixel, double radius);
 }
