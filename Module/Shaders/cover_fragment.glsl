@@ -39,7 +39,7 @@ vec3 wfvWidening(vec3 e, vec3 perPixel)
   vec3 j = vec3(b.y, b.z, b.x);
   vec3 k = vec3(b.z, b.x, b.y);
   vec3 bulge = 4.0 * j * k / max((j + k) * (j + k), vec3(1e-30));
-  return (wfvSlack * bulge + WFV_SNAP) * step(0.0, wfvSlack) * perPixel;
+  return (wfvSlack * min(2.0 * bulge, vec3(1.0)) + WFV_SNAP) * step(0.0, wfvSlack) * perPixel;
 }
 
 bool wfvAllInside(vec3 e)
