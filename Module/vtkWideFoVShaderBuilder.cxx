@@ -125,6 +125,7 @@ std::string ViewSource(const Request& r)
   return "#define WFV_FN\n" + Define("WFV_NEWTON_STEPS", NewtonSteps) +
     Define("WFV_MERIDIAN", meridian) + Define("WFV_STRAIGHT_SEAM", r.Projection->StraightSeam) +
     Define("WFV_EXACT", r.Stage == vtkWideFoVShaderBuilder::Variant::Exact) +
+    Define("WFV_TESSELLATE", r.Stage == vtkWideFoVShaderBuilder::Variant::Tessellate) +
     Define("WFV_WIDE_LINES", r.WideLines) + Define("WFV_EDGES", r.Edges) +
     Define("WFV_EDGE_FLAGS", r.EdgeFlags) + "#define WFV_ANGLES " +
     (meridian ? "wfvMeridianAngles" : "wfvAzimuthalAngles") + "\n" + wfv::MathGlsl() +
@@ -261,6 +262,11 @@ void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std:
 }
 }
 
+std::string vtkWideFoVShaderBuilder::MakeViewSource(const Request& r)
+{
+  return ViewSource(r);
+}
+
 bool vtkWideFoVShaderBuilder::NeedsGeometryStage(const Request& r)
 {
   return r.Stage != Variant::Plain && r.Kind != Primitive::Points;
@@ -314,6 +320,14 @@ void vtkWideFoVShaderBuilder::Finish(
   {
     FlattenArrays(vertex, fragment);
   }
+  const bool tessellate = r.Stage == Variant::Tessellate;
+  if (tessellate)
+  {
+    // drivers disagree on gl_PrimitiveIDIn behind a tessellation: a number of our own,
+    // which the evaluation stage sets
+    Declare(vertex, "flat out int wfvPrimitive;\n");
+    WrapMain(vertex, "", "  wfvPrimitive = 0;\n");
+  }
   const std::vector<Varying> varyings = FindVaryings(vertex);
   if (NeedsGeometryStage(r))
   {
@@ -322,6 +336,10 @@ void vtkWideFoVShaderBuilder::Finish(
       (lines ? LineOutputs(varyings) + preclip_lines_glsl
              : TriangleOutputs(varyings) + preclip_emit_glsl + preclip_cover_glsl +
             CoverSource(*r.Projection) + preclip_triangles_glsl);
+    if (tessellate)
+    {
+      ReplaceAll(geometry, "gl_PrimitiveIDIn", "wfvPrimitive[0]");
+    }
   }
   else
   {
