@@ -88,15 +88,18 @@ void vtkWideFoVPolyDataMapper::DrawPrimitives(
   {
     window->GetState()->vtkglLineWidth(actor->GetProperty()->GetLineWidth());
   }
+  const auto vertices = static_cast<GLuint>(this->VBOs->GetNumberOfTuples("vertexMC"));
+  const auto indices = static_cast<int>(cellBO.IBO->IndexCount);
+  cellBO.IBO->Bind();
   if (mode == GL_TRIANGLES && cellBO.Program && vtkWideFoVTessellation::IsIn(cellBO.Program))
   {
-    mode = GL_PATCHES;
-    glPatchParameteri(GL_PATCH_VERTICES, 3);
+    vtkWideFoVTessellation::Draw(cellBO.Program, vertices, indices, this->PrimitiveIDOffset);
   }
-  const auto vertices = static_cast<GLuint>(this->VBOs->GetNumberOfTuples("vertexMC"));
-  cellBO.IBO->Bind();
-  glDrawRangeElements(static_cast<GLenum>(mode), 0, vertices - 1,
-    static_cast<GLsizei>(cellBO.IBO->IndexCount), GL_UNSIGNED_INT, nullptr);
+  else
+  {
+    glDrawRangeElements(
+      static_cast<GLenum>(mode), 0, vertices - 1, indices, GL_UNSIGNED_INT, nullptr);
+  }
   cellBO.IBO->Release();
 }
 

@@ -7,6 +7,7 @@
 #include "vtkShaderProgram.h"
 #include "vtkWideFoVGl.h"
 
+#include <algorithm>
 #include <cstring>
 #include <regex>
 #include <vector>
@@ -17,6 +18,15 @@ using Request = vtkWideFoVShaderBuilder::Request;
 
 // As in tess_control.glsl.
 constexpr int MaxLevel = 64;
+
+// Mesa's software renderers number the pieces of one draw with 16 bits, and the patches of
+// one draw anew every 1,024 indices. They get small draws: few patches, or for meshes of
+// many triangles, which are small as a rule, more patches of fewer pieces (past that they
+// go exact). n pieces an edge have 1 + 3 (n / 2) (n / 2 + 1) corners, n even.
+constexpr int SmallMesh = 10000; // triangles
+constexpr int FewPatches = 20;   // of 64 pieces an edge: 3,169 corners each
+constexpr int ManyPatches = 340; // of 14 pieces an edge: 169 corners each
+constexpr int LessLevel = 14;
 
 // Attached to a program of VTK's with a geometry stage.
 constexpr int StockStages = 3;
@@ -111,6 +121,12 @@ bool HasExtension(const char* name)
   }
   return false;
 }
+
+bool IsSoftwareMesa()
+{
+  const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  return renderer && (std::strstr(renderer, "llvmpipe") || std::strstr(renderer, "softpipe"));
+}
 }
 
 std::string vtkWideFoVTessellation::FindObstacle()
@@ -196,4 +212,21 @@ std::string vtkWideFoVTessellation::AddTo(vtkShaderProgram* program, const Reque
   glDeleteShader(control);
   glDeleteShader(evaluation);
   return log;
+}
+
+void vtkWideFoVTessellation::Draw(
+  vtkShaderProgram* program, unsigned int vertices, int indices, int offset)
+{
+  const bool small = IsSoftwareMesa();
+  const bool few = indices <= 3 * SmallMesh;
+  const int most = !small ? indices : 3 * (few ? FewPatches : ManyPatches);
+  program->SetUniformf("wfvMaxLevel", static_cast<float>(small && !few ? LessLevel : MaxLevel));
+  glPatchParameteri(GL_PATCH_VERTICES, 3);
+  for (int first = 0; first < indices; first += most)
+  {
+    program->SetUniformi("PrimitiveIDOffset", offset + first / 3);
+    const auto* from = reinterpret_cast<const void*>(first * sizeof(GLuint));
+    glDrawRangeElements(
+      GL_PATCHES, 0, vertices - 1, std::min(most, indices - first), GL_UNSIGNED_INT, from);
+  }
 }

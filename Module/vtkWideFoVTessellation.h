@@ -33,6 +33,10 @@ public:
   // have new places then. Empty, or what OpenGL said; the program is as before then.
   static std::string AddTo(
     vtkShaderProgram* program, const vtkWideFoVShaderBuilder::Request& request);
+
+  // Draws triangles as patches from the bound index buffer. vertices: how many there are;
+  // offset: what VTK adds to the number of a primitive.
+  static void Draw(vtkShaderProgram* program, unsigned int vertices, int indices, int offset);
 };
 
 #endif

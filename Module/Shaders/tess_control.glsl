@@ -16,8 +16,7 @@ out float wfvMost[]; // pieces that an edge, or the line beside it, asks for
 
 const int WFV_INTERVALS = 8;
 
-// OpenGL's guaranteed largest level.
-const float WFV_MAX_LEVEL = 64.0;
+uniform float wfvMaxLevel; // 64, which every OpenGL has, or less
 
 // Share of the tolerance that a piece may use up: the pre-clip measures it again, with
 // its own safety, and covers by rays what exceeds the tolerance.
@@ -136,7 +135,7 @@ float wfvMeasure(vec3 p, vec3 q, out float steps[WFV_INTERVALS])
 
 float wfvLevel(float pieces)
 {
-  return clamp(ceil(pieces), 1.0, WFV_MAX_LEVEL);
+  return clamp(ceil(pieces), 1.0, wfvMaxLevel);
 }
 
 // One edge's answers, by constant indices: where each invocation writes an element of its
