@@ -236,7 +236,7 @@ void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std:
   if (triangles)
   {
     RemoveInputs(fragment, varyings);
-    declarations = cover_fragment_glsl + TriangleInputs(varyings);
+    declarations = std::string(cover_fragment_glsl) + chord_fragment_glsl + TriangleInputs(varyings);
     before = "  wfvPrepare();\n";
     after = "  if (wfvHide) { discard; }\n";
     ReplaceAll(fragment, "gl_FragCoord.z", "wfvDepth");

@@ -31,20 +31,7 @@ bool wfvInside(float e, int tie)
   return e > 0.0 || (e == 0.0 && tie != 0);
 }
 
-// Added to the slack of a chord: how far, in pixels, a rasterizer snaps its vertices.
-const float WFV_SNAP = 1.0 / 128.0;
-
-// An edge that neighbours draw as a chord is widened to reach it, so that no sample
-// falls between the two: most in the middle of the edge, not at its ends, where chord
-// and edge agree, nor beyond them.
-vec3 wfvWidening(vec3 e, vec3 perPixel)
-{
-  vec3 b = max(e, vec3(0.0));
-  vec3 j = vec3(b.y, b.z, b.x);
-  vec3 k = vec3(b.z, b.x, b.y);
-  vec3 bulge = 4.0 * j * k / max((j + k) * (j + k), vec3(1e-30));
-  return (wfvSlack * bulge + WFV_SNAP) * step(0.0, wfvSlack) * perPixel;
-}
+vec3 wfvWidening(vec3 e, vec3 dx, vec3 dy); // chord_fragment.glsl
 
 bool wfvAllInside(vec3 e)
 {
@@ -57,7 +44,7 @@ bool wfvCoverage(vec3 e)
 {
   vec3 dx = dFdx(e);
   vec3 dy = dFdy(e);
-  e += wfvWidening(e, abs(dx) + abs(dy));
+  e += wfvWidening(e, dx, dy);
   if (wfvSamples <= 1)
   {
     return wfvAllInside(e);

@@ -115,6 +115,15 @@ vec2 wfvPixel(vec3 p)
   return 0.5 * wfvViewport.zw * c.xy / c.w;
 }
 
+// For the fragment stage: where the chords are.
+void wfvPlaceCorners(bool seam)
+{
+  for (int i = 0; i < 3; i++)
+  {
+    wfvC[i] = seam ? vec2(WFV_NOWHERE) : wfvPixel(wfvP[i]);
+  }
+}
+
 // A rectangle along the longest chord, grown by the reach of the edges: narrower than
 // one along the axes for what lies askew. False where the reach is unknown or large.
 bool wfvCoverNarrow(bool front)

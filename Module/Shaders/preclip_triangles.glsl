@@ -156,6 +156,7 @@ void main()
   if ((tear || !easy) && (wfvMustCover(facing) || tear))
   {
     wfvVertexMode = wfvCoverMode(facing > 0.0);
+    wfvPlaceCorners(seam);
     if (seam || !wfvCoverNarrow(facing < 0.0))
     {
       wfvCover(facing < 0.0, facing);
