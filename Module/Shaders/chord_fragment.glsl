@@ -31,7 +31,7 @@ float wfvToChord(float e, vec2 slope, float slack, vec2 a, vec2 b)
   float inside = dot(vec2(-chord.y, chord.x), slope) < 0.0 ? -beside : beside;
   bool decides = slack >= 0.0 && l > WFV_SHORT && along >= 0.0 && along <= 1.0 &&
     abs(e) <= (2.0 * slack + WFV_CHORD_REACH) * steep;
-  return decides ? inside * steep - e : 0.0;
+  return decides ? (inside + WFV_SNAP) * steep - e : 0.0;
 }
 
 // Along an edge that crosses the seam: widened by the sampled distance of the chord, most
@@ -50,16 +50,40 @@ vec3 wfvWidening(vec3 e, vec3 dx, vec3 dy)
 #if WFV_EXACT
   return vec3(0.0);
 #else
-  vec3 perPixel = abs(dx) + abs(dy);
-  vec3 widening = WFV_SNAP * perPixel * step(0.0, wfvSlack);
-  if (wfvCorner2.x >= WFV_NOWHERE)
-  {
-    return widening + max(wfvSlack, vec3(0.0)) * wfvParabola(e) * perPixel;
-  }
+  vec3 perPixel = (abs(dx) + abs(dy)) * step(0.0, wfvSlack);
+  bool seam = wfvCorner2.x >= WFV_NOWHERE;
+  return seam ? (wfvSlack * wfvParabola(e) + WFV_SNAP) * perPixel : vec3(0.0);
+#endif
+}
+
+// What to add to an edge function to have that of its chord; 0 where no chord decides.
+vec3 wfvToChords(vec3 e, vec3 dx, vec3 dy)
+{
+#if WFV_EXACT
+  return vec3(0.0);
+#else
   vec2 c0 = vec2(wfvCorners01.x, wfvCorners01.y);
   vec2 c1 = vec2(wfvCorners01.z, wfvCorners01.w);
-  return widening + vec3(wfvToChord(e.x, vec2(dx.x, dy.x), wfvSlack.x, c1, wfvCorner2),
+  return vec3(wfvToChord(e.x, vec2(dx.x, dy.x), wfvSlack.x, c1, wfvCorner2),
     wfvToChord(e.y, vec2(dx.y, dy.y), wfvSlack.y, wfvCorner2, c0),
     wfvToChord(e.z, vec2(dx.z, dy.z), wfvSlack.z, c0, c1));
 #endif
+}
+
+bool wfvInside(float e, int tie)
+{
+  return e > 0.0 || (e == 0.0 && tie != 0);
+}
+
+// Inside the three edges, or not, turned round in every lens between an edge and its chord
+// that holds the sample. So each sample is in an odd number of the triangles round it,
+// even where a thin triangle has no three chords round it.
+bool wfvAllInside(vec3 e, vec3 toChords)
+{
+  bvec3 edge = bvec3(wfvInside(e.x, wfvMode & 2), wfvInside(e.y, wfvMode & 4),
+    wfvInside(e.z, wfvMode & 8));
+  vec3 c = e + toChords;
+  bool turned = (wfvInside(c.x, wfvMode & 2) != edge.x) ^^ (wfvInside(c.y, wfvMode & 4) != edge.y) ^^
+    (wfvInside(c.z, wfvMode & 8) != edge.z);
+  return all(edge) ^^ turned;
 }

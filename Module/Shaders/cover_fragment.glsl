@@ -26,17 +26,10 @@ void wfvInterpolate(); // generated: sets the stock shader's inputs from wfvB
 uniform int wfvSamples;
 uniform vec2 wfvSampleOffsets[16];
 
-bool wfvInside(float e, int tie)
-{
-  return e > 0.0 || (e == 0.0 && tie != 0);
-}
-
-vec3 wfvWidening(vec3 e, vec3 dx, vec3 dy); // chord_fragment.glsl
-
-bool wfvAllInside(vec3 e)
-{
-  return wfvInside(e.x, wfvMode & 2) && wfvInside(e.y, wfvMode & 4) && wfvInside(e.z, wfvMode & 8);
-}
+// chord_fragment.glsl
+vec3 wfvWidening(vec3 e, vec3 dx, vec3 dy);
+vec3 wfvToChords(vec3 e, vec3 dx, vec3 dy);
+bool wfvAllInside(vec3 e, vec3 toChords);
 
 // Coverage by the ray: of the pixel's centre, or of each sample, to which the edge
 // functions are carried on along their slopes (the same from both sides of an edge).
@@ -44,16 +37,17 @@ bool wfvCoverage(vec3 e)
 {
   vec3 dx = dFdx(e);
   vec3 dy = dFdy(e);
+  vec3 toChords = wfvToChords(e, dx, dy);
   e += wfvWidening(e, dx, dy);
   if (wfvSamples <= 1)
   {
-    return wfvAllInside(e);
+    return wfvAllInside(e, toChords);
   }
   int mask = 0;
   for (int i = 0; i < wfvSamples; i++)
   {
     vec3 at = e + dx * wfvSampleOffsets[i].x + dy * wfvSampleOffsets[i].y;
-    mask |= wfvAllInside(at) ? 1 << i : 0;
+    mask |= wfvAllInside(at, toChords) ? 1 << i : 0;
   }
 #ifdef GL_ARB_sample_shading
   gl_SampleMask[0] = mask;
