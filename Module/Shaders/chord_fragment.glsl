@@ -1,62 +1,91 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fragment side of the pre-clip: where a covered triangle meets one drawn with a chord.
+// Fragment side of the pre-clip: where a covered triangle meets one drawn with chords.
 //
 // Both must end at the same line. An edge that neighbours draw as a chord therefore ends
 // the covered triangle at that chord too, found from the same two corners in the picture.
 
 #if !WFV_EXACT
 flat in vec4 wfvCorners01; // corners 0 and 1 in the picture, pixels from the tile's centre
-flat in vec2 wfvCorner2;   // corner 2; at WFV_NOWHERE where an edge crosses the seam
+flat in vec2 wfvCorner2;
 #endif
 
-// Added to the slack of a chord: how far, in pixels, a rasterizer snaps its vertices.
+// How far, in pixels, a rasterizer snaps its vertices: a chord is widened by so much.
 const float WFV_SNAP = 1.0 / 128.0;
 
 // Pixels: shorter chords are points.
 const float WFV_SHORT = 0.01;
 
-// Pixels beyond the slack within which the chord decides, not the edge itself.
-const float WFV_CHORD_REACH = 1.0;
+// Times the sampled distance of an edge from its chord, and pixels: farther from either,
+// nothing lies between the two.
+const float WFV_LENS_SAFETY = 2.0;
+const float WFV_LENS_PAD = 0.02;
 
-// What to add to the function e of an edge (its slope is per pixel) so that it vanishes on
-// the chord from a to b.
+bool wfvInside(float e, int tie)
+{
+  return e > 0.0 || (e == 0.0 && tie != 0);
+}
+
+#if !WFV_EXACT
+// This pixel, from the tile's centre as the corners are.
+vec2 wfvHere()
+{
+  return gl_FragCoord.xy - wfvViewport.xy - 0.5 * wfvViewport.zw;
+}
+
+// What to add to the function e of an edge, whose slope per pixel this is, to have that of
+// the chord from a to b; 0 where the chord does not decide.
 float wfvToChord(float e, vec2 slope, float slack, vec2 a, vec2 b)
 {
   float steep = length(slope);
   vec2 chord = b - a;
   float l = length(chord);
-  vec2 at = gl_FragCoord.xy - wfvViewport.xy - 0.5 * wfvViewport.zw - a;
+  vec2 at = wfvHere() - a;
   float along = dot(at, chord) / max(l * l, 1e-12);
   float beside = (chord.x * at.y - chord.y * at.x) / max(l, 1e-6);
   float inside = dot(vec2(-chord.y, chord.x), slope) < 0.0 ? -beside : beside;
+  float reach = WFV_LENS_SAFETY * slack + WFV_LENS_PAD;
   bool decides = slack >= 0.0 && l > WFV_SHORT && along >= 0.0 && along <= 1.0 &&
-    abs(e) <= (2.0 * slack + WFV_CHORD_REACH) * steep;
+    abs(beside) <= reach && abs(e) <= reach * steep;
   return decides ? (inside + WFV_SNAP) * steep - e : 0.0;
 }
 
-// Along an edge that crosses the seam: widened by the sampled distance of the chord, most
-// in the middle.
-vec3 wfvParabola(vec3 e)
-{
-  vec3 b = max(e, vec3(0.0));
-  vec3 j = vec3(b.y, b.z, b.x);
-  vec3 k = vec3(b.z, b.x, b.y);
-  return 4.0 * j * k / max((j + k) * (j + k), vec3(1e-30));
-}
+// wfvMode of a triangle that reaches the seam.
+const int WFV_AT_SEAM = 128;
 
-// What to add to the edge functions e, whose slopes per pixel are dx and dy.
-vec3 wfvWidening(vec3 e, vec3 dx, vec3 dy)
+// The chord of edge i from corner a to corner b, numbers 0, 1, 2. At a straight seam it has
+// two parts, which end where the edge crosses; this pixel's side has one of them, if any.
+float wfvToChordOf(int i, vec3 plane, float e, vec2 slope, float slack, vec2 a, vec2 b)
 {
-#if WFV_EXACT
-  return vec3(0.0);
-#else
-  vec3 perPixel = (abs(dx) + abs(dy)) * step(0.0, wfvSlack);
-  bool seam = wfvCorner2.x >= WFV_NOWHERE;
-  return seam ? (wfvSlack * wfvParabola(e) + WFV_SNAP) * perPixel : vec3(0.0);
+#if WFV_MERIDIAN && WFV_STRAIGHT_SEAM
+  if ((wfvMode & WFV_AT_SEAM) != 0)
+  {
+    vec2 half_ = 0.5 * wfvViewport.zw;
+    vec2 centre = half_ * wfvTile.zw;
+    float side = wfvHere().x < centre.x ? -1.0 : 1.0;
+    int j = i == 2 ? 0 : i + 1;
+    int k = i == 0 ? 2 : i - 1;
+    // a corner on the seam is on both sides
+    a.x = (wfvMode & (256 << j)) != 0 ? centre.x + side * abs(a.x - centre.x) : a.x;
+    b.x = (wfvMode & (256 << k)) != 0 ? centre.x + side * abs(b.x - centre.x) : b.x;
+    bool hereA = (a.x - centre.x) * side >= 0.0;
+    bool hereB = (b.x - centre.x) * side >= 0.0;
+    bool crosses = (wfvMode & (16 << i)) != 0;
+    if (!crosses && !(hereA && hereB))
+    {
+      return 0.0;
+    }
+    float latitude = wfvAtan2(plane.y > 0.0 ? -plane.z : plane.z, abs(plane.y));
+    vec2 seam = centre + half_ * wfvTile.xy * wfvMap(vec2(side * WFV_PI, latitude), wfvView);
+    a = hereA ? a : seam;
+    b = hereB ? b : seam;
+  }
 #endif
+  return wfvToChord(e, slope, slack, a, b);
 }
+#endif
 
-// What to add to an edge function to have that of its chord; 0 where no chord decides.
+// What to add to the edge functions e, whose slopes per pixel are dx and dy, to have those
+// of the chords; 0 where no chord decides.
 vec3 wfvToChords(vec3 e, vec3 dx, vec3 dy)
 {
 #if WFV_EXACT
@@ -64,15 +93,11 @@ vec3 wfvToChords(vec3 e, vec3 dx, vec3 dy)
 #else
   vec2 c0 = vec2(wfvCorners01.x, wfvCorners01.y);
   vec2 c1 = vec2(wfvCorners01.z, wfvCorners01.w);
-  return vec3(wfvToChord(e.x, vec2(dx.x, dy.x), wfvSlack.x, c1, wfvCorner2),
-    wfvToChord(e.y, vec2(dx.y, dy.y), wfvSlack.y, wfvCorner2, c0),
-    wfvToChord(e.z, vec2(dx.z, dy.z), wfvSlack.z, c0, c1));
+  vec2 c2 = wfvCorner2;
+  return vec3(wfvToChordOf(0, wfvEdge0, e.x, vec2(dx.x, dy.x), wfvSlack.x, c1, c2),
+    wfvToChordOf(1, wfvEdge1, e.y, vec2(dx.y, dy.y), wfvSlack.y, c2, c0),
+    wfvToChordOf(2, wfvEdge2, e.z, vec2(dx.z, dy.z), wfvSlack.z, c0, c1));
 #endif
-}
-
-bool wfvInside(float e, int tie)
-{
-  return e > 0.0 || (e == 0.0 && tie != 0);
 }
 
 // Inside the three edges, or not, turned round in every lens between an edge and its chord
@@ -83,7 +108,7 @@ bool wfvAllInside(vec3 e, vec3 toChords)
   bvec3 edge = bvec3(wfvInside(e.x, wfvMode & 2), wfvInside(e.y, wfvMode & 4),
     wfvInside(e.z, wfvMode & 8));
   vec3 c = e + toChords;
-  bool turned = (wfvInside(c.x, wfvMode & 2) != edge.x) ^^ (wfvInside(c.y, wfvMode & 4) != edge.y) ^^
-    (wfvInside(c.z, wfvMode & 8) != edge.z);
+  bool turned = (wfvInside(c.x, wfvMode & 2) != edge.x) ^^
+    (wfvInside(c.y, wfvMode & 4) != edge.y) ^^ (wfvInside(c.z, wfvMode & 8) != edge.z);
   return all(edge) ^^ turned;
 }

@@ -27,7 +27,6 @@ uniform int wfvSamples;
 uniform vec2 wfvSampleOffsets[16];
 
 // chord_fragment.glsl
-vec3 wfvWidening(vec3 e, vec3 dx, vec3 dy);
 vec3 wfvToChords(vec3 e, vec3 dx, vec3 dy);
 bool wfvAllInside(vec3 e, vec3 toChords);
 
@@ -38,7 +37,6 @@ bool wfvCoverage(vec3 e)
   vec3 dx = dFdx(e);
   vec3 dy = dFdy(e);
   vec3 toChords = wfvToChords(e, dx, dy);
-  e += wfvWidening(e, dx, dy);
   if (wfvSamples <= 1)
   {
     return wfvAllInside(e, toChords);

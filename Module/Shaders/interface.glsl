@@ -5,9 +5,6 @@ uniform WfvView wfvView;
 uniform vec4 wfvViewport;  // x, y, width, height of the viewport, pixels
 uniform vec4 wfvTile;      // NDC of the tile = NDC of the picture * xy + zw
 
-// Pixels: where no corner is.
-const float WFV_NOWHERE = 1e9;
-
 // Position in the map as a clip coordinate. Dividing by the distance to the eye makes
 // the interpolation of attributes perspective-correct.
 vec4 wfvClip(vec2 ndc, float rho)
