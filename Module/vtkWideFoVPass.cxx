@@ -99,7 +99,11 @@ void vtkWideFoVPass::Render(const vtkRenderState* s)
     vtkWideFoVStages::Detach(props[i], in.Chosen[i]);
   }
   this->NumberOfPlainDraws = in.Stages.Plain->GetNumberOfDraws();
-  this->NumberOfPreClipDraws = in.Stages.PreClip->GetNumberOfDraws();
+  // of the tessellate stage too, what cannot be tessellated is drawn by the pre-clip
+  const int patches = in.Stages.Tessellate->GetNumberOfTessellateDraws();
+  this->NumberOfPreClipDraws =
+    in.Stages.PreClip->GetNumberOfDraws() + in.Stages.Tessellate->GetNumberOfDraws() - patches;
+  this->NumberOfTessellateDraws = patches;
   this->NumberOfExactDraws = in.Stages.Exact->GetNumberOfDraws();
 }
 

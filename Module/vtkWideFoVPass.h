@@ -35,7 +35,9 @@ public:
   {
     AUTO = 0,   ///< per primitive the cheapest that keeps the tolerance
     EXACT,      ///< every triangle by the ray of each pixel; the tolerance has no part in it
-    TESSELLATE, ///< tessellated to the tolerance, then as PRECLIP
+    TESSELLATE, ///< triangles of a vtkWideFoVPolyDataMapper are tessellated to the tolerance,
+                ///< then as PRECLIP; other mappers and primitives as PRECLIP. An OpenGL
+                ///< without tessellation shaders: a warning, and AUTO
     PRECLIP,    ///< clipped at the discontinuities, projected per vertex
     VERTEX      ///< projected per vertex, not clipped: for comparison only
   };

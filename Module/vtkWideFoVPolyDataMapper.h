@@ -5,7 +5,8 @@
  *
  * For programs that ask for it by name and set no render pass: it brings what
  * vtkWideFoVPass adds to stock mappers. Under a vtkWideFoVPass it leaves the work to
- * the pass. With any other camera, or with the projection "perspective", it is
+ * the pass; the technique TESSELLATE, which no stock mapper can draw with, works there
+ * too. With any other camera, or with the projection "perspective", it is
  * vtkOpenGLPolyDataMapper, to the pixel.
  */
 
@@ -29,17 +30,21 @@ public:
    * As vtkWideFoVPass::SetTechnique (default vtkWideFoVPass::AUTO) and SetTolerance
    * (default 0.25 pixels).
    */
-  vtkSetClampMacro(Technique, int, 0, 2);
+  vtkSetClampMacro(Technique, int, 0, 4);
   vtkGetMacro(Technique, int);
   vtkSetClampMacro(Tolerance, double, 0.001, 1e6);
   vtkGetMacro(Tolerance, double);
   ///@}
 
   void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
+  void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
 
 protected:
   vtkWideFoVPolyDataMapper();
   ~vtkWideFoVPolyDataMapper() override;
+
+  // The first call with a program that is ready: adds the tessellation stages.
+  void SetCustomUniforms(vtkOpenGLHelper& cellBO, vtkActor* actor) override;
 
   int Technique = 0;
   double Tolerance = 0.25;
@@ -47,6 +52,9 @@ protected:
 private:
   vtkWideFoVPolyDataMapper(const vtkWideFoVPolyDataMapper&) = delete;
   void operator=(const vtkWideFoVPolyDataMapper&) = delete;
+
+  // Draws one kind of primitives, as patches where its program tessellates.
+  void DrawPrimitives(vtkOpenGLHelper& cellBO, int mode, vtkRenderer* renderer, vtkActor* actor);
 
   struct Internals;
   std::unique_ptr<Internals> Internal;

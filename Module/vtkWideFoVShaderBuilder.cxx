@@ -125,6 +125,7 @@ std::string ViewSource(const Request& r)
   return "#define WFV_FN\n" + Define("WFV_NEWTON_STEPS", NewtonSteps) +
     Define("WFV_MERIDIAN", meridian) + Define("WFV_STRAIGHT_SEAM", r.Projection->StraightSeam) +
     Define("WFV_EXACT", r.Stage == vtkWideFoVShaderBuilder::Variant::Exact) +
+    Define("WFV_TESSELLATE", r.Stage == vtkWideFoVShaderBuilder::Variant::Tessellate) +
     Define("WFV_WIDE_LINES", r.WideLines) + Define("WFV_EDGES", r.Edges) +
     Define("WFV_EDGE_FLAGS", r.EdgeFlags) + "#define WFV_ANGLES " +
     (meridian ? "wfvMeridianAngles" : "wfvAzimuthalAngles") + "\n" + wfv::MathGlsl() +
@@ -247,8 +248,8 @@ void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std:
   if (triangles)
   {
     RemoveInputs(fragment, varyings);
-    declarations =
-      std::string(ray_fragment_glsl) + cover_fragment_glsl + TriangleInputs(varyings);
+    declarations = std::string(ray_fragment_glsl) + cover_fragment_glsl + chord_fragment_glsl +
+      TriangleInputs(varyings);
     before = "  wfvPrepare();\n";
     after = "  if (wfvHide) { discard; }\n";
     ReplaceAll(fragment, "gl_FragCoord.z", "wfvDepth");
@@ -272,6 +273,11 @@ void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std:
       fragment, (triangles ? extension : "") + ViewSource(r) + declarations);
   }
 }
+}
+
+std::string vtkWideFoVShaderBuilder::MakeViewSource(const Request& r)
+{
+  return ViewSource(r);
 }
 
 bool vtkWideFoVShaderBuilder::NeedsGeometryStage(const Request& r)
@@ -328,6 +334,14 @@ void vtkWideFoVShaderBuilder::Finish(
     FlattenArrays(vertex, fragment);
   }
   TakeFromEye(vertex);
+  const bool tessellate = r.Stage == Variant::Tessellate;
+  if (tessellate)
+  {
+    // drivers disagree on gl_PrimitiveIDIn behind a tessellation: a number of our own,
+    // which the evaluation stage sets
+    Declare(vertex, "flat out int wfvPrimitive;\n");
+    WrapMain(vertex, "", "  wfvPrimitive = 0;\n");
+  }
   const std::vector<Varying> varyings = FindVaryings(vertex);
   if (NeedsGeometryStage(r))
   {
@@ -336,6 +350,10 @@ void vtkWideFoVShaderBuilder::Finish(
       (lines ? LineOutputs(varyings) + preclip_lines_glsl
              : TriangleOutputs(varyings) + preclip_emit_glsl + preclip_cover_glsl +
             CoverSource(*r.Projection) + preclip_triangles_glsl);
+    if (tessellate)
+    {
+      ReplaceAll(geometry, "gl_PrimitiveIDIn", "wfvPrimitive[0]");
+    }
   }
   else
   {

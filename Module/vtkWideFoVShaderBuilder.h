@@ -13,9 +13,10 @@ class WFV_EXPORT vtkWideFoVShaderBuilder
 public:
   enum class Variant
   {
-    Plain,   // the vertex stage projects
-    PreClip, // a geometry stage clips, then projects
-    Exact    // the same stage, every triangle by the ray of each pixel
+    Plain,     // the vertex stage projects
+    PreClip,   // a geometry stage clips, then projects
+    Exact,     // the same stage, every triangle by the ray of each pixel
+    Tessellate // triangles cut finer before the pre-clip (vtkWideFoVTessellation)
   };
 
   enum class Primitive
@@ -46,6 +47,9 @@ public:
   // output of the vertex stage, whatever it is called, is interpolated.
   static void Finish(
     const Request& request, std::string& vertex, std::string& geometry, std::string& fragment);
+
+  // The mathematics of the view, for any stage.
+  static std::string MakeViewSource(const Request& request);
 
   // Renames main() and appends a new one that runs `before`, the old one, `after`.
   static void WrapMain(std::string& source, const std::string& before, const std::string& after);

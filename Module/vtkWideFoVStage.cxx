@@ -4,6 +4,8 @@
 #include "vtkWideFoVCamera.h"
 #include "vtkWideFoVEye.h"
 #include "vtkWideFoVPass.h"
+#include "vtkWideFoVPolyDataMapper.h"
+#include "vtkWideFoVTessellation.h"
 
 #include "vtkActor.h"
 #include "vtkInformation.h"
@@ -159,6 +161,13 @@ vtkWideFoVShaderBuilder::Request vtkWideFoVStage::MakeRequest(
   {
     request.Stage = vtkWideFoVShaderBuilder::Variant::PreClip;
   }
+  // only our own mapper draws patches; the pieces' edges must not show as the cell's
+  const bool patches = vtkWideFoVPolyDataMapper::SafeDownCast(mapper) &&
+    request.Kind == vtkWideFoVShaderBuilder::Primitive::Triangles && !request.Edges;
+  if (request.Stage == vtkWideFoVShaderBuilder::Variant::Tessellate && !patches)
+  {
+    request.Stage = vtkWideFoVShaderBuilder::Variant::PreClip;
+  }
   return request;
 }
 
@@ -215,6 +224,8 @@ bool vtkWideFoVStage::SetShaderParameters(
     static_cast<float>(viewport[2]), static_cast<float>(viewport[3]) };
   program->SetUniform4f("wfvViewport", f);
   this->NumberOfDraws++;
+  const bool tessellates = this->Variant == vtkWideFoVShaderBuilder::Variant::Tessellate;
+  this->NumberOfTessellateDraws += tessellates && vtkWideFoVTessellation::IsIn(program);
   return true;
 }
 
@@ -248,17 +259,35 @@ vtkWideFoVStages::vtkWideFoVStages()
 {
   this->PreClip->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
   this->Exact->SetVariant(vtkWideFoVShaderBuilder::Variant::Exact);
+  this->Tessellate->SetVariant(vtkWideFoVShaderBuilder::Variant::Tessellate);
+}
+
+bool vtkWideFoVStages::CanTessellate()
+{
+  if (this->Tessellates < 0)
+  {
+    const std::string obstacle = vtkWideFoVTessellation::FindObstacle();
+    this->Tessellates = obstacle.empty();
+    if (!obstacle.empty())
+    {
+      vtkGenericWarningMacro(<< "the technique tessellate cannot be had, auto is used: "
+                             << obstacle);
+    }
+  }
+  return this->Tessellates > 0;
 }
 
 void vtkWideFoVStages::Begin(
   vtkRenderer* renderer, vtkWideFoVCamera* camera, int technique, double tolerance)
 {
-  this->Technique = technique;
+  const bool refused = technique == vtkWideFoVPass::TESSELLATE && !this->CanTessellate();
+  this->Technique = refused ? static_cast<int>(vtkWideFoVPass::AUTO) : technique;
   const wfv::View& view = camera->GetView(renderer->GetTiledAspectRatio());
   this->Projection = &view.GetProjection();
   this->View = view.GetParameters();
   vtkMatrix4x4::DeepCopy(this->WorldToView, camera->GetModelViewTransformMatrix());
-  for (vtkWideFoVStage* stage : { this->Plain.Get(), this->PreClip.Get(), this->Exact.Get() })
+  for (vtkWideFoVStage* stage :
+    { this->Plain.Get(), this->PreClip.Get(), this->Exact.Get(), this->Tessellate.Get() })
   {
     stage->SetView(renderer, camera, tolerance);
     stage->SetClipless(technique == vtkWideFoVPass::VERTEX);
@@ -275,6 +304,10 @@ vtkWideFoVStage* vtkWideFoVStages::Choose(const double* bounds)
   if (this->Technique == vtkWideFoVPass::EXACT)
   {
     return this->Exact;
+  }
+  if (this->Technique == vtkWideFoVPass::TESSELLATE)
+  {
+    return this->Tessellate;
   }
   if (!bounds || !vtkMath::AreBoundsInitialized(bounds))
   {
@@ -312,7 +345,7 @@ void vtkWideFoVStages::Detach(vtkProp* prop, vtkWideFoVStage* stage)
   }
 }
 
-bool vtkWideFoVStages::IsAttached(vtkProp* prop)
+vtkWideFoVStage* vtkWideFoVStages::FindAttached(vtkProp* prop)
 {
   vtkInformation* info = prop->GetPropertyKeys();
   const int n = info && info->Has(vtkOpenGLRenderPass::RenderPasses())
@@ -320,10 +353,11 @@ bool vtkWideFoVStages::IsAttached(vtkProp* prop)
     : 0;
   for (int i = 0; i < n; i++)
   {
-    if (vtkWideFoVStage::SafeDownCast(info->Get(vtkOpenGLRenderPass::RenderPasses(), i)))
+    auto* stage = vtkWideFoVStage::SafeDownCast(info->Get(vtkOpenGLRenderPass::RenderPasses(), i));
+    if (stage)
     {
-      return true;
+      return stage;
     }
   }
-  return false;
+  return nullptr;
 }

@@ -23,6 +23,8 @@ public:
 
   void SetVariant(vtkWideFoVShaderBuilder::Variant variant) { this->Variant = variant; }
 
+  vtkWideFoVShaderBuilder::Variant GetVariant() const { return this->Variant; }
+
   // What the next draws see. The projection's text changes the shaders; everything
   // else is uniforms.
   void SetView(vtkRenderer* renderer, vtkWideFoVCamera* camera, double tolerance);
@@ -37,8 +39,13 @@ public:
     }
   }
 
+  // Of all, and those of them that were tessellated.
   int GetNumberOfDraws() const { return this->NumberOfDraws; }
-  void ResetNumberOfDraws() { this->NumberOfDraws = 0; }
+  int GetNumberOfTessellateDraws() const { return this->NumberOfTessellateDraws; }
+  void ResetNumberOfDraws() { this->NumberOfDraws = this->NumberOfTessellateDraws = 0; }
+
+  // What the mapper's present primitives are drawn with.
+  vtkWideFoVShaderBuilder::Request MakeRequest(vtkAbstractMapper* mapper, vtkProp* prop) const;
 
   bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
     std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
@@ -57,8 +64,6 @@ private:
   vtkWideFoVStage(const vtkWideFoVStage&) = delete;
   void operator=(const vtkWideFoVStage&) = delete;
 
-  vtkWideFoVShaderBuilder::Request MakeRequest(vtkAbstractMapper* mapper, vtkProp* prop) const;
-
   // How the bound framebuffer is sampled, for the coverage of the pre-clip.
   static void SetSampleParameters(vtkShaderProgram* program);
 
@@ -73,6 +78,7 @@ private:
   int Headlights = 0;
   bool Clipless = false;
   int NumberOfDraws = 0;
+  int NumberOfTessellateDraws = 0;
 };
 
 // The variants and the choice between them.
@@ -81,7 +87,8 @@ class vtkWideFoVStages
 public:
   vtkWideFoVStages();
 
-  // Before the props of a frame. technique: vtkWideFoVPass::Techniques.
+  // Before the props of a frame. technique: vtkWideFoVPass::Techniques; one that this
+  // OpenGL cannot becomes AUTO, with a warning.
   void Begin(vtkRenderer* renderer, vtkWideFoVCamera* camera, int technique, double tolerance);
 
   // The stage for a prop with these world bounds (nullptr: unknown).
@@ -90,14 +97,21 @@ public:
   // Appends the stage to the prop's keys, and takes it away again.
   static void Attach(vtkProp* prop, vtkWideFoVStage* stage);
   static void Detach(vtkProp* prop, vtkWideFoVStage* stage);
-  static bool IsAttached(vtkProp* prop);
+  static bool IsAttached(vtkProp* prop) { return FindAttached(prop) != nullptr; }
+
+  // The stage in the prop's keys, or nullptr.
+  static vtkWideFoVStage* FindAttached(vtkProp* prop);
 
   vtkNew<vtkWideFoVStage> Plain;
   vtkNew<vtkWideFoVStage> PreClip;
   vtkNew<vtkWideFoVStage> Exact;
+  vtkNew<vtkWideFoVStage> Tessellate; // other mappers than ours: the pre-clip
 
 private:
+  bool CanTessellate();
+
   int Technique = 0;
+  int Tessellates = -1; // -1: not asked yet
   const wfv::Projection* Projection = nullptr;
   wfv::WfvView View;
   double WorldToView[16];

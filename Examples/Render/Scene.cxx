@@ -6,6 +6,7 @@
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkWideFoVPolyDataMapper.h>
 
 namespace widefov
 {
@@ -100,7 +101,7 @@ void SetRepresentation(vtkProperty* property, const std::string& name)
 
 vtkSmartPointer<vtkActor> MakeActor(const SceneProp& prop, const Look& look)
 {
-  vtkNew<vtkPolyDataMapper> mapper;
+  vtkNew<vtkWideFoVPolyDataMapper> mapper; // stock but where the technique is tessellate
   mapper->SetInputData(prop.Surface);
   SetColors(mapper, prop);
   vtkNew<vtkActor> actor;

@@ -22,31 +22,11 @@ vec3 wfvEdgePixels; // distance in pixels to the edge opposite to corner 0, 1, 2
 
 void wfvInterpolate(); // generated: sets the stock shader's inputs from wfvB
 
-bool wfvInside(float e, int tie)
-{
-  return e > 0.0 || (e == 0.0 && tie != 0);
-}
+// chord_fragment.glsl
+vec3 wfvToChords(vec3 e, vec3 dx, vec3 dy);
+bool wfvAllInside(vec3 e, vec3 toChords);
 
-// Added to the slack of a chord: how far, in pixels, a rasterizer snaps its vertices.
-const float WFV_SNAP = 1.0 / 128.0;
-
-// An edge that neighbours draw as a chord is widened to reach it, so that no sample
-// falls between the two: most in the middle of the edge, not at its ends, where chord
-// and edge agree, nor beyond them.
-vec3 wfvWidening(vec3 e, vec3 perPixel)
-{
-  vec3 b = max(e, vec3(0.0));
-  vec3 j = vec3(b.y, b.z, b.x);
-  vec3 k = vec3(b.z, b.x, b.y);
-  vec3 bulge = 4.0 * j * k / max((j + k) * (j + k), vec3(1e-30));
-  return (wfvSlack * min(2.0 * bulge, vec3(1.0)) + WFV_SNAP) * step(0.0, wfvSlack) * perPixel;
-}
-
-bool wfvAllInside(vec3 e)
-{
-  return wfvInside(e.x, wfvMode & 2) && wfvInside(e.y, wfvMode & 4) && wfvInside(e.z, wfvMode & 8);
-}
-
+// Positive inside.
 vec3 wfvEdgesAt(vec3 direction)
 {
   vec3 e = vec3(dot(direction, wfvEdge0), dot(direction, wfvEdge1), dot(direction, wfvEdge2));
@@ -63,21 +43,20 @@ const float WFV_PIXEL_SAFETY = 1.5;
 // functions at the centre; pixel: how the direction changes along x and y.
 bool wfvCoverage(WfvRay ray, vec3 e, mat2x3 pixel, bool rim)
 {
-  vec3 x = abs(wfvEdgesAt(pixel[0]));
-  vec3 y = abs(wfvEdgesAt(pixel[1]));
-  vec3 widening = wfvWidening(e, x + y);
+  vec3 x = wfvEdgesAt(pixel[0]);
+  vec3 y = wfvEdgesAt(pixel[1]);
+  vec3 toChords = wfvToChords(e, x, y);
   if (wfvSamples <= 1)
   {
-    return wfvAllInside(e + widening) && ray.inside;
+    return wfvAllInside(e, toChords) && ray.inside;
   }
-  vec3 reach = WFV_PIXEL_SAFETY * WFV_SAMPLE_REACH * (x + y);
-  vec3 near = e + widening;
-  bool certain = !rim && all(greaterThan(abs(near), reach));
-  int mask = certain && all(greaterThan(near, vec3(0.0))) ? -1 : 0;
+  vec3 reach = WFV_PIXEL_SAFETY * WFV_SAMPLE_REACH * (abs(x) + abs(y)) + abs(toChords);
+  bool certain = !rim && all(greaterThan(abs(e), reach));
+  int mask = certain && all(greaterThan(e, vec3(0.0))) ? -1 : 0;
   for (int i = 0; i < wfvSamples && !certain; i++)
   {
     WfvRay at = wfvRayAt(wfvSampleOffsets[i]);
-    mask |= at.inside && wfvAllInside(wfvEdgesAt(at.direction) + widening) ? 1 << i : 0;
+    mask |= at.inside && wfvAllInside(wfvEdgesAt(at.direction), toChords) ? 1 << i : 0;
   }
 #ifdef GL_ARB_sample_shading
   gl_SampleMask[0] = mask;

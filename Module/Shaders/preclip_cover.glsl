@@ -115,6 +115,22 @@ vec2 wfvPixel(vec3 p)
   return 0.5 * wfvViewport.zw * c.xy / c.w;
 }
 
+// For the fragment stage: where the chords are; of a triangle that reaches the seam, which
+// edges cross it (bits 16, 32, 64 of the mode) and which corners are on it (256, 512, 1024).
+void wfvPlaceCorners(bool seam)
+{
+  for (int i = 0; i < 3; i++)
+  {
+    wfvC[i] = wfvPixel(wfvP[i]);
+    vec3 p = wfvP[i == 2 ? 0 : i + 1];
+    vec3 q = wfvP[i == 0 ? 2 : i - 1];
+    bool crosses = (p.x < 0.0 && q.x > 0.0) || (p.x > 0.0 && q.x < 0.0);
+    wfvVertexMode += seam && crosses && wfvSeamPoint(p, q).z > 0.0 ? 16 << i : 0;
+    wfvVertexMode += seam && wfvP[i].x == 0.0 && wfvP[i].z > 0.0 ? 256 << i : 0;
+  }
+  wfvVertexMode += seam ? 128 : 0;
+}
+
 // A rectangle along the longest chord, grown by the reach of the edges: narrower than
 // one along the axes for what lies askew. False where the reach is unknown or large.
 bool wfvCoverNarrow(bool front)

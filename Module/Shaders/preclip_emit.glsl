@@ -18,7 +18,13 @@ flat out vec3 wfvEdge1;
 flat out vec3 wfvEdge2;
 flat out vec4 wfvPlane;  // the triangle's own plane: dot(xyz, p) = w
 flat out vec3 wfvSlack;  // pixels by which edge i is widened to meet its chord; < 0: none
-flat out int wfvMode;    // bits: 1 covered, 2 4 8 a tie on edge i is inside
+#if !WFV_EXACT
+flat out vec4 wfvCorners01; // corners in the picture, see chord_fragment.glsl
+flat out vec2 wfvCorner2;
+#endif
+flat out int wfvMode;    // bits: 1 covered, more in wfvPlaceCorners
+
+const int WFV_COVERED = 1;
 
 // Pixels added round a covering shape, for the rounding of its own bounds.
 const float WFV_PAD = 1.5;
@@ -34,6 +40,7 @@ int wfvVertexMode;
 vec3 wfvN[3];
 vec4 wfvT;
 vec3 wfvS;
+vec2 wfvC[3]; // corners in the picture
 float wfvReach; // pixels: how far the edges surely stay from their chords
 int wfvEmitted;
 
@@ -50,6 +57,10 @@ void wfvEmit(vec4 position, vec3 bary)
     wfvEdge2 = wfvN[2];
     wfvPlane = wfvT;
     wfvSlack = wfvS;
+#if !WFV_EXACT
+    wfvCorners01 = vec4(wfvC[0], wfvC[1]);
+    wfvCorner2 = wfvC[2];
+#endif
     wfvMode = wfvVertexMode;
     wfvWriteCorners();
     gl_PrimitiveID = gl_PrimitiveIDIn;

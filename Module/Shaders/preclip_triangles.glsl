@@ -109,13 +109,6 @@ bool wfvMustCover(float facing)
 #endif
 }
 
-// Bits of wfvMode of a covered triangle: on which edges a tie is inside.
-int wfvCoverMode(bool back)
-{
-  return 1 + (wfvOrdered(wfvP[1], wfvP[2]) == back ? 2 : 0) +
-    (wfvOrdered(wfvP[2], wfvP[0]) == back ? 4 : 0) + (wfvOrdered(wfvP[0], wfvP[1]) == back ? 8 : 0);
-}
-
 void wfvEmitSides(bool seam)
 {
 #if WFV_MERIDIAN
@@ -155,7 +148,8 @@ void main()
   // wfvMustCover also prepares the covering: it runs wherever one may follow
   if ((tear || !easy) && (wfvMustCover(facing) || tear))
   {
-    wfvVertexMode = wfvCoverMode(facing > 0.0);
+    wfvVertexMode = WFV_COVERED;
+    wfvPlaceCorners(seam);
     if (seam || !wfvCoverNarrow(facing < 0.0))
     {
       wfvCover(facing < 0.0, facing);

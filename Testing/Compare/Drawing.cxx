@@ -4,6 +4,7 @@
 #include "vtkWideFoVCamera.h"
 #include "vtkWideFoVDataPass.h"
 #include "vtkWideFoVPass.h"
+#include "vtkWideFoVPolyDataMapper.h"
 #include "vtkWideFoVRenderer.h"
 
 #include <vtkActor.h>
@@ -27,6 +28,7 @@ struct Drawing::Internals
   vtkNew<vtkWideFoVPass> Pass;
   vtkNew<vtkWideFoVDataPass> Data;
   vtkNew<vtkPolyDataMapper> Mapper;
+  vtkNew<vtkWideFoVPolyDataMapper> WideMapper; // for the technique no stock mapper has
   vtkNew<vtkActor> Actor;
   std::unique_ptr<View> LastView;
 };
@@ -52,6 +54,7 @@ Drawing::~Drawing() = default;
 void Drawing::SetMesh(vtkPolyData* mesh)
 {
   this->Internal->Mapper->SetInputData(mesh);
+  this->Internal->WideMapper->SetInputData(mesh);
 }
 
 vtkPolyData* Drawing::GetMesh() const
@@ -66,7 +69,10 @@ void Drawing::SetTolerance(double pixels)
 
 void Drawing::SetTechnique(int technique)
 {
-  this->Internal->Pass->SetTechnique(technique);
+  Internals& in = *this->Internal;
+  in.Pass->SetTechnique(technique);
+  const bool wide = technique == vtkWideFoVPass::TESSELLATE;
+  in.Actor->SetMapper(wide ? in.WideMapper.Get() : in.Mapper.Get());
 }
 
 reference::DrawnPicture Drawing::Draw(const Shot& s)
@@ -108,6 +114,11 @@ reference::Pose Drawing::GetPose() const
 int Drawing::GetNumberOfPreClipDraws() const
 {
   return this->Internal->Pass->GetNumberOfPreClipDraws();
+}
+
+int Drawing::GetNumberOfTessellateDraws() const
+{
+  return this->Internal->Pass->GetNumberOfTessellateDraws();
 }
 
 std::string Describe(const Shot& s)

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Fragment side of the pre-clip: where a covered triangle meets one drawn with chords.
+//
+// Both must end at the same line. An edge that neighbours draw as a chord therefore ends
+// the covered triangle at that chord too, found from the same two corners in the picture.
+
+#if !WFV_EXACT
+flat in vec4 wfvCorners01; // corners 0 and 1 in the picture, pixels from the tile's centre
+flat in vec2 wfvCorner2;
+#endif
+
+// How far, in pixels, a rasterizer snaps its vertices: a chord is widened by so much.
+const float WFV_SNAP = 1.0 / 128.0;
+
+// Pixels: shorter chords are points.
+const float WFV_SHORT = 0.01;
+
+// Times the sampled distance of an edge from its chord, and pixels: farther from either,
+// nothing lies between the two.
+const float WFV_LENS_SAFETY = 2.0;
+const float WFV_LENS_PAD = 0.02;
+
+// A ray that lies in the plane of an edge is decided as if it were shifted by a hair along
+// x, by less along y and by less again along z: the same shift for every edge, so what is
+// shown there is what the shifted ray sees, and neighbours still decide apart.
+bool wfvInside(float e, vec3 plane)
+{
+  vec3 n = wfvPlane.w > 0.0 ? plane : -plane;
+  float shifted = n.x != 0.0 ? n.x : (n.y != 0.0 ? n.y : n.z);
+  return e > 0.0 || (e == 0.0 && shifted > 0.0);
+}
+
+#if !WFV_EXACT
+// This pixel, from the tile's centre as the corners are.
+vec2 wfvHere()
+{
+  return gl_FragCoord.xy - wfvViewport.xy - 0.5 * wfvViewport.zw;
+}
+
+// What to add to the function e of an edge, whose slope per pixel this is, to have that of
+// the chord from a to b; 0 where the chord does not decide.
+float wfvToChord(float e, vec2 slope, float slack, vec2 a, vec2 b)
+{
+  float steep = length(slope);
+  vec2 chord = b - a;
+  float l = length(chord);
+  vec2 at = wfvHere() - a;
+  float along = dot(at, chord) / max(l * l, 1e-12);
+  float beside = (chord.x * at.y - chord.y * at.x) / max(l, 1e-6);
+  float inside = dot(vec2(-chord.y, chord.x), slope) < 0.0 ? -beside : beside;
+  float reach = WFV_LENS_SAFETY * slack + WFV_LENS_PAD;
+  bool decides = slack >= 0.0 && l > WFV_SHORT && along >= 0.0 && along <= 1.0 &&
+    abs(beside) <= reach && abs(e) <= reach * steep;
+  return decides ? (inside + WFV_SNAP) * steep - e : 0.0;
+}
+
+// wfvMode of a triangle that reaches the seam.
+const int WFV_AT_SEAM = 128;
+
+// The chord of edge i from corner a to corner b, numbers 0, 1, 2. At a straight seam it has
+// two parts, which end where the edge crosses; this pixel's side has one of them, if any.
+float wfvToChordOf(int i, vec3 plane, float e, vec2 slope, float slack, vec2 a, vec2 b)
+{
+#if WFV_MERIDIAN && WFV_STRAIGHT_SEAM
+  if ((wfvMode & WFV_AT_SEAM) != 0)
+  {
+    vec2 half_ = 0.5 * wfvViewport.zw;
+    vec2 centre = half_ * wfvTile.zw;
+    float side = wfvHere().x < centre.x ? -1.0 : 1.0;
+    int j = i == 2 ? 0 : i + 1;
+    int k = i == 0 ? 2 : i - 1;
+    // a corner on the seam is on both sides
+    a.x = (wfvMode & (256 << j)) != 0 ? centre.x + side * abs(a.x - centre.x) : a.x;
+    b.x = (wfvMode & (256 << k)) != 0 ? centre.x + side * abs(b.x - centre.x) : b.x;
+    bool hereA = (a.x - centre.x) * side >= 0.0;
+    bool hereB = (b.x - centre.x) * side >= 0.0;
+    bool crosses = (wfvMode & (16 << i)) != 0;
+    if (!crosses && !(hereA && hereB))
+    {
+      return 0.0;
+    }
+    float latitude = wfvAtan2(plane.y > 0.0 ? -plane.z : plane.z, abs(plane.y));
+    vec2 seam = centre + half_ * wfvTile.xy * wfvMap(vec2(side * WFV_PI, latitude), wfvView);
+    a = hereA ? a : seam;
+    b = hereB ? b : seam;
+  }
+#endif
+  return wfvToChord(e, slope, slack, a, b);
+}
+#endif
+
+// What to add to the edge functions e, whose slopes per pixel are dx and dy, to have those
+// of the chords; 0 where no chord decides.
+vec3 wfvToChords(vec3 e, vec3 dx, vec3 dy)
+{
+#if WFV_EXACT
+  return vec3(0.0);
+#else
+  vec2 c0 = vec2(wfvCorners01.x, wfvCorners01.y);
+  vec2 c1 = vec2(wfvCorners01.z, wfvCorners01.w);
+  vec2 c2 = wfvCorner2;
+  return vec3(wfvToChordOf(0, wfvEdge0, e.x, vec2(dx.x, dy.x), wfvSlack.x, c1, c2),
+    wfvToChordOf(1, wfvEdge1, e.y, vec2(dx.y, dy.y), wfvSlack.y, c2, c0),
+    wfvToChordOf(2, wfvEdge2, e.z, vec2(dx.z, dy.z), wfvSlack.z, c0, c1));
+#endif
+}
+
+// Inside the three edges, or not, turned round in every lens between an edge and its chord
+// that holds the sample. So each sample is in an odd number of the triangles round it,
+// even where a thin triangle has no three chords round it.
+bool wfvAllInside(vec3 e, vec3 toChords)
+{
+  bvec3 edge =
+    bvec3(wfvInside(e.x, wfvEdge0), wfvInside(e.y, wfvEdge1), wfvInside(e.z, wfvEdge2));
+#if WFV_EXACT
+  return all(edge);
+#else
+  vec3 c = e + toChords;
+  bool turned = (wfvInside(c.x, wfvEdge0) != edge.x) ^^ (wfvInside(c.y, wfvEdge1) != edge.y) ^^
+    (wfvInside(c.z, wfvEdge2) != edge.z);
+  return all(edge) ^^ turned;
+#endif
+}

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The rays of a fragment: of its centre, of its samples, and how the direction changes
+// from pixel to pixel.
+
+// Where a sample lies inside a pixel, from its centre, pixels; one sample: the centre.
+uniform int wfvSamples;
+uniform vec2 wfvSampleOffsets[16];
+
+// The ray so many pixels beside the centre of the fragment.
+WfvRay wfvRayAt(vec2 offset)
+{
+  vec2 ndc = 2.0 * (gl_FragCoord.xy + offset - wfvViewport.xy) / wfvViewport.zw - 1.0;
+  return wfvUnproject((ndc - wfvTile.zw) / wfvTile.xy, wfvView);
+}
+
+// The change of direction per pixel along one axis, by the ray of the next pixel or, where
+// that is outside the map, of the one before.
+vec3 wfvRayStep(WfvRay ray, vec2 axis)
+{
+  WfvRay next = wfvRayAt(axis);
+  WfvRay before = wfvRayAt(-axis);
+  return next.inside ? next.direction - ray.direction : ray.direction - before.direction;
+}
+
+// The change of direction per pixel along x and y. rim: the four pixels of this quad are
+// not all inside the map, so the differences between them say nothing.
+mat2x3 wfvRaySteps(WfvRay ray, out bool rim)
+{
+  float inside = ray.inside ? 0.0 : 1.0;
+  vec3 x = dFdx(ray.direction);
+  vec3 y = dFdy(ray.direction);
+  rim = inside + abs(dFdx(inside)) + abs(dFdy(inside)) > 0.0;
+  if (rim)
+  {
+    x = wfvRayStep(ray, vec2(1.0, 0.0));
+    y = wfvRayStep(ray, vec2(0.0, 1.0));
+  }
+  return mat2x3(x, y);
+}

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tessellation: how finely each edge of a triangle is cut, and where.
+//
+// An edge is measured in WFV_INTERVALS intervals, from its lexicographically first end to
+// its second, so that both triangles at an edge find the same numbers: how far, in pixels,
+// the picture of the middle of an interval lies from the middle of its chord. That holds
+// the bend and the shift along the chord, hence the error of attributes and depth too. An
+// interval counts with the square root of its error, and the pieces are shared out by that
+// count: short ones where an edge passes a pole or the antipode, long ones where the map is
+// nearly flat.
+
+layout(vertices = 3) out;
+
+patch out vec4 wfvSteps[6]; // of edge i (opposite to corner i): two vectors, see wfvMeasure
+out float wfvMost[]; // pieces that an edge, or the line beside it, asks for
+
+const int WFV_INTERVALS = 8;
+
+uniform float wfvMaxLevel; // 64, which every OpenGL has, or less
+
+// Share of the tolerance that a piece may use up: the pre-clip measures it again, with
+// its own safety, and covers by rays what exceeds the tolerance.
+const float WFV_PIECE_SHARE = 0.6;
+
+// Most pieces that one interval may ask for: past that its pieces go exact.
+const float WFV_INTERVAL_PIECES = 16.0;
+
+// Most pieces of an interval next to a pole or the antipode, whose pieces the pre-clip
+// covers anyway.
+const float WFV_SINGULAR_PIECES = 3.0;
+
+// Every interval counts at least this share of the mean, which keeps the places apart.
+const float WFV_LEAST_SHARE = 0.05;
+
+// NDC beyond the picture by which an interval counts as unseen.
+const float WFV_SEEN = 1.1;
+
+float wfvAzimuth = 0.0; // of the point before, for continuing across the seam
+
+// Place in the picture, pixels from its centre; longitudes go on across the seam.
+vec2 wfvPlace(vec3 p)
+{
+  vec2 half_ = 0.5 * wfvViewport.zw * wfvTile.xy;
+#if WFV_MERIDIAN
+  vec2 angles = wfvMeridianAngles(p);
+  wfvAzimuth = wfvAzimuth + wfvWrap(angles.x - wfvAzimuth);
+  return half_ * wfvMap(vec2(wfvAzimuth, angles.y), wfvView);
+#else
+  return half_ * wfvProject(p, wfvView);
+#endif
+}
+
+// Angle of one pixel near the centre of the picture, radians.
+float wfvPixelAngle()
+{
+  vec2 pixels = 0.5 * wfvViewport.zw * wfvTile.xy;
+  return min(wfvView.halfFov.x / pixels.x, wfvView.halfFov.y / pixels.y);
+}
+
+// Pieces that the chord from a to b asks for: m is the picture of the middle, fall the
+// relative difference of the distances of its ends. A shift along the chord shows a wrong
+// distance; where the surface runs away from the eye it counts as much as a shift across
+// a surface at 45 degrees would.
+float wfvPieces(vec2 a, vec2 m, vec2 b, float fall)
+{
+  vec2 error = m - 0.5 * (a + b);
+  vec2 chord = b - a;
+  float along = abs(dot(error, chord)) / max(dot(chord, chord), 1e-12);
+  float pixels = max(length(error), along * fall / wfvPixelAngle());
+  return sqrt(pixels / (WFV_PIECE_SHARE * wfvTolerance));
+}
+
+bool wfvUnseen(vec2 a, vec2 b)
+{
+  vec2 rim = WFV_SEEN * 0.5 * wfvViewport.zw * wfvTile.xy;
+  return min(a.x, b.x) > rim.x || max(a.x, b.x) < -rim.x || min(a.y, b.y) > rim.y ||
+    max(a.y, b.y) < -rim.y;
+}
+
+// How many pieces the interval from a to b (unit vectors; la and lb from the eye) asks for;
+// at and to are the pictures of its ends.
+float wfvCount(vec3 a, vec3 b, vec2 at, vec2 middle, vec2 to, float fall)
+{
+  if (wfvUnseen(at, to))
+  {
+    return 0.0;
+  }
+  float pieces = wfvPieces(at, middle, to, fall);
+  float most = wfvNearsSingularity(a, b) ? WFV_SINGULAR_PIECES : WFV_INTERVAL_PIECES;
+  return pieces >= 0.0 ? min(pieces, most) : most; // not a number: as many as may be
+}
+
+// The pieces that the edge asks for. steps[k] is the share of them before the end of
+// interval k.
+float wfvMeasure(vec3 p, vec3 q, out float steps[WFV_INTERVALS])
+{
+  bool ordered = wfvOrdered(p, q);
+  vec3 a = ordered ? p : q;
+  vec3 b = ordered ? q : p;
+  float la = max(wfvLength(a), 1e-30);
+  float lb = max(wfvLength(b), 1e-30);
+  a = a / la;
+  b = b / lb;
+  float counts[WFV_INTERVALS];
+  float sum = 0.0;
+  wfvAzimuth = 0.0;
+  vec3 here = a;
+  vec2 at = wfvPlace(a);
+  float rho = la;
+  for (int k = 0; k < WFV_INTERVALS; k++)
+  {
+    float middle = (float(k) + 0.5) / float(WFV_INTERVALS);
+    float end = float(k + 1) / float(WFV_INTERVALS);
+    vec2 m = wfvPlace(mix(a, b, middle));
+    vec3 next = mix(a, b, end);
+    vec2 to = wfvPlace(next);
+    float further = length(next) / ((1.0 - end) / la + end / lb);
+    float fall = abs(further - rho) / max(min(further, rho), 1e-30);
+    counts[k] = wfvCount(normalize(here), normalize(next), at, m, to, fall);
+    sum += counts[k];
+    here = next;
+    at = to;
+    rho = further;
+  }
+  float least = WFV_LEAST_SHARE * sum / float(WFV_INTERVALS) + 1e-6;
+  float total = sum + least * float(WFV_INTERVALS);
+  float before = 0.0;
+  for (int k = 0; k < WFV_INTERVALS; k++)
+  {
+    before += counts[k] + least;
+    steps[k] = before / total;
+  }
+  return sum;
+}
+
+float wfvLevel(float pieces)
+{
+  return clamp(ceil(pieces), 1.0, wfvMaxLevel);
+}
+
+// One edge's answers, by constant indices: where each invocation writes an element of its
+// own, llvmpipe 22.3 writes them all to one.
+void wfvAnswer(float pieces, vec4 first, vec4 second)
+{
+  float level = wfvLevel(pieces);
+  if (gl_InvocationID == 0)
+  {
+    gl_TessLevelOuter[0] = level;
+    wfvSteps[0] = first;
+    wfvSteps[1] = second;
+  }
+  else if (gl_InvocationID == 1)
+  {
+    gl_TessLevelOuter[1] = level;
+    wfvSteps[2] = first;
+    wfvSteps[3] = second;
+  }
+  else
+  {
+    gl_TessLevelOuter[2] = level;
+    wfvSteps[4] = first;
+    wfvSteps[5] = second;
+  }
+}
+
+void main()
+{
+  gl_out[gl_InvocationID].gl_Position = gl_in[gl_InvocationID].gl_Position;
+  wfvPass();
+  vec3 p[3];
+  for (int i = 0; i < 3; i++)
+  {
+    int from = (gl_InvocationID + i) % 3;
+    p[i] = wfvTilt(gl_in[from].gl_Position.xyz, wfvView) / wfvScale();
+  }
+  float steps[WFV_INTERVALS];
+  float pieces = wfvMeasure(p[1], p[2], steps);
+  wfvAnswer(pieces, vec4(steps[0], steps[1], steps[2], steps[3]),
+    vec4(steps[4], steps[5], steps[6], steps[7]));
+  // the line halfway between this edge and the corner opposite to it
+  vec3 corner = normalize(p[0]);
+  float middle = 2.0 * wfvMeasure(normalize(p[1]) + corner, normalize(p[2]) + corner, steps);
+  wfvMost[gl_InvocationID] = max(pieces, middle);
+  barrier();
+  if (gl_InvocationID == 0)
+  {
+    gl_TessLevelInner[0] = wfvLevel(max(wfvMost[0], max(wfvMost[1], wfvMost[2])));
+  }
+}

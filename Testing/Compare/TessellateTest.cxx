@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The technique tessellate on coarse meshes against the ray caster: no pixel farther from
+// the truth than the tolerance that was asked for.
+#include "DrawingTest.h"
+#include "Meshes.h"
+#include "Poses.h"
+#include "vtkWideFoVPass.h"
+
+#include <vtkPolyData.h>
+
+#include <iostream>
+
+using namespace wfv;
+using namespace wfv::test;
+
+namespace
+{
+const double Tolerances[] = { 0.05, 0.25, 1 }; // pixels
+
+struct Mesh
+{
+  const char* Name;
+  vtkSmartPointer<vtkPolyData> Data;
+};
+
+std::vector<Mesh> CoarseMeshes()
+{
+  return { { "room of 12", MakeRoom(1) }, { "room of 16 cells a side", MakeRoom(16) },
+    { "globe of 32", MakeGlobe(2) } };
+}
+
+void CheckShot(Drawing& drawing, Shot shot, const std::string& scene, double tolerance)
+{
+  drawing.SetTolerance(tolerance);
+  const reference::DrawnPicture picture = drawing.Draw(shot);
+  ASSERT_EQ(picture.Width, shot.Width) << "nothing was drawn: " << Describe(shot);
+  EXPECT_EQ(drawing.GetNumberOfTessellateDraws(), 1);
+  const reference::RayCaster caster(drawing.GetMesh(), drawing.GetView(), drawing.GetPose());
+  const reference::Metrics m = reference::Compare(picture, caster, tolerance);
+  char text[40];
+  std::snprintf(text, sizeof text, ", t %g", tolerance);
+  std::cout << Row(shot, scene + text, m) << std::endl;
+  EXPECT_EQ(m.UnexplainedPixels, 0) << scene << text << "\n  " << Describe(shot) << "\n"
+                                    << Details(shot, drawing.GetView(), m);
+}
+}
+
+class Tessellate : public DrawingTest
+{
+protected:
+  void SetUp() override
+  {
+    if (FindProjection(this->GetParam())->Axis == Family::Planar)
+    {
+      GTEST_SKIP() << "the stock mapper draws it";
+    }
+    Picture->SetTechnique(vtkWideFoVPass::TESSELLATE);
+  }
+};
+
+TEST_P(Tessellate, KeepsTheTolerance)
+{
+  for (const Mesh& mesh : CoarseMeshes())
+  {
+    Picture->SetMesh(mesh.Data);
+    for (const NamedPose& pose : PlainPoses())
+    {
+      for (double tolerance : Tolerances)
+      {
+        Shot shot = MakeShot(this->GetParam(), 360, pose);
+        CheckShot(*Picture, shot, std::string(mesh.Name) + ", " + pose.Name, tolerance);
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  All, Tessellate, ::testing::ValuesIn(ProjectionNames()), DrawingTest::NameOf);
