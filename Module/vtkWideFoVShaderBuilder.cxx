@@ -125,10 +125,10 @@ std::string ViewSource(const Request& r)
   return "#define WFV_FN\n" + Define("WFV_NEWTON_STEPS", NewtonSteps) +
     Define("WFV_MERIDIAN", meridian) + Define("WFV_STRAIGHT_SEAM", r.Projection->StraightSeam) +
     Define("WFV_EXACT", r.Stage == vtkWideFoVShaderBuilder::Variant::Exact) +
-    Define("WFV_WIDE_LINES", r.WideLines) + Define("WFV_EDGES", r.Edges) +
-    Define("WFV_EDGE_FLAGS", r.EdgeFlags) + "#define WFV_ANGLES " +
-    (meridian ? "wfvMeridianAngles" : "wfvAzimuthalAngles") + "\n" + wfv::MathGlsl() +
-    wfv::CommonGlsl() + r.Projection->Glsl + interface_glsl;
+    Define("WFV_WIDE_LINES", r.WideLines) + Define("WFV_EDGES", r.Edges || r.DebugView) +
+    Define("WFV_EDGE_FLAGS", r.EdgeFlags) + Define("WFV_DEBUG_VIEW", r.DebugView) +
+    "#define WFV_ANGLES " + (meridian ? "wfvMeridianAngles" : "wfvAzimuthalAngles") + "\n" +
+    wfv::MathGlsl() + wfv::CommonGlsl() + wfv::DepthGlsl() + r.Projection->Glsl + interface_glsl;
 }
 
 // How the picture of a triangle is covered, one file a family.
@@ -236,10 +236,36 @@ void TakeFromEye(std::string& vertex)
   }
 }
 
+bool CoversTriangles(const Request& r)
+{
+  return vtkWideFoVShaderBuilder::NeedsGeometryStage(r) && r.Kind == Primitive::Triangles;
+}
+
+// Depth by wfvDepth instead of the rasterizer's; returns what main begins with.
+std::string RewriteDepth(std::string& fragment)
+{
+  ReplaceAll(fragment, "gl_FragCoord.z", "wfvDepth");
+  // the stock template names gl_FragDepth in a comment; only a value given counts
+  static const std::regex setsDepth(R"(gl_FragDepth\s*=)");
+  return std::regex_search(fragment, setsDepth) ? "" : "  gl_FragDepth = wfvDepth;\n";
+}
+
+// What the debug view adds to the fragment stage.
+std::string DebugSource(const Request& r)
+{
+  if (!r.DebugView)
+  {
+    return "";
+  }
+  const bool triangles = r.Kind == Primitive::Triangles;
+  return Define("WFV_DEBUG_TRIANGLES", CoversTriangles(r)) + "#define WFV_DEBUG_KIND " +
+    (triangles ? "WFV_KIND_VERTEX" : "WFV_KIND_OTHER") + "\n" + debug_kinds_glsl +
+    debug_fragment_glsl;
+}
+
 void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
 {
-  const bool triangles =
-    vtkWideFoVShaderBuilder::NeedsGeometryStage(r) && r.Kind == Primitive::Triangles;
+  const bool triangles = CoversTriangles(r);
   const bool round = r.Projection->Axis == wfv::Family::Azimuthal;
   std::string declarations;
   std::string before;
@@ -251,21 +277,27 @@ void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std:
       std::string(ray_fragment_glsl) + cover_fragment_glsl + TriangleInputs(varyings);
     before = "  wfvPrepare();\n";
     after = "  if (wfvHide) { discard; }\n";
-    ReplaceAll(fragment, "gl_FragCoord.z", "wfvDepth");
     ReplaceAll(fragment, "gl_FrontFacing", "wfvFront");
-    // the stock template names gl_FragDepth in a comment; only a value given counts
-    static const std::regex setsDepth(R"(gl_FragDepth\s*=)");
-    before += std::regex_search(fragment, setsDepth) ? "" : "  gl_FragDepth = wfvDepth;\n";
+    before += RewriteDepth(fragment);
+  }
+  else if (r.FragmentDepth)
+  {
+    declarations = depth_fragment_glsl;
+    before = "  wfvPrepareDepth();\n" + RewriteDepth(fragment);
   }
   if (round)
   {
     declarations += domain_fragment_glsl;
     after += "  if (wfvOutsideDomain()) { discard; }\n";
   }
+  declarations += DebugSource(r);
   RewriteLights(fragment);
-  if (!after.empty())
+  if (!before.empty() || !after.empty())
   {
     vtkWideFoVShaderBuilder::WrapMain(fragment, before, after);
+  }
+  if (!declarations.empty())
+  {
     // for gl_SampleMask; without it a covered pixel is covered whole
     const std::string extension = "#extension GL_ARB_sample_shading : enable\n";
     vtkWideFoVShaderBuilder::Declare(
@@ -305,6 +337,16 @@ void vtkWideFoVShaderBuilder::Declare(std::string& source, const std::string& te
 void vtkWideFoVShaderBuilder::Prepare(
   const Request& r, std::string& geometry, std::string& fragment)
 {
+  if (r.DebugView)
+  {
+    // in place of the surface's own colour, before light falls on it; textures stay out
+    ReplaceAll(fragment, "//VTK::Light::Impl",
+      "  diffuseColor = wfvDebugColor();\n"
+      "  ambientColor = WFV_DEBUG_AMBIENT * diffuseColor;\n"
+      "  diffuseColor -= ambientColor;\n"
+      "  //VTK::Light::Impl");
+    ReplaceAll(fragment, "//VTK::TCoord::Impl", "");
+  }
   if (!NeedsGeometryStage(r))
   {
     return;
@@ -328,14 +370,21 @@ void vtkWideFoVShaderBuilder::Finish(
     FlattenArrays(vertex, fragment);
   }
   TakeFromEye(vertex);
+  if (r.FragmentDepth && !CoversTriangles(r))
+  {
+    WrapMain(vertex, "", "  wfvPlaceVSOutput = gl_Position.xyz;\n");
+    Declare(vertex, depth_vertex_glsl);
+  }
   const std::vector<Varying> varyings = FindVaryings(vertex);
   if (NeedsGeometryStage(r))
   {
     const bool lines = r.Kind == Primitive::Lines;
     geometry = "//VTK::System::Dec\n" + ViewSource(r) + preclip_glsl +
+      (r.DebugView ? debug_kinds_glsl : "") +
       (lines ? LineOutputs(varyings) + preclip_lines_glsl
              : TriangleOutputs(varyings) + preclip_emit_glsl + preclip_cover_glsl +
-            CoverSource(*r.Projection) + preclip_triangles_glsl);
+            CoverSource(*r.Projection) + (r.DebugView ? preclip_kinds_glsl : "") +
+            preclip_triangles_glsl);
   }
   else
   {

@@ -106,7 +106,8 @@ bool MeetsDiscontinuity(
 void vtkWideFoVStage::SetView(vtkRenderer* renderer, vtkWideFoVCamera* camera, double tolerance)
 {
   const wfv::View& view = camera->GetView(renderer->GetTiledAspectRatio());
-  if (&view.GetProjection() != this->Projection)
+  if (&view.GetProjection() != this->Projection ||
+    view.GetParameters().depthMapping != this->View.depthMapping)
   {
     this->Projection = &view.GetProjection();
     this->SourceTime.Modified();
@@ -147,6 +148,8 @@ vtkWideFoVShaderBuilder::Request vtkWideFoVStage::MakeRequest(
   vtkWideFoVShaderBuilder::Request request;
   request.Projection = this->Projection;
   request.Stage = this->Variant;
+  request.DebugView = this->DebugView;
+  request.FragmentDepth = this->View.depthMapping != wfv::WFV_DEPTH_LINEAR;
   auto* polydata = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
   auto* actor = vtkActor::SafeDownCast(prop);
   if (polydata && actor && this->Renderer)
@@ -195,6 +198,7 @@ bool vtkWideFoVStage::SetShaderParameters(
   program->SetUniform4f("wfvView.lens", lens);
   program->SetUniformf("wfvView.lens5", static_cast<float>(v.lens5));
   program->SetUniformf("wfvView.maxAngle", static_cast<float>(v.maxAngle));
+  program->SetUniformi("wfvView.depthMapping", v.depthMapping);
   program->SetUniform4f("wfvTile", this->Tile);
   program->SetUniformf("wfvTolerance", this->Tolerance);
   program->SetUniformi("wfvHeadlights", this->Headlights);
@@ -263,6 +267,14 @@ void vtkWideFoVStages::Begin(
     stage->SetView(renderer, camera, tolerance);
     stage->SetClipless(technique == vtkWideFoVPass::VERTEX);
     stage->ResetNumberOfDraws();
+  }
+}
+
+void vtkWideFoVStages::SetDebugView(bool debugView)
+{
+  for (vtkWideFoVStage* stage : { this->Plain.Get(), this->PreClip.Get(), this->Exact.Get() })
+  {
+    stage->SetDebugView(debugView);
   }
 }
 

@@ -156,6 +156,9 @@ void main()
   if ((tear || !easy) && (wfvMustCover(facing) || tear))
   {
     wfvVertexMode = wfvCoverMode(facing > 0.0);
+#if WFV_DEBUG_VIEW
+    wfvVertexMode += WFV_KIND_UNIT * wfvCoverKind(tear, facing);
+#endif
     if (seam || !wfvCoverNarrow(facing < 0.0))
     {
       wfvCover(facing < 0.0, facing);
@@ -163,5 +166,8 @@ void main()
     return;
   }
   wfvVertexMode = 0;
+#if WFV_DEBUG_VIEW
+  wfvVertexMode += WFV_KIND_UNIT * wfvSplitKind(seam);
+#endif
   wfvEmitSides(seam);
 }
