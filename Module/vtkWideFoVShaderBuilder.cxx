@@ -266,7 +266,6 @@ std::string DebugSource(const Request& r)
 void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
 {
   const bool triangles = CoversTriangles(r);
-  const bool round = r.Projection->Axis == wfv::Family::Azimuthal;
   std::string declarations;
   std::string before;
   std::string after;
@@ -285,7 +284,7 @@ void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std:
     declarations = depth_fragment_glsl;
     before = "  wfvPrepareDepth();\n" + RewriteDepth(fragment);
   }
-  if (round)
+  if (r.Projection->Axis == wfv::Family::Azimuthal)
   {
     declarations += domain_fragment_glsl;
     after += "  if (wfvOutsideDomain()) { discard; }\n";
