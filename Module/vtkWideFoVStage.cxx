@@ -100,6 +100,25 @@ bool MeetsDiscontinuity(
   const double cap = std::tan(vtkMath::RadiansFromDegrees(AntipodeCap));
   return NearestInPlane(low[0], high[0], low[1], high[1]) <= cap * std::max(high[2], 0.0);
 }
+
+// The uniform wfvView.
+void SetViewParameters(vtkShaderProgram* program, const wfv::WfvView& v)
+{
+  const auto set2 = [program](const char* name, const wfv::vec2& v) {
+    const float f[2] = { static_cast<float>(v.x), static_cast<float>(v.y) };
+    program->SetUniform2f(name, f);
+  };
+  set2("wfvView.halfFov", v.halfFov);
+  set2("wfvView.scale", v.scale);
+  set2("wfvView.tilt", v.tilt);
+  set2("wfvView.radii", v.radii);
+  const float lens[4] = { static_cast<float>(v.lens.x), static_cast<float>(v.lens.y),
+    static_cast<float>(v.lens.z), static_cast<float>(v.lens.w) };
+  program->SetUniform4f("wfvView.lens", lens);
+  program->SetUniformf("wfvView.lens5", static_cast<float>(v.lens5));
+  program->SetUniformf("wfvView.maxAngle", static_cast<float>(v.maxAngle));
+  program->SetUniformi("wfvView.depthMapping", v.depthMapping);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -184,21 +203,7 @@ bool vtkWideFoVStage::PostReplaceShaderValues(std::string& vertexShader,
 bool vtkWideFoVStage::SetShaderParameters(
   vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop, vtkOpenGLVertexArrayObject*)
 {
-  const auto set2 = [program](const char* name, const wfv::vec2& v) {
-    const float f[2] = { static_cast<float>(v.x), static_cast<float>(v.y) };
-    program->SetUniform2f(name, f);
-  };
-  const wfv::WfvView& v = this->View;
-  set2("wfvView.halfFov", v.halfFov);
-  set2("wfvView.scale", v.scale);
-  set2("wfvView.tilt", v.tilt);
-  set2("wfvView.radii", v.radii);
-  const float lens[4] = { static_cast<float>(v.lens.x), static_cast<float>(v.lens.y),
-    static_cast<float>(v.lens.z), static_cast<float>(v.lens.w) };
-  program->SetUniform4f("wfvView.lens", lens);
-  program->SetUniformf("wfvView.lens5", static_cast<float>(v.lens5));
-  program->SetUniformf("wfvView.maxAngle", static_cast<float>(v.maxAngle));
-  program->SetUniformi("wfvView.depthMapping", v.depthMapping);
+  SetViewParameters(program, this->View);
   program->SetUniform4f("wfvTile", this->Tile);
   program->SetUniformf("wfvTolerance", this->Tolerance);
   program->SetUniformi("wfvHeadlights", this->Headlights);

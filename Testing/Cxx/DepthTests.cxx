@@ -103,7 +103,8 @@ TEST(Depth, ThePictureIsTheSameInEveryMappingAndInTheDebugView)
       Furnish(test.Renderer);
       // the automatic near sphere would leave REVERSED too few steps for the silhouettes
       test.Camera->SetClipRadii(0.1, 10);
-      test.Pass()->SetTechnique(technique);
+      vtkSmartPointer<vtkWideFoVPass> pass = test.Pass();
+      pass->SetTechnique(technique);
       vtkNew<vtkWideFoVDataPass> data;
       UseDataPass(test, data);
       test.Window->Render();
@@ -119,8 +120,12 @@ TEST(Depth, ThePictureIsTheSameInEveryMappingAndInTheDebugView)
         EXPECT_EQ(Different(Values(data->GetOutput(), "prop"), props), 0) << what << technique;
         EXPECT_EQ(Different(SurfaceCells(data->GetOutput()), cells), 0) << what << technique;
       }
+      if (technique != vtkWideFoVPass::AUTO)
+      {
+        continue; // its debug view is of one colour
+      }
       test.Camera->SetDepthMapping(vtkWideFoVCamera::LINEAR);
-      test.Pass()->DebugViewOn();
+      pass->DebugViewOn();
       test.Window->Render();
       EXPECT_EQ(Different(Values(data->GetOutput(), "prop"), props), 0) << projection << technique;
       EXPECT_EQ(Different(Values(data->GetOutput(), "cell"), all), 0) << projection << technique;
