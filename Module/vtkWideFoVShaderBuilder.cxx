@@ -266,14 +266,11 @@ std::string DebugSource(const Request& r)
 void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
 {
   const bool triangles = CoversTriangles(r);
-  std::string declarations;
-  std::string before;
-  std::string after;
+  std::string declarations, before, after;
   if (triangles)
   {
     RemoveInputs(fragment, varyings);
-    declarations =
-      std::string(ray_fragment_glsl) + cover_fragment_glsl + TriangleInputs(varyings);
+    declarations = std::string(ray_fragment_glsl) + cover_fragment_glsl + TriangleInputs(varyings);
     before = "  wfvPrepare();\n";
     after = "  if (wfvHide) { discard; }\n";
     ReplaceAll(fragment, "gl_FrontFacing", "wfvFront");
