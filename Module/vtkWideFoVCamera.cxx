@@ -77,6 +77,7 @@ void vtkWideFoVCamera::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "VerticalFieldOfView: " << o.VerticalFov << "\n"
      << indent << "Tilt: " << o.Tilt << "\n"
      << indent << "ClipRadii: " << o.Radii[0] << ", " << o.Radii[1] << "\n"
+     << indent << "DepthMapping: " << this->GetDepthMapping() << "\n"
      << indent << "AutomaticClipRadii: " << this->AutomaticClipRadii << "\n"
      << indent << "Lens:";
   for (double c : o.Lens)
@@ -218,6 +219,22 @@ void vtkWideFoVCamera::SetTilt(double degrees)
     this->Internal->Options.Tilt = v;
     this->Modified();
   }
+}
+
+void vtkWideFoVCamera::SetDepthMapping(int mapping)
+{
+  const auto v = static_cast<wfv::DepthMapping>(
+    std::clamp(mapping, static_cast<int>(LINEAR), static_cast<int>(REVERSED)));
+  if (v != this->Internal->Options.Mapping)
+  {
+    this->Internal->Options.Mapping = v;
+    this->Modified();
+  }
+}
+
+int vtkWideFoVCamera::GetDepthMapping()
+{
+  return static_cast<int>(this->Internal->Options.Mapping);
 }
 
 double vtkWideFoVCamera::GetTilt()

@@ -125,6 +125,31 @@ public:
   virtual void ResetClipRadii(const double bounds[6]);
 
   /**
+   * How depth grows with the distance rho from the eye, from the near to the far sphere.
+   * All of them grow, so that whatever of VTK compares, clears or reads depth goes on
+   * working; reversing the comparison itself is not possible in the stock passes, which
+   * set it themselves.
+   */
+  enum DepthMappings
+  {
+    LINEAR = 0,  ///< (rho - near) / (far - near): the same step everywhere
+    LOGARITHMIC, ///< log(rho / near) / log(far / near): steps in proportion to the distance
+    REVERSED     ///< linear in 1 / rho, as the depth of a perspective: finest nearby
+  };
+
+  ///@{
+  /**
+   * The depth mapping (default LINEAR). With the projection "perspective" depth is stock
+   * VTK's. The mappings other than LINEAR write depth in the fragment stage.
+   */
+  virtual void SetDepthMapping(int mapping);
+  virtual int GetDepthMapping();
+  void SetDepthMappingToLinear() { this->SetDepthMapping(LINEAR); }
+  void SetDepthMappingToLogarithmic() { this->SetDepthMapping(LOGARITHMIC); }
+  void SetDepthMappingToReversed() { this->SetDepthMapping(REVERSED); }
+  ///@}
+
+  /**
    * True unless the projection is "perspective", for which stock VTK serves.
    */
   bool IsWide();

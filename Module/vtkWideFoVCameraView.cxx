@@ -54,8 +54,8 @@ bool vtkWideFoVCamera::NDCToWorld(const double ndc[3], double aspect, double wor
   double origin[3];
   double direction[3];
   const bool inside = this->NDCToRay(ndc, aspect, origin, direction);
-  const std::array<double, 2>& radii = this->Internal->Options.Radii;
-  const double rho = radii[0] + 0.5 * (ndc[2] + 1) * (radii[1] - radii[0]);
+  const wfv::WfvView& view = this->GetView(aspect).GetParameters();
+  const double rho = wfv::wfvDistanceAt(0.5 * (ndc[2] + 1), view);
   for (int i = 0; i < 3; i++)
   {
     world[i] = origin[i] + rho * direction[i];

@@ -33,6 +33,7 @@ void vtkWideFoVPass::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Technique: " << this->Technique << "\n"
      << indent << "Tolerance: " << this->Tolerance << "\n"
+     << indent << "DebugView: " << this->DebugView << "\n"
      << indent << "DelegatePass: " << this->Internal->Delegate.Get() << "\n"
      << indent << "NumberOfPlainDraws: " << this->NumberOfPlainDraws << "\n"
      << indent << "NumberOfPreClipDraws: " << this->NumberOfPreClipDraws << "\n"
@@ -85,6 +86,7 @@ void vtkWideFoVPass::Render(const vtkRenderState* s)
   }
   camera->PrepareFrame(renderer);
   in.Stages.Begin(renderer, camera, this->Technique, this->Tolerance);
+  in.Stages.SetDebugView(this->DebugView != 0);
   const int count = s->GetPropArrayCount();
   vtkProp** props = s->GetPropArray();
   in.Chosen.resize(count);

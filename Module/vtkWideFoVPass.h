@@ -67,6 +67,17 @@ public:
 
   ///@{
   /**
+   * Colour every primitive by what happened to it (default off): let through as it is,
+   * split at the seam, covered because of a pole, exact, tessellated by level, of a prop
+   * without a geometry stage. Documentation/debug-view.md shows the colours.
+   */
+  vtkSetMacro(DebugView, vtkTypeBool);
+  vtkGetMacro(DebugView, vtkTypeBool);
+  vtkBooleanMacro(DebugView, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
    * The pass that draws the props; nullptr (the default) draws as a renderer without
    * passes does: opaque, translucent, volumetric, overlay.
    */
@@ -94,6 +105,7 @@ protected:
 
   int Technique = AUTO;
   double Tolerance = 0.25;
+  vtkTypeBool DebugView = 0;
   int NumberOfPlainDraws = 0;
   int NumberOfPreClipDraws = 0;
   int NumberOfExactDraws = 0;

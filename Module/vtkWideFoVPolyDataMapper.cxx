@@ -38,7 +38,8 @@ void vtkWideFoVPolyDataMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Technique: " << this->Technique << "\n"
-     << indent << "Tolerance: " << this->Tolerance << "\n";
+     << indent << "Tolerance: " << this->Tolerance << "\n"
+     << indent << "DebugView: " << this->DebugView << "\n";
 }
 
 void vtkWideFoVPolyDataMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
@@ -51,6 +52,7 @@ void vtkWideFoVPolyDataMapper::RenderPiece(vtkRenderer* renderer, vtkActor* acto
   }
   vtkWideFoVStages& stages = this->Internal->Stages;
   stages.Begin(renderer, camera, this->Technique, this->Tolerance);
+  stages.SetDebugView(this->DebugView != 0);
   vtkWideFoVStage* stage = stages.Choose(actor->GetBounds());
   vtkWideFoVStages::Attach(actor, stage);
   this->Superclass::RenderPiece(renderer, actor);

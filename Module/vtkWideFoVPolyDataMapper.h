@@ -27,13 +27,16 @@ public:
 
   ///@{
   /**
-   * As vtkWideFoVPass::SetTechnique (default vtkWideFoVPass::AUTO) and SetTolerance
-   * (default 0.25 pixels).
+   * As vtkWideFoVPass::SetTechnique (default vtkWideFoVPass::AUTO), SetTolerance
+   * (default 0.25 pixels) and SetDebugView (default off).
    */
   vtkSetClampMacro(Technique, int, 0, 4);
   vtkGetMacro(Technique, int);
   vtkSetClampMacro(Tolerance, double, 0.001, 1e6);
   vtkGetMacro(Tolerance, double);
+  vtkSetMacro(DebugView, vtkTypeBool);
+  vtkGetMacro(DebugView, vtkTypeBool);
+  vtkBooleanMacro(DebugView, vtkTypeBool);
   ///@}
 
   void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
@@ -48,6 +51,7 @@ protected:
 
   int Technique = 0;
   double Tolerance = 0.25;
+  vtkTypeBool DebugView = 0;
 
 private:
   vtkWideFoVPolyDataMapper(const vtkWideFoVPolyDataMapper&) = delete;

@@ -2,6 +2,7 @@
 #include "vtkWideFoVShaderBuilder.h"
 
 #include "WideFoVGlsl.h"
+#include "vtkWideFoVShaderArrays.h"
 
 #include <regex>
 #include <vector>
@@ -43,57 +44,6 @@ std::vector<Varying> FindVaryings(const std::string& vertex)
   return result;
 }
 
-// One array of floats between the stages as vectors of four.
-struct PackedArray
-{
-  std::string Outputs;
-  std::string Inputs;
-  std::string Pack;
-  std::string Unpack;
-};
-
-PackedArray PackArray(const std::string& name, int count, int number)
-{
-  PackedArray p;
-  for (int first = 0; first < count; first += 4)
-  {
-    const std::string vector =
-      "wfvArray" + std::to_string(number) + "_" + std::to_string(first / 4) + "VSOutput";
-    p.Outputs += "out vec4 " + vector + ";\n";
-    p.Inputs += "in vec4 " + vector + ";\n";
-    p.Pack += "  " + vector + " = vec4(";
-    for (int k = 0; k < 4; k++)
-    {
-      const std::string at = name + "[" + std::to_string(first + k) + "]";
-      p.Pack += (k ? ", " : "") + (first + k < count ? at : std::string("0.0"));
-      p.Unpack +=
-        first + k < count ? "  " + at + " = " + vector + "[" + std::to_string(k) + "];\n" : "";
-    }
-    p.Pack += ");\n";
-  }
-  return p;
-}
-
-// GLSL 1.50 has no arrays of arrays, so a geometry stage cannot take an array from each
-// vertex: arrays between the stages become vectors (scalars would use up the slots), and
-// arrays again where they are used.
-void FlattenArrays(std::string& vertex, std::string& fragment)
-{
-  static const std::regex array(R"(\bout\s+float\s+(\w+)\s*\[\s*(\d+)\s*\]\s*;)");
-  std::smatch m;
-  for (int i = 0; std::regex_search(vertex, m, array); i++)
-  {
-    const std::string name = m[1];
-    const std::string declaration = "float " + name + "[" + m[2].str() + "];\n";
-    const PackedArray p = PackArray(name, std::stoi(m[2]), i);
-    const std::regex input(R"(\bin\s+float\s+)" + name + R"(\s*\[\s*\d+\s*\]\s*;)");
-    fragment = std::regex_replace(fragment, input, p.Inputs + declaration);
-    vertex.replace(m.position(0), m.length(0), p.Outputs + declaration);
-    vtkWideFoVShaderBuilder::WrapMain(vertex, "", p.Pack);
-    vtkWideFoVShaderBuilder::WrapMain(fragment, p.Unpack, "");
-  }
-}
-
 // Takes the fragment stage's declarations of these inputs out.
 void RemoveInputs(std::string& fragment, const std::vector<Varying>& varyings)
 {
@@ -126,10 +76,10 @@ std::string ViewSource(const Request& r)
     Define("WFV_MERIDIAN", meridian) + Define("WFV_STRAIGHT_SEAM", r.Projection->StraightSeam) +
     Define("WFV_EXACT", r.Stage == vtkWideFoVShaderBuilder::Variant::Exact) +
     Define("WFV_TESSELLATE", r.Stage == vtkWideFoVShaderBuilder::Variant::Tessellate) +
-    Define("WFV_WIDE_LINES", r.WideLines) + Define("WFV_EDGES", r.Edges) +
-    Define("WFV_EDGE_FLAGS", r.EdgeFlags) + "#define WFV_ANGLES " +
-    (meridian ? "wfvMeridianAngles" : "wfvAzimuthalAngles") + "\n" + wfv::MathGlsl() +
-    wfv::CommonGlsl() + r.Projection->Glsl + interface_glsl;
+    Define("WFV_WIDE_LINES", r.WideLines) + Define("WFV_EDGES", r.Edges || r.DebugView) +
+    Define("WFV_EDGE_FLAGS", r.EdgeFlags) + Define("WFV_DEBUG_VIEW", r.DebugView) +
+    "#define WFV_ANGLES " + (meridian ? "wfvMeridianAngles" : "wfvAzimuthalAngles") + "\n" +
+    wfv::MathGlsl() + wfv::CommonGlsl() + wfv::DepthGlsl() + r.Projection->Glsl + interface_glsl;
 }
 
 // How the picture of a triangle is covered, one file a family.
@@ -204,6 +154,22 @@ std::string LineOutputs(const std::vector<Varying>& varyings)
   return declarations + "void wfvWriteMix(float t)\n{\n" + body + "}\n";
 }
 
+// The geometry stage of lines or triangles.
+std::string GeometrySource(const Request& r, const std::vector<Varying>& varyings)
+{
+  std::string source = "//VTK::System::Dec\n" + ViewSource(r) + preclip_glsl +
+    (r.DebugView ? debug_kinds_glsl : "") +
+    (r.Kind == Primitive::Lines ? LineOutputs(varyings) + preclip_lines_glsl
+                                : TriangleOutputs(varyings) + preclip_emit_glsl +
+          preclip_cover_glsl + CoverSource(*r.Projection) +
+          (r.DebugView ? preclip_kinds_glsl : "") + preclip_triangles_glsl);
+  if (r.Stage == vtkWideFoVShaderBuilder::Variant::Tessellate)
+  {
+    ReplaceAll(source, "gl_PrimitiveIDIn", "wfvPrimitive[0]");
+  }
+  return source;
+}
+
 // The stock text takes normal.z for the cosine towards the eye and the view axis for
 // the direction of a headlight; both hold in front of the eye only.
 void RewriteLights(std::string& fragment)
@@ -237,14 +203,37 @@ void TakeFromEye(std::string& vertex)
   }
 }
 
+bool CoversTriangles(const Request& r)
+{
+  return vtkWideFoVShaderBuilder::NeedsGeometryStage(r) && r.Kind == Primitive::Triangles;
+}
+
+// Depth by wfvDepth instead of the rasterizer's; returns what main begins with.
+std::string RewriteDepth(std::string& fragment)
+{
+  ReplaceAll(fragment, "gl_FragCoord.z", "wfvDepth");
+  // the stock template names gl_FragDepth in a comment; only a value given counts
+  static const std::regex setsDepth(R"(gl_FragDepth\s*=)");
+  return std::regex_search(fragment, setsDepth) ? "" : "  gl_FragDepth = wfvDepth;\n";
+}
+
+// What the debug view adds to the fragment stage.
+std::string DebugSource(const Request& r)
+{
+  if (!r.DebugView)
+  {
+    return "";
+  }
+  const bool triangles = r.Kind == Primitive::Triangles;
+  return Define("WFV_DEBUG_TRIANGLES", CoversTriangles(r)) + "#define WFV_DEBUG_KIND " +
+    (triangles ? "WFV_KIND_VERTEX" : "WFV_KIND_OTHER") + "\n" + debug_kinds_glsl +
+    debug_fragment_glsl;
+}
+
 void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
 {
-  const bool triangles =
-    vtkWideFoVShaderBuilder::NeedsGeometryStage(r) && r.Kind == Primitive::Triangles;
-  const bool round = r.Projection->Axis == wfv::Family::Azimuthal;
-  std::string declarations;
-  std::string before;
-  std::string after;
+  const bool triangles = CoversTriangles(r);
+  std::string declarations, before, after;
   if (triangles)
   {
     RemoveInputs(fragment, varyings);
@@ -252,21 +241,27 @@ void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std:
       TriangleInputs(varyings);
     before = "  wfvPrepare();\n";
     after = "  if (wfvHide) { discard; }\n";
-    ReplaceAll(fragment, "gl_FragCoord.z", "wfvDepth");
     ReplaceAll(fragment, "gl_FrontFacing", "wfvFront");
-    // the stock template names gl_FragDepth in a comment; only a value given counts
-    static const std::regex setsDepth(R"(gl_FragDepth\s*=)");
-    before += std::regex_search(fragment, setsDepth) ? "" : "  gl_FragDepth = wfvDepth;\n";
+    before += RewriteDepth(fragment);
   }
-  if (round)
+  else if (r.FragmentDepth)
+  {
+    declarations = depth_fragment_glsl;
+    before = "  wfvPrepareDepth();\n" + RewriteDepth(fragment);
+  }
+  if (r.Projection->Axis == wfv::Family::Azimuthal)
   {
     declarations += domain_fragment_glsl;
     after += "  if (wfvOutsideDomain()) { discard; }\n";
   }
+  declarations += DebugSource(r);
   RewriteLights(fragment);
-  if (!after.empty())
+  if (!before.empty() || !after.empty())
   {
     vtkWideFoVShaderBuilder::WrapMain(fragment, before, after);
+  }
+  if (!declarations.empty())
+  {
     // for gl_SampleMask; without it a covered pixel is covered whole
     const std::string extension = "#extension GL_ARB_sample_shading : enable\n";
     vtkWideFoVShaderBuilder::Declare(
@@ -311,6 +306,16 @@ void vtkWideFoVShaderBuilder::Declare(std::string& source, const std::string& te
 void vtkWideFoVShaderBuilder::Prepare(
   const Request& r, std::string& geometry, std::string& fragment)
 {
+  if (r.DebugView)
+  {
+    // in place of the surface's own colour, before light falls on it; textures stay out
+    ReplaceAll(fragment, "//VTK::Light::Impl",
+      "  diffuseColor = wfvDebugColor();\n"
+      "  ambientColor = WFV_DEBUG_AMBIENT * diffuseColor;\n"
+      "  diffuseColor -= ambientColor;\n"
+      "  //VTK::Light::Impl");
+    ReplaceAll(fragment, "//VTK::TCoord::Impl", "");
+  }
   if (!NeedsGeometryStage(r))
   {
     return;
@@ -331,11 +336,15 @@ void vtkWideFoVShaderBuilder::Finish(
 {
   if (NeedsGeometryStage(r))
   {
-    FlattenArrays(vertex, fragment);
+    wfv::FlattenArrays(vertex, fragment);
   }
   TakeFromEye(vertex);
-  const bool tessellate = r.Stage == Variant::Tessellate;
-  if (tessellate)
+  if (r.FragmentDepth && !CoversTriangles(r))
+  {
+    WrapMain(vertex, "", "  wfvPlaceVSOutput = gl_Position.xyz;\n");
+    Declare(vertex, depth_vertex_glsl);
+  }
+  if (r.Stage == Variant::Tessellate)
   {
     // drivers disagree on gl_PrimitiveIDIn behind a tessellation: a number of our own,
     // which the evaluation stage sets
@@ -345,15 +354,7 @@ void vtkWideFoVShaderBuilder::Finish(
   const std::vector<Varying> varyings = FindVaryings(vertex);
   if (NeedsGeometryStage(r))
   {
-    const bool lines = r.Kind == Primitive::Lines;
-    geometry = "//VTK::System::Dec\n" + ViewSource(r) + preclip_glsl +
-      (lines ? LineOutputs(varyings) + preclip_lines_glsl
-             : TriangleOutputs(varyings) + preclip_emit_glsl + preclip_cover_glsl +
-            CoverSource(*r.Projection) + preclip_triangles_glsl);
-    if (tessellate)
-    {
-      ReplaceAll(geometry, "gl_PrimitiveIDIn", "wfvPrimitive[0]");
-    }
+    geometry = GeometrySource(r, varyings);
   }
   else
   {

@@ -31,9 +31,11 @@ public:
     const wfv::Projection* Projection = nullptr;
     Variant Stage = Variant::Plain;
     Primitive Kind = Primitive::Triangles;
-    bool WideLines = false; // lines wider than the hardware draws
-    bool Edges = false;     // surface with edges
-    bool EdgeFlags = false; // some edges of the triangles are inside a cell
+    bool WideLines = false;     // lines wider than the hardware draws
+    bool Edges = false;         // surface with edges
+    bool EdgeFlags = false;     // some edges of the triangles are inside a cell
+    bool DebugView = false;     // coloured by what happens to each primitive
+    bool FragmentDepth = false; // depth is not what the rasterizer interpolates
   };
 
   // True where this request needs the pre-clip's own geometry stage.

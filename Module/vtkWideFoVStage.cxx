@@ -102,13 +102,33 @@ bool MeetsDiscontinuity(
   const double cap = std::tan(vtkMath::RadiansFromDegrees(AntipodeCap));
   return NearestInPlane(low[0], high[0], low[1], high[1]) <= cap * std::max(high[2], 0.0);
 }
+
+// The uniform wfvView.
+void SetViewParameters(vtkShaderProgram* program, const wfv::WfvView& v)
+{
+  const auto set2 = [program](const char* name, const wfv::vec2& v) {
+    const float f[2] = { static_cast<float>(v.x), static_cast<float>(v.y) };
+    program->SetUniform2f(name, f);
+  };
+  set2("wfvView.halfFov", v.halfFov);
+  set2("wfvView.scale", v.scale);
+  set2("wfvView.tilt", v.tilt);
+  set2("wfvView.radii", v.radii);
+  const float lens[4] = { static_cast<float>(v.lens.x), static_cast<float>(v.lens.y),
+    static_cast<float>(v.lens.z), static_cast<float>(v.lens.w) };
+  program->SetUniform4f("wfvView.lens", lens);
+  program->SetUniformf("wfvView.lens5", static_cast<float>(v.lens5));
+  program->SetUniformf("wfvView.maxAngle", static_cast<float>(v.maxAngle));
+  program->SetUniformi("wfvView.depthMapping", v.depthMapping);
+}
 }
 
 //------------------------------------------------------------------------------
 void vtkWideFoVStage::SetView(vtkRenderer* renderer, vtkWideFoVCamera* camera, double tolerance)
 {
   const wfv::View& view = camera->GetView(renderer->GetTiledAspectRatio());
-  if (&view.GetProjection() != this->Projection)
+  if (&view.GetProjection() != this->Projection ||
+    view.GetParameters().depthMapping != this->View.depthMapping)
   {
     this->Projection = &view.GetProjection();
     this->SourceTime.Modified();
@@ -149,6 +169,8 @@ vtkWideFoVShaderBuilder::Request vtkWideFoVStage::MakeRequest(
   vtkWideFoVShaderBuilder::Request request;
   request.Projection = this->Projection;
   request.Stage = this->Variant;
+  request.DebugView = this->DebugView;
+  request.FragmentDepth = this->View.depthMapping != wfv::WFV_DEPTH_LINEAR;
   auto* polydata = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
   auto* actor = vtkActor::SafeDownCast(prop);
   if (polydata && actor && this->Renderer)
@@ -190,20 +212,7 @@ bool vtkWideFoVStage::PostReplaceShaderValues(std::string& vertexShader,
 bool vtkWideFoVStage::SetShaderParameters(
   vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop, vtkOpenGLVertexArrayObject*)
 {
-  const auto set2 = [program](const char* name, const wfv::vec2& v) {
-    const float f[2] = { static_cast<float>(v.x), static_cast<float>(v.y) };
-    program->SetUniform2f(name, f);
-  };
-  const wfv::WfvView& v = this->View;
-  set2("wfvView.halfFov", v.halfFov);
-  set2("wfvView.scale", v.scale);
-  set2("wfvView.tilt", v.tilt);
-  set2("wfvView.radii", v.radii);
-  const float lens[4] = { static_cast<float>(v.lens.x), static_cast<float>(v.lens.y),
-    static_cast<float>(v.lens.z), static_cast<float>(v.lens.w) };
-  program->SetUniform4f("wfvView.lens", lens);
-  program->SetUniformf("wfvView.lens5", static_cast<float>(v.lens5));
-  program->SetUniformf("wfvView.maxAngle", static_cast<float>(v.maxAngle));
+  SetViewParameters(program, this->View);
   program->SetUniform4f("wfvTile", this->Tile);
   program->SetUniformf("wfvTolerance", this->Tolerance);
   program->SetUniformi("wfvHeadlights", this->Headlights);
@@ -292,6 +301,14 @@ void vtkWideFoVStages::Begin(
     stage->SetView(renderer, camera, tolerance);
     stage->SetClipless(technique == vtkWideFoVPass::VERTEX);
     stage->ResetNumberOfDraws();
+  }
+}
+
+void vtkWideFoVStages::SetDebugView(bool debugView)
+{
+  for (vtkWideFoVStage* stage : { this->Plain.Get(), this->PreClip.Get(), this->Exact.Get() })
+  {
+    stage->SetDebugView(debugView);
   }
 }
 

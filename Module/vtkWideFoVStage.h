@@ -39,6 +39,16 @@ public:
     }
   }
 
+  // Colours by what happens to each primitive.
+  void SetDebugView(bool debugView)
+  {
+    if (debugView != this->DebugView)
+    {
+      this->DebugView = debugView;
+      this->SourceTime.Modified();
+    }
+  }
+
   // Of all, and those of them that were tessellated.
   int GetNumberOfDraws() const { return this->NumberOfDraws; }
   int GetNumberOfTessellateDraws() const { return this->NumberOfTessellateDraws; }
@@ -71,12 +81,13 @@ private:
   vtkRenderer* Renderer = nullptr; // valid between SetView and the end of the frame
   const wfv::Projection* Projection = nullptr;
   vtkTimeStamp SourceTime;
-  wfv::WfvView View;
+  wfv::WfvView View{};
   float Viewport[4] = { 0, 0, 1, 1 };
   float Tile[4] = { 1, 1, 0, 0 };
   float Tolerance = 0.25f;
   int Headlights = 0;
   bool Clipless = false;
+  bool DebugView = false;
   int NumberOfDraws = 0;
   int NumberOfTessellateDraws = 0;
 };
@@ -90,6 +101,9 @@ public:
   // Before the props of a frame. technique: vtkWideFoVPass::Techniques; one that this
   // OpenGL cannot becomes AUTO, with a warning.
   void Begin(vtkRenderer* renderer, vtkWideFoVCamera* camera, int technique, double tolerance);
+
+  // For all variants, from the next draw on.
+  void SetDebugView(bool debugView);
 
   // The stage for a prop with these world bounds (nullptr: unknown).
   vtkWideFoVStage* Choose(const double* bounds);

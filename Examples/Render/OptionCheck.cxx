@@ -191,6 +191,20 @@ void CheckOutput(const Options& o)
   }
 }
 
+void CheckDrawing(Options& o)
+{
+  o.View.Mapping = o.Depth == "log" ? wfv::DepthMapping::Logarithmic
+    : o.Depth == "reversed"         ? wfv::DepthMapping::Reversed
+                                    : wfv::DepthMapping::Linear;
+  const bool wide = wfv::FindProjection(o.Projection)->Axis != wfv::Family::Planar;
+  const bool stock = o.Technique == Technique::CubeMap || !wide;
+  if (stock && (o.DebugView || o.Depth != "linear"))
+  {
+    FailUsage("--debug-view and --depth are for wide projections drawn by this module, not for " +
+      std::string(wide ? "--technique cubemap" : "perspective") + "; leave them out");
+  }
+}
+
 void CheckTechnique(Options& o)
 {
   o.Technique = o.TechniqueName == "exact" ? Technique::Exact
@@ -229,6 +243,7 @@ void CheckTogether(Options& o, const FieldsOfView& fov)
   CompleteView(o, fov);
   CheckCamera(o);
   CheckTechnique(o);
+  CheckDrawing(o);
   CheckOutput(o);
 }
 }

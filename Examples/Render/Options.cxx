@@ -174,12 +174,8 @@ void DeclareDrawing(CLI::App& app, Options& o)
   group.Number("--tolerance", "PX", o.Tolerance, { 0.001, 1e6 },
     "largest distance between a drawn edge and its true curve, pixels");
   group.Integer("--samples", o.Samples, 0, 64, "multisampling; 0 or 1 is off");
-  group.Choice("--depth", o.Depth, { "linear" }, { "log", "reversed" }, "depth mapping");
-  app
-    .add_flag_callback(
-      "--debug-view", [] { FailUsage("--debug-view comes with a later version; leave it out"); },
-      "primitives coloured by technique (comes with a later version)")
-    ->group("Drawing");
+  group.Choice("--depth", o.Depth, { "linear", "log", "reversed" }, {}, "depth mapping");
+  group.Flag("--debug-view", o.DebugView, "primitives coloured by what happened to them");
 }
 
 void DeclareStereo(CLI::App& app, Options& o)

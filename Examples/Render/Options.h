@@ -46,6 +46,7 @@ struct Options
   double Tolerance = 0.25; // pixels
   int Samples = 4;
   std::string Depth = "linear";
+  bool DebugView = false;
   std::string Stereo = "mono";
 
   widefov::Look Look;                // colours, glyphs

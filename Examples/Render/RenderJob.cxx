@@ -140,6 +140,7 @@ void SetWidePass(Stage& stage, const Options& o)
 {
   stage.WidePass->SetTechnique(PassTechnique(o.Technique));
   stage.WidePass->SetTolerance(o.Tolerance);
+  stage.WidePass->SetDebugView(o.DebugView);
   stage.Renderer->SetPass(stage.WidePass);
 }
 

@@ -132,6 +132,11 @@ const char* CommonGlsl()
   return common_glsl;
 }
 
+const char* DepthGlsl()
+{
+  return depth_glsl;
+}
+
 const char* MathGlsl()
 {
   return glsl_math_glsl;
@@ -223,6 +228,7 @@ View::View(const Projection& projection, const ViewOptions& o)
   v.lens = vec4(o.Lens[0], o.Lens[1], o.Lens[2], o.Lens[3]);
   v.lens5 = o.Lens[4];
   v.maxAngle = v.halfFov.x;
+  v.depthMapping = static_cast<int>(o.Mapping);
   v.scale = vec2(1, 1);
   if (projection.Axis == Family::Azimuthal)
   {
@@ -241,7 +247,7 @@ NdcPoint View::Forward(vec3 point) const
   const WfvView& v = this->Parameters;
   const vec3 p = wfvTilt(point, v);
   const double rho = std::hypot(std::hypot(p.x, p.y), p.z);
-  NdcPoint result{ vec3(0, 0, 2 * (rho - v.radii.x) / (v.radii.y - v.radii.x) - 1), false };
+  NdcPoint result{ vec3(0, 0, 2 * wfvDepthOf(rho, v) - 1), false };
   const bool behind = this->Map->Axis == Family::Planar && !(p.z < 0);
   if (!(rho > 0) || !std::isfinite(rho) || behind)
   {

@@ -49,9 +49,18 @@ WFV_EXPORT const std::vector<Projection>& Projections();
 // The projection of that name, or nullptr.
 WFV_EXPORT const Projection* FindProjection(const std::string& name);
 
-// Source text of common.glsl and glsl_math.glsl.
+// Source text of common.glsl, depth.glsl and glsl_math.glsl.
 WFV_EXPORT const char* CommonGlsl();
+WFV_EXPORT const char* DepthGlsl();
 WFV_EXPORT const char* MathGlsl();
+
+// How a distance becomes a depth (depth.glsl).
+enum class DepthMapping
+{
+  Linear = WFV_DEPTH_LINEAR,
+  Logarithmic = WFV_DEPTH_LOGARITHMIC,
+  Reversed = WFV_DEPTH_REVERSED
+};
 
 // What a user sets; degrees.
 struct ViewOptions
@@ -61,6 +70,7 @@ struct ViewOptions
   double Tilt = 0;
   std::array<double, 5> Lens{ { 0, 0, 0, 0, 0 } };
   std::array<double, 2> Radii{ { 0.01, 1000 } };
+  DepthMapping Mapping = DepthMapping::Linear;
   double Aspect = 2; // width / height of the viewport in pixels; round maps use it
 };
 

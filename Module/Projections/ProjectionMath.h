@@ -16,12 +16,13 @@ using vec4 = glm::dvec4;
 using glm::abs;
 using glm::ceil;
 using glm::cos;
+using glm::exp;
 using glm::max;
 using glm::min;
 using glm::sin;
 using glm::sqrt;
 
-// GLSL's accuracy of these two is unspecified, so the shaders bring their own
+// GLSL's accuracy of these is unspecified, so the shaders bring their own
 // (glsl_math.glsl); in double the standard library's serve.
 inline double wfvAtan2(double y, double x)
 {
@@ -31,6 +32,10 @@ inline double wfvHypot(double x, double y)
 {
   return std::hypot(x, y);
 }
+inline double wfvLog(double x)
+{
+  return std::log(x);
+}
 
 // Newton steps of the lens inverse: enough for double from any bracket.
 constexpr int WFV_NEWTON_STEPS = 64;
@@ -38,6 +43,7 @@ constexpr int WFV_NEWTON_STEPS = 64;
 #define WFV_FN inline
 #define float double
 #include "common.glsl"
+#include "depth.glsl"
 #undef float
 }
 

@@ -25,6 +25,7 @@ struct WfvView
   vec4 lens;     // c1 .. c4 of r = c1 t + .. + c5 t^5 (t in radians); all 0: the ideal lens
   float lens5;   // c5
   float maxAngle; // round maps: angle at the rim of the domain, radians
+  int depthMapping; // WFV_DEPTH_LINEAR, ... (depth.glsl)
 };
 
 // The answer of wfvUnproject: a unit direction, or "outside the map".

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The two functions whose accuracy GLSL leaves open, for the GPU only; the C++
-// side has std::atan2 and std::hypot (ProjectionMath.h).
+// The functions whose accuracy GLSL leaves open, for the GPU only; the C++ side has
+// std::atan2, std::hypot and std::log (ProjectionMath.h).
 
 // atan2 with an absolute error below 3e-7 rad: octant reduction and an odd
 // minimax polynomial of degree 17 on [0, 1] (Abramowitz and Stegun 4.4.49,
@@ -34,4 +34,20 @@ WFV_FN float wfvHypot(float x, float y)
   float big = max(a, b);
   float t = big > 0.0 ? min(a, b) / big : 0.0;
   return big * sqrt(1.0 + t * t);
+}
+
+// Natural logarithm of x > 0: a power of two taken out, then 2 artanh(s) to s^9, whose
+// remainder is below 1e-9. Implementations of log differ by up to 1e-5.
+WFV_FN float wfvLog(float x)
+{
+  float e = floor(log2(x) + 0.5);
+  float m = x * exp2(-e);
+  float s = (m - 1.0) / (m + 1.0);
+  float t = s * s;
+  float r = 1.0 / 9.0;
+  r = r * t + 1.0 / 7.0;
+  r = r * t + 0.2;
+  r = r * t + 1.0 / 3.0;
+  r = r * t + 1.0;
+  return 2.0 * s * r + e * 0.69314718055994531;
 }

@@ -68,7 +68,7 @@ bool wfvCoverage(WfvRay ray, vec3 e, mat2x3 pixel, bool rim)
 // would err along edges that run away from the eye.
 float wfvWindowDepth(float rho)
 {
-  return (rho * wfvScale() - wfvView.radii.x) / (wfvView.radii.y - wfvView.radii.x);
+  return wfvDepthOf(rho * wfvScale(), wfvView);
 }
 
 bool wfvCovered()

@@ -6,10 +6,11 @@ uniform vec4 wfvViewport;  // x, y, width, height of the viewport, pixels
 uniform vec4 wfvTile;      // NDC of the tile = NDC of the picture * xy + zw
 
 // Position in the map as a clip coordinate. Dividing by the distance to the eye makes
-// the interpolation of attributes perspective-correct.
+// the interpolation of attributes perspective-correct. Clipped by linear depth whatever
+// the mapping, which the fragment stage applies.
 vec4 wfvClip(vec2 ndc, float rho)
 {
-  float depth = 2.0 * (rho - wfvView.radii.x) / (wfvView.radii.y - wfvView.radii.x) - 1.0;
+  float depth = 2.0 * wfvLinearDepth(rho, wfvView) - 1.0;
   return vec4((ndc * wfvTile.xy + wfvTile.zw) * rho, depth * rho, rho);
 }
 

@@ -150,6 +150,9 @@ void main()
   {
     wfvVertexMode = WFV_COVERED;
     wfvPlaceCorners(seam);
+#if WFV_DEBUG_VIEW
+    wfvVertexMode += WFV_KIND_UNIT * wfvCoverKind(tear, facing);
+#endif
     if (seam || !wfvCoverNarrow(facing < 0.0))
     {
       wfvCover(facing < 0.0, facing);
@@ -157,5 +160,8 @@ void main()
     return;
   }
   wfvVertexMode = 0;
+#if WFV_DEBUG_VIEW
+  wfvVertexMode += WFV_KIND_UNIT * wfvSplitKind(seam);
+#endif
   wfvEmitSides(seam);
 }

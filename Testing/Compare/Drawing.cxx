@@ -67,6 +67,11 @@ void Drawing::SetTolerance(double pixels)
   this->Internal->Pass->SetTolerance(pixels);
 }
 
+void Drawing::SetActorPosition(const vec3& p)
+{
+  this->Internal->Actor->SetPosition(p.x, p.y, p.z);
+}
+
 void Drawing::SetTechnique(int technique)
 {
   Internals& in = *this->Internal;
@@ -106,8 +111,8 @@ const View& Drawing::GetView() const
 reference::Pose Drawing::GetPose() const
 {
   reference::Pose pose;
-  const double* m = this->Internal->Camera->GetModelViewTransformMatrix()->GetData();
-  std::copy_n(m, 16, pose.begin());
+  vtkMatrix4x4::Multiply4x4(this->Internal->Camera->GetModelViewTransformMatrix()->GetData(),
+    this->Internal->Actor->GetMatrix()->GetData(), pose.data());
   return pose;
 }
 

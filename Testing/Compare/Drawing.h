@@ -47,13 +47,16 @@ public:
   // Of the pass, pixels (0.25).
   void SetTolerance(double pixels);
 
+  // Where the actor that shows the mesh stands, world.
+  void SetActorPosition(const vec3& position);
+
   // vtkWideFoVPass::Techniques (default PRECLIP).
   void SetTechnique(int technique);
 
   // Draws the mesh; the picture is empty where the window failed.
   reference::DrawnPicture Draw(const Shot& shot);
 
-  // The view and the pose that the last picture was drawn with.
+  // The view and the pose (of the mesh's own coordinates) of the last picture.
   const View& GetView() const;
   reference::Pose GetPose() const;
 

@@ -14,8 +14,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <string>
 
 namespace
 {
@@ -55,6 +55,34 @@ bool Centroid(vtkRenderWindow* window, double& x, double& y)
 }
 }
 
+namespace
+{
+// World to display and back, by vtkCoordinate and by the renderer.
+void ExpectInverse(WideFoVTestWindow& test, const double p[3], const std::string& what)
+{
+  vtkNew<vtkCoordinate> place;
+  place->SetCoordinateSystemToWorld();
+  place->SetValue(p[0], p[1], p[2]);
+  const double* d = place->GetComputedDoubleDisplayValue(test.Renderer);
+  const double display[2] = { d[0], d[1] };
+  test.Renderer->SetWorldPoint(p[0], p[1], p[2], 1);
+  test.Renderer->WorldToDisplay();
+  double full[3];
+  test.Renderer->GetDisplayPoint(full);
+  EXPECT_NEAR(full[0], display[0], 1e-9) << what;
+  test.Renderer->SetDisplayPoint(full);
+  test.Renderer->DisplayToWorld();
+  const double* w = test.Renderer->GetWorldPoint();
+  for (int i = 0; i < 3; i++)
+  {
+    EXPECT_NEAR(w[i], p[i], 1e-9) << what;
+  }
+}
+
+const int Mappings[] = { vtkWideFoVCamera::LINEAR, vtkWideFoVCamera::LOGARITHMIC,
+  vtkWideFoVCamera::REVERSED };
+}
+
 TEST(Coordinates, DisplayAndWorldAreInverse)
 {
   for (const char* projection : Wide)
@@ -62,26 +90,16 @@ TEST(Coordinates, DisplayAndWorldAreInverse)
     WideFoVTestWindow test(projection, 400, 300);
     test.Camera->SetFieldOfView(300);
     test.Camera->SetClipRadii(0.1, 10);
-    for (double lambda = -140; lambda < 141; lambda += 35)
+    for (int mapping : Mappings)
     {
-      double p[3];
-      Place(lambda, lambda / 4, 3, p);
-      vtkNew<vtkCoordinate> place;
-      place->SetCoordinateSystemToWorld();
-      place->SetValue(p);
-      const double* d = place->GetComputedDoubleDisplayValue(test.Renderer);
-      const double display[2] = { d[0], d[1] };
-      test.Renderer->SetWorldPoint(p[0], p[1], p[2], 1);
-      test.Renderer->WorldToDisplay();
-      double full[3];
-      test.Renderer->GetDisplayPoint(full);
-      EXPECT_NEAR(full[0], display[0], 1e-9) << projection << " " << lambda;
-      test.Renderer->SetDisplayPoint(full);
-      test.Renderer->DisplayToWorld();
-      const double* w = test.Renderer->GetWorldPoint();
-      for (int i = 0; i < 3; i++)
+      test.Camera->SetDepthMapping(mapping);
+      for (double lambda = -140; lambda < 141; lambda += 35)
       {
-        EXPECT_NEAR(w[i], p[i], 1e-9) << projection << " " << lambda;
+        double p[3];
+        Place(lambda, lambda / 4, 3, p);
+        ExpectInverse(test, p,
+          std::string(projection) + " " + std::to_string(lambda) + " mapping " +
+            std::to_string(mapping));
       }
     }
   }
@@ -125,18 +143,20 @@ TEST(Coordinates, AWorldPointPickerFindsTheSurface)
   {
     WideFoVTestWindow test(projection, 400, 300);
     test.Renderer->AddActor(MakeTestRoom());
-    test.Window->Render();
     vtkNew<vtkWorldPointPicker> picker;
-    for (const auto& xy :
-      { std::array<int, 2>{ { 200, 150 } }, { { 120, 140 } }, { { 260, 110 } } })
+    for (int k = 0; k < 9; k++)
     {
+      const int at[3][2] = { { 200, 150 }, { 120, 140 }, { 260, 110 } };
+      const auto& xy = at[k % 3];
+      test.Camera->SetDepthMapping(Mappings[k / 3]);
+      test.Window->Render();
       picker->Pick(xy[0], xy[1], 0, test.Renderer);
       const double* p = picker->GetPickPosition();
       // on one of the walls x = +-2, y = +-1.5, z = +-2.5
       const double off = std::min({ std::abs(std::abs(p[0]) - 2), std::abs(std::abs(p[1]) - 1.5),
         std::abs(std::abs(p[2]) - 2.5) });
       EXPECT_LT(off, 0.03) // half a pixel, three units away
-        << projection << " " << xy[0] << "," << xy[1];
+        << projection << " " << xy[0] << "," << xy[1] << " mapping " << Mappings[k / 3];
     }
   }
 }

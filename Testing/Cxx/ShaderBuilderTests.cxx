@@ -32,9 +32,9 @@ struct Sources
   std::string FragmentStage = Fragment;
 };
 
-Sources Build(const char* projection, Builder::Variant variant, Builder::Primitive kind)
+Sources Build(const char* projection, Builder::Variant variant, Builder::Primitive kind,
+  Builder::Request request = Builder::Request())
 {
-  Builder::Request request;
   request.Projection = wfv::FindProjection(projection);
   request.Stage = variant;
   request.Kind = kind;
@@ -125,4 +125,49 @@ TEST(ShaderBuilder, WrappingNests)
   EXPECT_TRUE(Has(source, "void wfvStockMain1()"));
   EXPECT_LT(source.find("wfvStockMain0();"), source.rfind("wfvStockMain1();"));
   EXPECT_EQ(source.find("void main()"), source.rfind("void main()"));
+}
+
+TEST(ShaderBuilder, ADepthMappingIsWrittenInTheFragmentStage)
+{
+  Builder::Request request;
+  request.FragmentDepth = true;
+  for (auto kind : { Builder::Primitive::Triangles, Builder::Primitive::Points })
+  {
+    const Sources s = Build("hammer", Builder::Variant::Plain, kind, request);
+    EXPECT_TRUE(Has(s.VertexStage, "wfvPlaceVSOutput = gl_Position.xyz;"));
+    EXPECT_LT(s.VertexStage.find("wfvPlaceVSOutput = "), s.VertexStage.find("wfvProjectVertex(gl"));
+    EXPECT_TRUE(Has(s.FragmentStage, "gl_FragDepth = wfvDepth;"));
+    EXPECT_FALSE(Has(s.FragmentStage, "float z = gl_FragCoord.z"));
+  }
+  const Sources lines =
+    Build("hammer", Builder::Variant::PreClip, Builder::Primitive::Lines, request);
+  EXPECT_TRUE(Has(lines.GeometryStage, "wfvPlaceGSOutput = mix("));
+  EXPECT_TRUE(Has(lines.FragmentStage, "gl_FragDepth = wfvDepth;"));
+  // covered triangles have their depth from the ray already
+  const Sources triangles =
+    Build("hammer", Builder::Variant::PreClip, Builder::Primitive::Triangles, request);
+  EXPECT_FALSE(Has(triangles.VertexStage, "wfvPlace"));
+}
+
+TEST(ShaderBuilder, ADebugViewReplacesTheColourNotTheLight)
+{
+  Builder::Request request;
+  request.DebugView = true;
+  request.Projection = wfv::FindProjection("hammer");
+  const std::string stock = "//VTK::System::Dec\nvoid main()\n{\n  //VTK::Color::Impl\n"
+                            "  //VTK::Light::Impl\n  //VTK::TCoord::Impl\n}\n";
+  for (auto variant : { Builder::Variant::Plain, Builder::Variant::PreClip })
+  {
+    request.Stage = variant;
+    std::string vertex = Vertex;
+    std::string geometry;
+    std::string fragment = stock;
+    Builder::Prepare(request, geometry, fragment);
+    EXPECT_LT(fragment.find("//VTK::Color::Impl"), fragment.find("wfvDebugColor()"));
+    EXPECT_LT(fragment.find("wfvDebugColor()"), fragment.find("//VTK::Light::Impl"));
+    EXPECT_FALSE(Has(fragment, "//VTK::TCoord::Impl"));
+    Builder::Finish(request, vertex, geometry, fragment);
+    EXPECT_TRUE(Has(fragment, "vec3 wfvDebugColor()"));
+    EXPECT_EQ(Has(geometry, "int wfvCoverKind("), variant == Builder::Variant::PreClip);
+  }
 }

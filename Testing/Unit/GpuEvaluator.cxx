@@ -30,7 +30,9 @@ const char* const Tail = "uniform WfvView wfvView;\n"
                          "  ivec2 at = ivec2(texCoord * vec2(textureSize(wfvPoints, 0)));\n"
                          "  vec2 p = wfvProject(texelFetch(wfvDirections, at, 0).xyz, wfvView);\n"
                          "  WfvRay r = wfvUnproject(texelFetch(wfvPoints, at, 0).xy, wfvView);\n"
-                         "  gl_FragData[0] = vec4(p, 0.0, 1.0);\n"
+                         "  float rho = texelFetch(wfvDirections, at, 0).w;\n"
+                         "  float depth = wfvDepthOf(rho, wfvView);\n"
+                         "  gl_FragData[0] = vec4(p, depth, wfvDistanceAt(depth, wfvView));\n"
                          "  gl_FragData[1] = vec4(r.direction, r.inside ? 1.0 : 0.0);\n"
                          "}\n";
 
@@ -45,6 +47,8 @@ void SetView(vtkShaderProgram* program, const WfvView& v)
   };
   set2("wfvView.halfFov", v.halfFov);
   set2("wfvView.scale", v.scale);
+  set2("wfvView.radii", v.radii);
+  program->SetUniformi("wfvView.depthMapping", v.depthMapping);
   const float lens[4] = { float(v.lens.x), float(v.lens.y), float(v.lens.z), float(v.lens.w) };
   if (program->IsUniformUsed("wfvView.lens"))
   {
@@ -156,7 +160,7 @@ bool GpuEvaluator::Evaluate(const View& view, const std::vector<Texel>& directio
   Internals& in = *this->Internal;
   vtkOpenGLRenderWindow* window = in.GetWindow();
   const std::string source = std::string(Head) + MathGlsl() + "\n" + CommonGlsl() + "\n" +
-    view.GetProjection().Glsl + "\n" + Tail;
+    DepthGlsl() + "\n" + view.GetProjection().Glsl + "\n" + Tail;
   vtkOpenGLQuadHelper quad(window, nullptr, source.c_str(), nullptr);
   if (!quad.Program || !quad.Program->GetCompiled())
   {

@@ -22,8 +22,9 @@ public:
   GpuEvaluator();
   ~GpuEvaluator();
 
-  // For each direction (xyz) the place in NDC (xy) by wfvProject, and for each NDC (xy) the
-  // direction (xyz) and 1 or 0 for inside (w) by wfvUnproject, in float32. Both inputs have
+  // For each direction (xyz) and distance (w) the place in NDC (xy) by wfvProject, the depth
+  // (z) by wfvDepthOf and the distance (w) that wfvDistanceAt makes of it; for each NDC (xy)
+  // the direction (xyz) and 1 or 0 for inside (w) by wfvUnproject; all in float32. Both inputs have
   // Side * Side texels. False where the shader does not compile.
   bool Evaluate(const View& view, const std::vector<Texel>& directions,
     const std::vector<Texel>& ndc, std::vector<Texel>& projected, std::vector<Texel>& unprojected);

@@ -17,6 +17,9 @@ namespace
 constexpr double Agreement = 0.02;
 constexpr double PictureWidth = 8192;
 
+// Of depth, which runs from 0 to 1: a few steps of float32.
+constexpr double DepthAgreement = 3e-7;
+
 // float32 places within this of the border of the map may fall on either side: four steps.
 constexpr double BorderSlack = 4 * 1.2e-7;
 
@@ -215,5 +218,40 @@ TEST(GpuMath, AgreesWithDouble)
     EXPECT_GT(ray.Inputs, Count / 2) << v.Name;
     EXPECT_LE(forward.Pixels, Agreement) << forward.Case;
     EXPECT_LE(ray.Pixels, Agreement) << ray.Case;
+  }
+}
+
+// Depth of float32 distances, evenly in the logarithm between the spheres.
+TEST(GpuMath, DepthAgreesWithDouble)
+{
+  GpuEvaluator gpu;
+  const double near = 1e-4;
+  const double far = 1;
+  std::vector<Texel> distances(Count, Texel{ { 0, 0, -1, 0 } });
+  for (int i = 0; i < Count; ++i)
+  {
+    distances[i][3] = float(near * std::pow(far / near, (i + 0.5) / Count));
+  }
+  for (DepthMapping mapping :
+    { DepthMapping::Linear, DepthMapping::Logarithmic, DepthMapping::Reversed })
+  {
+    ViewOptions o;
+    o.Radii = { { near, far } };
+    o.Mapping = mapping;
+    const View view(*FindProjection("equirectangular"), o);
+    std::vector<Texel> out;
+    std::vector<Texel> unused;
+    ASSERT_TRUE(gpu.Evaluate(view, distances, distances, out, unused));
+    double worst = 0;
+    long backwards = 0;
+    for (int i = 0; i < Count; ++i)
+    {
+      const double depth = wfvDepthOf(distances[i][3], view.GetParameters());
+      worst = std::max(worst, std::abs(out[i][2] - depth));
+      backwards += i > 0 && out[i][2] < out[i - 1][2] - DepthAgreement;
+    }
+    std::cout << "depth mapping " << int(mapping) << ": " << worst << "\n";
+    EXPECT_LE(worst, DepthAgreement) << int(mapping);
+    EXPECT_EQ(backwards, 0) << int(mapping);
   }
 }
