@@ -127,7 +127,7 @@ bool wfvNears(vec3 a, vec3 b, vec3 axis, float s)
 // there a pixel no longer looks like a plane.
 float wfvSingularSine()
 {
-#if WFV_MERIDIAN
+#if WFV_MERIDIAN || WFV_FACES
   float pixel = 2.0 * wfvView.halfFov.y / (wfvViewport.w * wfvTile.y);
 #else
   float pixel = 2.0 * wfvView.halfFov.x / (wfvViewport.z * wfvTile.x);
@@ -139,7 +139,9 @@ float wfvSingularSine()
 bool wfvNearsSingularity(vec3 a, vec3 b)
 {
   float s = wfvSingularSine();
-#if WFV_MERIDIAN
+#if WFV_FACES
+  return false;
+#elif WFV_MERIDIAN
   return wfvNears(a, b, vec3(0.0, 1.0, 0.0), s) || wfvNears(a, b, vec3(0.0, -1.0, 0.0), s);
 #else
   return wfvNears(a, b, vec3(0.0, 0.0, 1.0), s);
@@ -169,11 +171,15 @@ vec2 wfvChordError(vec3 p, vec3 q)
   return vec2(error <= wfvTolerance ? error : WFV_CURVED, c > 0.5 ? error : WFV_UNKNOWN);
 }
 
-// Clip coordinates of a point of a polygon that lies on one side of the seam.
+// Clip coordinates of a point of a polygon that lies on one side of the seam, or on the
+// face of a cube numbered side - 1; 0: wherever it lies.
 vec4 wfvClipOnSide(vec3 p, float side)
 {
   float rho = wfvLength(p) * wfvScale();
-#if WFV_MERIDIAN
+#if WFV_FACES
+  int face = side == 0.0 ? wfvFaceOf(p) : int(side) - 1;
+  return wfvClip(wfvProjectOnFace(p, face, wfvView), rho);
+#elif WFV_MERIDIAN
   vec2 angles = wfvMeridianAngles(p);
   float lambda = side == 0.0 ? angles.x : side * abs(angles.x);
   return wfvClip(wfvMap(vec2(lambda, angles.y), wfvView), rho);

@@ -64,7 +64,7 @@ constexpr long MostLookedAt = reference::Metrics::MaxWorst;
 constexpr int GlobeCells = 160;
 constexpr int RoomCells = 160;
 
-const double Fovs[] = { 60, 120, 180, 270, 360 };
+const std::vector<double> Fovs{ 60, 120, 180, 270, 360 };
 
 // Asserts one shot and prints its row.
 void Check(Drawing& drawing, const Shot& shot, const std::string& scene, double depthTolerance)
@@ -88,14 +88,11 @@ protected:
   void CheckAll(const std::vector<NamedPose>& poses, const std::string& mesh, double depth)
   {
     const Projection& p = *FindProjection(this->GetParam());
-    for (double fov : Fovs)
+    for (double fov : FovsOf(p, Fovs))
     {
       for (const NamedPose& pose : poses)
       {
-        if (fov <= p.MaxHorizontalFov)
-        {
-          Check(*Picture, MakeShot(p.Name, fov, pose), mesh + ", " + pose.Name, depth);
-        }
+        Check(*Picture, MakeShot(p.Name, fov, pose), mesh + ", " + pose.Name, depth);
       }
     }
   }
@@ -104,7 +101,7 @@ protected:
   void CheckWidest(const std::vector<NamedPose>& poses, const std::string& mesh, double depth)
   {
     const Projection& p = *FindProjection(this->GetParam());
-    const double fov = p.Axis == Family::Planar ? 120 : 360;
+    const double fov = p.Axis == Family::Planar ? 120 : p.MaxHorizontalFov;
     for (const NamedPose& pose : poses)
     {
       Check(*Picture, MakeShot(p.Name, fov, pose), mesh + ", " + pose.Name, depth);
