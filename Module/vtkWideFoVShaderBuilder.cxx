@@ -126,6 +126,7 @@ std::string ViewSource(const Request& r)
   return "#define WFV_FN\n" + Define("WFV_NEWTON_STEPS", NewtonSteps) +
     Define("WFV_MERIDIAN", meridian) + Define("WFV_FACES", faces) +
     Define("WFV_STRAIGHT_SEAM", r.Projection->StraightSeam) +
+    Define("WFV_FLAT_RIM", r.Projection->FlatRim) +
     Define("WFV_EXACT", r.Stage == vtkWideFoVShaderBuilder::Variant::Exact) +
     Define("WFV_TESSELLATE", r.Stage == vtkWideFoVShaderBuilder::Variant::Tessellate) +
     Define("WFV_WIDE_LINES", r.WideLines) + Define("WFV_EDGES", r.Edges) +
@@ -356,8 +357,9 @@ void vtkWideFoVShaderBuilder::Finish(
   if (NeedsGeometryStage(r))
   {
     const bool lines = r.Kind == Primitive::Lines;
+    const bool faces = r.Projection->Axis == wfv::Family::Faces;
     geometry = "//VTK::System::Dec\n" + ViewSource(r) + preclip_glsl +
-      (lines ? LineOutputs(varyings) + preclip_lines_glsl
+      (lines ? LineOutputs(varyings) + preclip_lines_glsl + (faces ? lines_faces_glsl : "")
              : TriangleOutputs(varyings) + preclip_emit_glsl + preclip_cover_glsl +
             CoverSource(*r.Projection) + preclip_triangles_glsl);
     if (tessellate)

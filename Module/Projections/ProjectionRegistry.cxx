@@ -222,6 +222,7 @@ Projection Stereographic(Projection p)
 Projection Orthographic(Projection p)
 {
   p = Round(p, 180);
+  p.FlatRim = true;
   p.Limit = "it shows the half sphere ahead";
   return p;
 }

@@ -148,6 +148,22 @@ bool wfvNearsSingularity(vec3 a, vec3 b)
 #endif
 }
 
+#if !WFV_MERIDIAN && !WFV_FACES
+// Cosine of the angle from the axis beyond which no edge is drawn as a chord: behind the
+// rim of a round map, whence chords would cut across it, and beside a rim where the map is
+// flat and pixels are no measure of angles.
+float wfvChordEnd()
+{
+#if WFV_FLAT_RIM
+  vec2 pixels = 0.5 * wfvViewport.zw * wfvTile.xy * wfvView.scale;
+  float strip = WFV_SINGULAR_PIXELS / min(pixels.x, pixels.y);
+  return cos(wfvTheta(max(0.0, wfvRadius(0.5 * WFV_PI, wfvView) - strip), wfvView));
+#else
+  return wfvView.maxAngle < 0.4999 * WFV_PI ? -2.0 : cos(wfvView.maxAngle);
+#endif
+}
+#endif
+
 // The chord p, q in the map against its edge. x: by how many pixels they differ, or
 // WFV_CURVED where that is more than the tolerance. y: a bound of the pixels,
 // WFV_UNKNOWN near places where the map has none.
@@ -162,6 +178,9 @@ vec2 wfvChordError(vec3 p, vec3 q)
 #if WFV_MERIDIAN && !WFV_STRAIGHT_SEAM
   unknown = unknown ||
     (min(a.x, b.x) <= 0.0 && max(a.x, b.x) >= 0.0 && (a.z > 0.0 || b.z > 0.0));
+#endif
+#if !WFV_MERIDIAN && !WFV_FACES
+  unknown = unknown || -max(da.z, db.z) < wfvChordEnd();
 #endif
   if (unknown)
   {

@@ -62,6 +62,10 @@ bool wfvEasy(vec3 lengths)
   nearest = min(nearest, 1.0);
   // the bound of wfv::Bend (Projections/Bend.h), on both axes
   float bend = 0.125 * wfvView.bend * length(0.5 * wfvViewport.zw * wfvTile.xy) * longest;
+#if !WFV_MERIDIAN && !WFV_FACES
+  vec3 cosines = -vec3(wfvP[0].z, wfvP[1].z, wfvP[2].z) / lengths;
+  nearest = min(cosines.x, min(cosines.y, cosines.z)) < wfvChordEnd() ? 0.0 : nearest;
+#endif
   return longest <= WFV_EASY_EDGE && nearest > wfvSingularSine() &&
     bend <= wfvTolerance * nearest * nearest;
 }
@@ -74,7 +78,7 @@ bool wfvOutside(vec3 lengths)
   {
     return true;
   }
-#if WFV_MERIDIAN
+#if WFV_MERIDIAN || WFV_FACES
   return false;
 #else
   vec3 cosines = -vec3(wfvP[0].z, wfvP[1].z, wfvP[2].z) / lengths;
