@@ -30,13 +30,14 @@ constexpr double NearOverFar = 1e-4;
 // Room, relative, that the automatic clip spheres leave beyond the bounds.
 constexpr double ClipMargin = 1e-3;
 
-double ClampAngle(vtkObject* self, const char* what, double value, double max)
+double ClampAngle(vtkObject* self, const char* what, double value, double least, double max)
 {
-  const double clamped = std::isnan(value) ? max : std::clamp(value, MinFieldOfView, max);
+  const double min = std::max(MinFieldOfView, least);
+  const double clamped = std::isnan(value) ? max : std::clamp(value, min, max);
   if (clamped != value)
   {
-    vtkWarningWithObjectMacro(self, << what << " " << value << " is outside [" << MinFieldOfView
-                                    << ", " << max << "] degrees; " << clamped << " is used");
+    vtkWarningWithObjectMacro(self, << what << " " << value << " is outside [" << min << ", " << max
+                                    << "] degrees; " << clamped << " is used");
   }
   return clamped;
 }
@@ -140,8 +141,14 @@ void vtkWideFoVCamera::SetProjection(const char* name)
   }
   this->Definition = found;
   this->Modified();
-  this->SetHorizontalFieldOfView(this->Internal->Options.HorizontalFov);
-  this->SetVerticalFieldOfView(this->Internal->Options.VerticalFov);
+  // clamped without a word: nobody asked for these with this projection
+  wfv::ViewOptions& o = this->Internal->Options;
+  const auto fit = [](double v, double min, double max) {
+    return std::clamp(v, std::max(MinFieldOfView, min), max);
+  };
+  this->SetHorizontalFieldOfView(
+    fit(o.HorizontalFov, found->MinHorizontalFov, found->MaxHorizontalFov));
+  this->SetVerticalFieldOfView(fit(o.VerticalFov, found->MinVerticalFov, found->MaxVerticalFov));
 }
 
 const char* vtkWideFoVCamera::GetProjection()
@@ -162,8 +169,8 @@ const char* vtkWideFoVCamera::GetProjectionName(int index)
 
 void vtkWideFoVCamera::SetHorizontalFieldOfView(double degrees)
 {
-  const double v =
-    ClampAngle(this, "Horizontal field of view", degrees, this->Definition->MaxHorizontalFov);
+  const double v = ClampAngle(this, "Horizontal field of view", degrees,
+    this->Definition->MinHorizontalFov, this->Definition->MaxHorizontalFov);
   wfv::ViewOptions& o = this->Internal->Options;
   if (v == o.HorizontalFov)
   {
@@ -186,8 +193,8 @@ double vtkWideFoVCamera::GetHorizontalFieldOfView()
 
 void vtkWideFoVCamera::SetVerticalFieldOfView(double degrees)
 {
-  const double v =
-    ClampAngle(this, "Vertical field of view", degrees, this->Definition->MaxVerticalFov);
+  const double v = ClampAngle(this, "Vertical field of view", degrees,
+    this->Definition->MinVerticalFov, this->Definition->MaxVerticalFov);
   if (v != this->Internal->Options.VerticalFov)
   {
     this->Internal->Options.VerticalFov = v;
@@ -203,7 +210,8 @@ double vtkWideFoVCamera::GetVerticalFieldOfView()
 void vtkWideFoVCamera::SetFieldOfView(double degrees)
 {
   this->SetHorizontalFieldOfView(degrees);
-  this->SetVerticalFieldOfView(std::min(degrees, this->Definition->MaxVerticalFov));
+  this->SetVerticalFieldOfView(
+    std::clamp(degrees, this->Definition->MinVerticalFov, this->Definition->MaxVerticalFov));
 }
 
 void vtkWideFoVCamera::SetTilt(double degrees)

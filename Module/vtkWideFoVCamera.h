@@ -45,8 +45,22 @@ public:
   virtual void SetProjection(const char* name);
   virtual const char* GetProjection();
   void SetProjectionToEquirectangular() { this->SetProjection("equirectangular"); }
+  void SetProjectionToCylindricalEqualArea() { this->SetProjection("cylindrical-equal-area"); }
+  void SetProjectionToMiller() { this->SetProjection("miller"); }
+  void SetProjectionToMercator() { this->SetProjection("mercator"); }
+  void SetProjectionToCentralCylindrical() { this->SetProjection("central-cylindrical"); }
+  void SetProjectionToPanini() { this->SetProjection("panini"); }
   void SetProjectionToHammer() { this->SetProjection("hammer"); }
+  void SetProjectionToAitoff() { this->SetProjection("aitoff"); }
+  void SetProjectionToWinkelTripel() { this->SetProjection("winkel-tripel"); }
+  void SetProjectionToMollweide() { this->SetProjection("mollweide"); }
+  void SetProjectionToSinusoidal() { this->SetProjection("sinusoidal"); }
+  void SetProjectionToEckertIV() { this->SetProjection("eckert-iv"); }
   void SetProjectionToAzimuthalEquidistant() { this->SetProjection("azimuthal-equidistant"); }
+  void SetProjectionToAzimuthalEqualArea() { this->SetProjection("azimuthal-equal-area"); }
+  void SetProjectionToStereographic() { this->SetProjection("stereographic"); }
+  void SetProjectionToOrthographic() { this->SetProjection("orthographic"); }
+  void SetProjectionToEquiAngularCubemap() { this->SetProjection("equi-angular-cubemap"); }
   void SetProjectionToPerspective() { this->SetProjection("perspective"); }
   ///@}
 

@@ -72,8 +72,11 @@ std::string Define(const char* name, int value)
 std::string ViewSource(const Request& r)
 {
   const bool meridian = r.Projection->Axis == wfv::Family::Meridian;
+  const bool faces = r.Projection->Axis == wfv::Family::Faces;
   return "#define WFV_FN\n" + Define("WFV_NEWTON_STEPS", NewtonSteps) +
-    Define("WFV_MERIDIAN", meridian) + Define("WFV_STRAIGHT_SEAM", r.Projection->StraightSeam) +
+    Define("WFV_MERIDIAN", meridian) + Define("WFV_FACES", faces) +
+    Define("WFV_STRAIGHT_SEAM", r.Projection->StraightSeam) +
+    Define("WFV_FLAT_RIM", r.Projection->FlatRim) +
     Define("WFV_EXACT", r.Stage == vtkWideFoVShaderBuilder::Variant::Exact) +
     Define("WFV_TESSELLATE", r.Stage == vtkWideFoVShaderBuilder::Variant::Tessellate) +
     Define("WFV_WIDE_LINES", r.WideLines) + Define("WFV_EDGES", r.Edges || r.DebugView) +
@@ -85,7 +88,15 @@ std::string ViewSource(const Request& r)
 // How the picture of a triangle is covered, one file a family.
 std::string CoverSource(const wfv::Projection& projection)
 {
-  return projection.Axis == wfv::Family::Meridian ? cover_meridian_glsl : cover_azimuthal_glsl;
+  switch (projection.Axis)
+  {
+    case wfv::Family::Meridian:
+      return cover_meridian_glsl;
+    case wfv::Family::Faces:
+      return cover_faces_glsl;
+    default:
+      return cover_azimuthal_glsl;
+  }
 }
 
 std::string Corner(size_t varying, int corner)
@@ -159,7 +170,8 @@ std::string GeometrySource(const Request& r, const std::vector<Varying>& varying
 {
   std::string source = "//VTK::System::Dec\n" + ViewSource(r) + preclip_glsl +
     (r.DebugView ? debug_kinds_glsl : "") +
-    (r.Kind == Primitive::Lines ? LineOutputs(varyings) + preclip_lines_glsl
+    (r.Kind == Primitive::Lines ? LineOutputs(varyings) + preclip_lines_glsl +
+          (r.Projection->Axis == wfv::Family::Faces ? lines_faces_glsl : "")
                                 : TriangleOutputs(varyings) + preclip_emit_glsl +
           preclip_cover_glsl + CoverSource(*r.Projection) +
           (r.DebugView ? preclip_kinds_glsl : "") + preclip_triangles_glsl);

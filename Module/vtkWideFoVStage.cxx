@@ -37,6 +37,11 @@ namespace
 constexpr double MeridianPoleCap = 5;
 constexpr double AntipodeCap = 25;
 
+// NDC per squared radian: where a view bends more (wfv::Bend), edges of one degree may be
+// off by more than the default tolerance at these sizes anywhere, and every prop gets the
+// pre-clip: 8 * 0.25 / (1024 (pi/180)^2) = 6.4.
+constexpr double PlainBend = 6;
+
 // What a pass may know of a mapper only from inside.
 class MapperAccess : public vtkOpenGLPolyDataMapper
 {
@@ -88,10 +93,30 @@ double NearestInPlane(double low0, double high0, double low1, double high1)
   return std::hypot(std::max({ low0, -high0, 0.0 }), std::max({ low1, -high1, 0.0 }));
 }
 
+// True unless the box lies on one face of the cube round the eye.
+bool MeetsFaceBorder(const double low[3], const double high[3])
+{
+  for (int axis = 0; axis < 3; axis++)
+  {
+    const int i = (axis + 1) % 3;
+    const int j = (axis + 2) % 3;
+    const double ahead = std::max(low[axis], -high[axis]);
+    if (ahead > std::max({ -low[i], high[i], -low[j], high[j] }))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 // True where a box of tilted view coordinates meets a discontinuity of the projection.
 bool MeetsDiscontinuity(
   const wfv::Projection& projection, const double low[3], const double high[3])
 {
+  if (projection.Axis == wfv::Family::Faces)
+  {
+    return MeetsFaceBorder(low, high);
+  }
   if (projection.Axis == wfv::Family::Meridian)
   {
     const bool seam = low[0] <= 0 && high[0] >= 0 && high[2] >= 0;
@@ -119,6 +144,7 @@ void SetViewParameters(vtkShaderProgram* program, const wfv::WfvView& v)
   program->SetUniform4f("wfvView.lens", lens);
   program->SetUniformf("wfvView.lens5", static_cast<float>(v.lens5));
   program->SetUniformf("wfvView.maxAngle", static_cast<float>(v.maxAngle));
+  program->SetUniformf("wfvView.bend", static_cast<float>(v.bend));
   program->SetUniformi("wfvView.depthMapping", v.depthMapping);
 }
 }
@@ -327,6 +353,10 @@ vtkWideFoVStage* vtkWideFoVStages::Choose(const double* bounds)
     return this->Tessellate;
   }
   if (!bounds || !vtkMath::AreBoundsInitialized(bounds))
+  {
+    return this->PreClip;
+  }
+  if (this->View.bend > PlainBend)
   {
     return this->PreClip;
   }

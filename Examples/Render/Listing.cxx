@@ -31,7 +31,8 @@ Json Describe(const wfv::Projection& p)
     options.push_back("lens");
   }
   return { { "name", p.Name }, { "title", p.Title }, { "properties", p.Properties },
-    { "max_hfov", p.MaxHorizontalFov }, { "max_vfov", p.MaxVerticalFov }, { "options", options } };
+    { "min_hfov", p.MinHorizontalFov }, { "max_hfov", p.MaxHorizontalFov },
+    { "min_vfov", p.MinVerticalFov }, { "max_vfov", p.MaxVerticalFov }, { "options", options } };
 }
 
 std::string ProjectionList(bool json)

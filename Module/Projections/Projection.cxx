@@ -1,99 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Projection.h"
 
-#include "WideFoVGlsl.h"
-
-#define float double
-namespace wfv
-{
-namespace equirectangular
-{
-#include "equirectangular.glsl"
-}
-namespace hammer
-{
-#include "hammer.glsl"
-}
-namespace azimuthal_equidistant
-{
-#include "azimuthal-equidistant.glsl"
-}
-namespace perspective
-{
-#include "perspective.glsl"
-}
-}
-#undef float
-
-#define WFV_FUNCTIONS(ns)                                                                          \
-  p.Map = ns::wfvMap;                                                                              \
-  p.Project = ns::wfvProject;                                                                      \
-  p.Unproject = ns::wfvUnproject;                                                                  \
-  p.Bounds = ns::wfvBounds
+#include "Bend.h"
 
 namespace wfv
 {
 namespace
 {
 const double Degree = WFV_PI / 180;
-
-// Largest field of view of the perspective, degrees: beyond it a pixel's tangent
-// leaves what float32 can tell apart.
-constexpr double MaxPerspective = 179;
-
-Projection Equirectangular()
-{
-  Projection p;
-  p.Name = "equirectangular";
-  p.Title = "Equirectangular";
-  p.Properties = "equidistant";
-  p.UnboundedPoles = true;
-  p.Glsl = equirectangular_glsl;
-  WFV_FUNCTIONS(equirectangular);
-  return p;
-}
-
-Projection Hammer()
-{
-  Projection p;
-  p.Name = "hammer";
-  p.Title = "Hammer";
-  p.Properties = "equal-area";
-  p.StraightSeam = false;
-  p.Glsl = hammer_glsl;
-  WFV_FUNCTIONS(hammer);
-  return p;
-}
-
-Projection AzimuthalEquidistant()
-{
-  Projection p;
-  p.Name = "azimuthal-equidistant";
-  p.Title = "Azimuthal equidistant (fisheye, dome)";
-  p.Properties = "equidistant";
-  p.Axis = Family::Azimuthal;
-  p.MaxVerticalFov = 360;
-  p.HasLens = true;
-  p.StraightSeam = false;
-  p.UnboundedPoles = true;
-  p.Glsl = azimuthal_equidistant_glsl;
-  WFV_FUNCTIONS(azimuthal_equidistant);
-  return p;
-}
-
-Projection Perspective()
-{
-  Projection p;
-  p.Name = "perspective";
-  p.Title = "Perspective";
-  p.Properties = "straight-lines";
-  p.Axis = Family::Planar;
-  p.MaxHorizontalFov = MaxPerspective;
-  p.MaxVerticalFov = MaxPerspective;
-  p.Glsl = perspective_glsl;
-  WFV_FUNCTIONS(perspective);
-  return p;
-}
 
 bool HasLens(const std::array<double, 5>& lens)
 {
@@ -108,13 +22,6 @@ bool HasLens(const std::array<double, 5>& lens)
 }
 }
 
-const std::vector<Projection>& Projections()
-{
-  static const std::vector<Projection> all{ Equirectangular(), Hammer(), AzimuthalEquidistant(),
-    Perspective() };
-  return all;
-}
-
 const Projection* FindProjection(const std::string& name)
 {
   for (const Projection& p : Projections())
@@ -125,21 +32,6 @@ const Projection* FindProjection(const std::string& name)
     }
   }
   return nullptr;
-}
-
-const char* CommonGlsl()
-{
-  return common_glsl;
-}
-
-const char* DepthGlsl()
-{
-  return depth_glsl;
-}
-
-const char* MathGlsl()
-{
-  return glsl_math_glsl;
 }
 
 bool LensIsMonotone(const std::array<double, 5>& lens, double maxAngle)
@@ -169,15 +61,18 @@ std::string Text(double v)
   return s.back() == '.' ? s.substr(0, s.size() - 1) : s;
 }
 
+// In the ranges' own digits: 360, 170.102258.
 std::string CheckFov(
-  const std::string& which, const std::string& projection, double degrees, double max)
+  const std::string& which, const Projection& p, double degrees, double min, double max)
 {
-  if (degrees > 0 && degrees <= max)
+  if (degrees > 0 && degrees >= min && degrees <= max)
   {
     return "";
   }
-  return "the " + which + " field of view of " + projection + " must be above 0 and at most " +
-    Text(max) + " degrees, not " + Text(degrees);
+  const std::string range = min < max ? "above 0 and at most " + Text(max) : Text(max);
+  const std::string why = p.Limit.empty() ? "" : " (" + p.Limit + ")";
+  return "the " + which + " field of view of " + p.Name + " must be " + range + " degrees, not " +
+    Text(degrees) + why;
 }
 
 std::string CheckLens(const Projection& p, const ViewOptions& o)
@@ -198,8 +93,8 @@ std::string CheckLens(const Projection& p, const ViewOptions& o)
 std::string CheckOptions(const Projection& p, const ViewOptions& o)
 {
   for (const std::string& problem :
-    { CheckFov("horizontal", p.Name, o.HorizontalFov, p.MaxHorizontalFov),
-      CheckFov("vertical", p.Name, o.VerticalFov, p.MaxVerticalFov), CheckLens(p, o) })
+    { CheckFov("horizontal", p, o.HorizontalFov, p.MinHorizontalFov, p.MaxHorizontalFov),
+      CheckFov("vertical", p, o.VerticalFov, p.MinVerticalFov, p.MaxVerticalFov), CheckLens(p, o) })
   {
     if (!problem.empty())
     {
@@ -218,6 +113,27 @@ std::string CheckOptions(const Projection& p, const ViewOptions& o)
   return "";
 }
 
+namespace
+{
+// NDC per unit of the raw map.
+vec2 Scale(const Projection& p, const ViewOptions& o, const WfvView& v)
+{
+  switch (p.Axis)
+  {
+    case Family::Azimuthal:
+    {
+      // theta = fov/2 has r = 1, or r as the lens says; a circle stays a circle
+      const double rim = HasLens(o.Lens) ? 1 : p.Map(vec2(0, v.maxAngle), v).x;
+      return vec2(std::min(1.0, 1 / o.Aspect) / rim, std::min(1.0, o.Aspect) / rim);
+    }
+    case Family::Faces:
+      return vec2(1, 1);
+    default:
+      return vec2(1 / p.Map(vec2(v.halfFov.x, 0), v).x, 1 / p.Map(vec2(0, v.halfFov.y), v).y);
+  }
+}
+}
+
 View::View(const Projection& projection, const ViewOptions& o)
   : Map(&projection)
 {
@@ -230,16 +146,8 @@ View::View(const Projection& projection, const ViewOptions& o)
   v.maxAngle = v.halfFov.x;
   v.depthMapping = static_cast<int>(o.Mapping);
   v.scale = vec2(1, 1);
-  if (projection.Axis == Family::Azimuthal)
-  {
-    // theta = fov/2 has r = 1, or r as the lens says; a circle stays a circle
-    const double rim = HasLens(o.Lens) ? 1 : projection.Map(vec2(0, v.maxAngle), v).x;
-    v.scale = vec2(std::min(1.0, 1 / o.Aspect) / rim, std::min(1.0, o.Aspect) / rim);
-    return;
-  }
-  const double x = projection.Map(vec2(v.halfFov.x, 0), v).x;
-  const double y = projection.Map(vec2(0, v.halfFov.y), v).y;
-  v.scale = vec2(1 / x, 1 / y);
+  v.scale = Scale(projection, o, v);
+  v.bend = Bend(projection, v);
 }
 
 NdcPoint View::Forward(vec3 point) const

@@ -23,7 +23,8 @@ enum class Family
 {
   Meridian,  // (lambda, phi) about the vertical axis; a seam behind, poles above and below
   Azimuthal, // (azimuth, theta) about -z; round maps; the antipode behind
-  Planar     // straight lines stay straight; nothing behind the eye
+  Planar,    // straight lines stay straight; nothing behind the eye
+  Faces      // the six faces of a cube, side by side; discontinuous at their borders
 };
 
 struct Projection
@@ -32,12 +33,16 @@ struct Projection
   std::string Title;      // for people
   std::string Properties; // "equidistant", "equal-area", ..., asserted by the tests
   Family Axis = Family::Meridian;
-  double MaxHorizontalFov = 360; // degrees
-  double MaxVerticalFov = 180;   // degrees
-  bool HasLens = false;          // takes the lens polynomial
-  bool StraightSeam = true;      // the seam is drawn as a straight line
-  bool UnboundedPoles = false;   // a pole is stretched to a segment of the border
-  const char* Glsl = nullptr;    // source text of the file
+  double MinHorizontalFov = 0;   // degrees; 0: anything above it
+  double MaxHorizontalFov = 360; // degrees; half of each is where the domain ends
+  double MinVerticalFov = 0;
+  double MaxVerticalFov = 180;
+  std::string Limit;           // why these are the limits, where they are not the sphere's
+  bool HasLens = false;        // takes the lens polynomial
+  bool StraightSeam = true;    // the seam is drawn as a straight line
+  bool UnboundedPoles = false; // a pole is stretched to a segment of the border
+  bool FlatRim = false;        // a round map whose radius has no slope at 90 degrees
+  std::string Glsl;            // source text of its files
   vec2 (*Map)(vec2 angles, WfvView view) = nullptr;
   vec2 (*Project)(vec3 direction, WfvView view) = nullptr;
   WfvRay (*Unproject)(vec2 ndc, WfvView view) = nullptr;

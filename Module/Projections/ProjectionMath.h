@@ -22,7 +22,7 @@ using glm::min;
 using glm::sin;
 using glm::sqrt;
 
-// GLSL's accuracy of these is unspecified, so the shaders bring their own
+// GLSL lacks these or leaves their accuracy open, so the shaders bring their own
 // (glsl_math.glsl); in double the standard library's serve.
 inline double wfvAtan2(double y, double x)
 {
@@ -37,8 +37,24 @@ inline double wfvLog(double x)
   return std::log(x);
 }
 
-// Newton steps of the lens inverse: enough for double from any bracket.
+inline double wfvAtanh(double x)
+{
+  return std::atanh(x);
+}
+inline double wfvTanh(double x)
+{
+  return std::tanh(x);
+}
+inline double wfvCbrt(double x)
+{
+  return std::cbrt(x);
+}
+
+// Newton steps of an inverse at the most: enough for double from any bracket.
 constexpr int WFV_NEWTON_STEPS = 64;
+
+// The step after which the next result is double's last (glsl_math.glsl).
+constexpr double WFV_ROOT_STEP = 1e-8;
 
 #define WFV_FN inline
 #define float double

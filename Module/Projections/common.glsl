@@ -15,6 +15,10 @@ const float WFV_FAR_NDC = 1e30;
 // border is on it.
 const float WFV_BORDER = 1.0000001;
 
+// Sine of the angle from a pole or the antipode that stands for none: it still tells the
+// azimuths apart, which are places of their own where the map makes a line of the point.
+const float WFV_AT_SINGULARITY = 1e-20;
+
 // One view, as the shaders and the CPU share it.
 struct WfvView
 {
@@ -26,6 +30,7 @@ struct WfvView
   float lens5;   // c5
   float maxAngle; // round maps: angle at the rim of the domain, radians
   int depthMapping; // WFV_DEPTH_LINEAR, ... (depth.glsl)
+  float bend;     // how far chords are from their edges: see Bend.h
 };
 
 // The answer of wfvUnproject: a unit direction, or "outside the map".
@@ -74,4 +79,17 @@ WFV_FN vec3 wfvAzimuthalDirection(vec2 a)
 {
   float s = sin(a.y);
   return vec3(s * cos(a.x), s * sin(a.x), -cos(a.y));
+}
+
+// The direction of twice the longitude of d, a unit vector (to the right, up, ahead) of the
+// half sphere ahead, at the same latitude.
+WFV_FN vec3 wfvDoubleLongitude(vec3 d)
+{
+  float c = wfvHypot(d.x, d.z);
+  vec3 r = vec3(0.0, d.y < 0.0 ? -1.0 : 1.0, 0.0);
+  if (c > 0.0)
+  {
+    r = vec3(2.0 * d.x * d.z / c, d.y, (d.x * d.x - d.z * d.z) / c);
+  }
+  return r;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The functions whose accuracy GLSL leaves open, for the GPU only; the C++ side has
-// std::atan2, std::hypot and std::log (ProjectionMath.h).
+// The functions whose accuracy GLSL leaves open or that it lacks, for the GPU only; the
+// C++ side has the standard library's (ProjectionMath.h).
 
 // atan2 with an absolute error below 3e-7 rad: octant reduction and an odd
 // minimax polynomial of degree 17 on [0, 1] (Abramowitz and Stegun 4.4.49,
@@ -50,4 +50,61 @@ WFV_FN float wfvLog(float x)
   r = r * t + 1.0 / 3.0;
   r = r * t + 1.0;
   return 2.0 * s * r + e * 0.69314718055994531;
+}
+
+// The step of a Newton iteration after which the next result is float32's last: the
+// error of a step is about the square of the one before.
+const float WFV_ROOT_STEP = 3e-4;
+
+// The first five terms; the rest is under 4e-10 for |t| <= 0.1716.
+WFV_FN float wfvAtanhSeries(float t)
+{
+  float s = t * t;
+  return t * (1.0 + s * (1.0 / 3.0 + s * (0.2 + s * (1.0 / 7.0 + s / 9.0))));
+}
+
+// atanh for |x| < 1, by halving (1 + x) / (1 - x) = exp(2 atanh(x)) down to where the series
+// serves.
+WFV_FN float wfvAtanh(float x)
+{
+  float t = abs(x);
+  if (t < 0.17)
+  {
+    return wfvAtanhSeries(x);
+  }
+  float m = (1.0 + t) / (1.0 - t);
+  float k = 0.0;
+  for (int i = 0; i < 32 && m > 1.41421356; i++)
+  {
+    m *= 0.5;
+    k += 0.34657359027997265;
+  }
+  float r = k + wfvAtanhSeries((m - 1.0) / (m + 1.0));
+  return x < 0.0 ? -r : r;
+}
+
+// tanh for |x| <= 3.2: the series of a sixteenth (the rest is under 1e-9), doubled four
+// times, which lessens its relative error.
+WFV_FN float wfvTanh(float x)
+{
+  float a = 0.0625 * x;
+  float s = a * a;
+  float t = a * (1.0 - s * (1.0 / 3.0 - s * (2.0 / 15.0 - s * (17.0 / 315.0 - s * 62.0 / 2835.0))));
+  for (int i = 0; i < 4; i++)
+  {
+    t = 2.0 * t / (1.0 + t * t);
+  }
+  return t;
+}
+
+// Cube root of x >= 0, for the start of an iteration: GLSL's pow may err in the fifth
+// digit, and one step of Newton's method mends that.
+WFV_FN float wfvCbrt(float x)
+{
+  if (!(x > 0.0))
+  {
+    return 0.0;
+  }
+  float c = pow(x, 1.0 / 3.0);
+  return (2.0 * c + x / (c * c)) / 3.0;
 }

@@ -127,7 +127,7 @@ bool wfvNears(vec3 a, vec3 b, vec3 axis, float s)
 // there a pixel no longer looks like a plane.
 float wfvSingularSine()
 {
-#if WFV_MERIDIAN
+#if WFV_MERIDIAN || WFV_FACES
   float pixel = 2.0 * wfvView.halfFov.y / (wfvViewport.w * wfvTile.y);
 #else
   float pixel = 2.0 * wfvView.halfFov.x / (wfvViewport.z * wfvTile.x);
@@ -139,12 +139,30 @@ float wfvSingularSine()
 bool wfvNearsSingularity(vec3 a, vec3 b)
 {
   float s = wfvSingularSine();
-#if WFV_MERIDIAN
+#if WFV_FACES
+  return false;
+#elif WFV_MERIDIAN
   return wfvNears(a, b, vec3(0.0, 1.0, 0.0), s) || wfvNears(a, b, vec3(0.0, -1.0, 0.0), s);
 #else
   return wfvNears(a, b, vec3(0.0, 0.0, 1.0), s);
 #endif
 }
+
+#if !WFV_MERIDIAN && !WFV_FACES
+// Cosine of the angle from the axis beyond which no edge is drawn as a chord: behind the
+// rim of a round map, whence chords would cut across it, and beside a rim where the map is
+// flat and pixels are no measure of angles.
+float wfvChordEnd()
+{
+#if WFV_FLAT_RIM
+  vec2 pixels = 0.5 * wfvViewport.zw * wfvTile.xy * wfvView.scale;
+  float strip = WFV_SINGULAR_PIXELS / min(pixels.x, pixels.y);
+  return cos(wfvTheta(max(0.0, wfvRadius(0.5 * WFV_PI, wfvView) - strip), wfvView));
+#else
+  return wfvView.maxAngle < 0.4999 * WFV_PI ? -2.0 : cos(wfvView.maxAngle);
+#endif
+}
+#endif
 
 // The chord p, q in the map against its edge. x: by how many pixels they differ, or
 // WFV_CURVED where that is more than the tolerance. y: a bound of the pixels,
@@ -161,6 +179,9 @@ vec2 wfvChordError(vec3 p, vec3 q)
   unknown = unknown ||
     (min(a.x, b.x) <= 0.0 && max(a.x, b.x) >= 0.0 && (a.z > 0.0 || b.z > 0.0));
 #endif
+#if !WFV_MERIDIAN && !WFV_FACES
+  unknown = unknown || -max(da.z, db.z) < wfvChordEnd();
+#endif
   if (unknown)
   {
     return vec2(WFV_CURVED, WFV_UNKNOWN);
@@ -169,11 +190,15 @@ vec2 wfvChordError(vec3 p, vec3 q)
   return vec2(error <= wfvTolerance ? error : WFV_CURVED, c > 0.5 ? error : WFV_UNKNOWN);
 }
 
-// Clip coordinates of a point of a polygon that lies on one side of the seam.
+// Clip coordinates of a point of a polygon that lies on one side of the seam, or on the
+// face of a cube numbered side - 1; 0: wherever it lies.
 vec4 wfvClipOnSide(vec3 p, float side)
 {
   float rho = wfvLength(p) * wfvScale();
-#if WFV_MERIDIAN
+#if WFV_FACES
+  int face = side == 0.0 ? wfvFaceOf(p) : int(side) - 1;
+  return wfvClip(wfvProjectOnFace(p, face, wfvView), rho);
+#elif WFV_MERIDIAN
   vec2 angles = wfvMeridianAngles(p);
   float lambda = side == 0.0 ? angles.x : side * abs(angles.x);
   return wfvClip(wfvMap(vec2(lambda, angles.y), wfvView), rho);

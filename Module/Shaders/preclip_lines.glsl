@@ -26,6 +26,9 @@ vec3 wfvAxis(vec3 p) // of the family, on the side of p
 
 bool wfvHasNoAzimuth(vec3 p)
 {
+#if WFV_FACES
+  return false;
+#endif
   vec3 axis = wfvAxis(p);
   return dot(p, axis) > 0.0 && wfvAtPole(p, axis);
 }
@@ -136,6 +139,10 @@ void wfvEmitBroken(float t0, float t1, float side)
   wfvEmitStretch(t0, t1, side);
 }
 
+#if WFV_FACES
+void wfvEmitOnFaces(); // lines_faces.glsl
+#endif
+
 void main()
 {
   for (int i = 0; i < 2; i++)
@@ -160,6 +167,8 @@ void main()
   }
   bool touches = (a == 0.0 && wfvP[0].z > 0.0) || (b == 0.0 && wfvP[1].z > 0.0);
   wfvEmitBroken(0.0, 1.0, touches ? (a + b < 0.0 ? -1.0 : 1.0) : 0.0);
+#elif WFV_FACES
+  wfvEmitOnFaces();
 #else
   wfvEmitBroken(0.0, 1.0, 0.0);
 #endif

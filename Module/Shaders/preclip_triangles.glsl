@@ -7,10 +7,14 @@ vec3 wfvEdgePlane(vec3 p, vec3 q)
   return wfvOrdered(p, q) ? cross(p, q - p) : -cross(q, p - q);
 }
 
-// True where the triangle reaches the plane x = 0 behind the eye.
+// True where the triangle reaches the plane x = 0 behind the eye, or lies on more than
+// one face of the cube.
 bool wfvReachesSeam()
 {
-#if !WFV_MERIDIAN
+#if WFV_FACES
+  int face = wfvFaceOf(wfvP[0]);
+  return wfvFaceOf(wfvP[1]) != face || wfvFaceOf(wfvP[2]) != face;
+#elif !WFV_MERIDIAN
   return false;
 #endif
   for (int i = 0; i < 3; i++)
@@ -31,23 +35,12 @@ bool wfvReachesSeam()
 // be judged by its second derivative.
 const float WFV_EASY_EDGE = 0.008;
 
-// Bound of a chord's error per squared edge and squared sine of the angle from the
-// singular points, in map units. Worked out by hand for the maps here (pi / 8 for the
-// azimuthal); Testing/Compare would show one that is too small.
-const float WFV_EASY_BEND = 0.5;
-
 // A cheap test that lets nearly every triangle of a fine mesh through: surely no pole,
 // every chord within the tolerance.
 bool wfvEasy(vec3 lengths)
 {
 #if WFV_EXACT
   return false;
-#endif
-#if !WFV_MERIDIAN
-  if (wfvView.lens.x != 0.0)
-  {
-    return false; // its bend is anybody's guess
-  }
 #endif
   vec3 edges = vec3(dot(wfvP[1] - wfvP[2], wfvP[1] - wfvP[2]) / (lengths.y * lengths.z),
     dot(wfvP[2] - wfvP[0], wfvP[2] - wfvP[0]) / (lengths.z * lengths.x),
@@ -57,15 +50,22 @@ bool wfvEasy(vec3 lengths)
   for (int i = 0; i < 3; i++)
   {
     vec3 p = wfvP[i];
-#if WFV_MERIDIAN
+#if WFV_FACES
+    sines[i] = 2.0; // no singular point
+#elif WFV_MERIDIAN
     sines[i] = length(vec2(p.x, p.z)) / lengths[i];
 #else
     sines[i] = p.z <= 0.0 ? 1.0 : length(vec2(p.x, p.y)) / lengths[i];
 #endif
   }
   float nearest = min(sines.x, min(sines.y, sines.z)) - sqrt(longest);
-  vec2 pixels = 0.5 * wfvViewport.zw * wfvTile.xy * wfvView.scale;
-  float bend = WFV_EASY_BEND * max(pixels.x, pixels.y) * longest;
+  nearest = min(nearest, 1.0);
+  // the bound of wfv::Bend (Projections/Bend.h), on both axes
+  float bend = 0.125 * wfvView.bend * length(0.5 * wfvViewport.zw * wfvTile.xy) * longest;
+#if !WFV_MERIDIAN && !WFV_FACES
+  vec3 cosines = -vec3(wfvP[0].z, wfvP[1].z, wfvP[2].z) / lengths;
+  nearest = min(cosines.x, min(cosines.y, cosines.z)) < wfvChordEnd() ? 0.0 : nearest;
+#endif
   return longest <= WFV_EASY_EDGE && nearest > wfvSingularSine() &&
     bend <= wfvTolerance * nearest * nearest;
 }
@@ -78,7 +78,7 @@ bool wfvOutside(vec3 lengths)
   {
     return true;
   }
-#if WFV_MERIDIAN
+#if WFV_MERIDIAN || WFV_FACES
   return false;
 #else
   vec3 cosines = -vec3(wfvP[0].z, wfvP[1].z, wfvP[2].z) / lengths;
@@ -102,7 +102,9 @@ bool wfvMustCover(float facing)
   wfvS = vec3(WFV_CURVED);
 #endif
   bool bent = min(wfvS.x, min(wfvS.y, wfvS.z)) < 0.0;
-#if WFV_MERIDIAN
+#if WFV_FACES
+  return bent;
+#elif WFV_MERIDIAN
   return bent || wfvHolds(1, 1.0, facing) || wfvHolds(1, -1.0, facing);
 #else
   return bent || wfvHolds(2, 1.0, facing);

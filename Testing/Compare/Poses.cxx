@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Poses.h"
 
+#include <algorithm>
+
 namespace wfv
 {
 namespace test
@@ -72,17 +74,38 @@ Shot MakeShot(const std::string& projection, double fov, const NamedPose& pose)
   Shot s;
   s.Projection = projection;
   s.Options.HorizontalFov = fov;
-  s.Options.VerticalFov = fov / 2;
+  s.Options.VerticalFov = std::clamp(fov / 2, p.MinVerticalFov, p.MaxVerticalFov);
   if (p.Axis == Family::Azimuthal)
   {
     s.Width = s.Height = 360;
     s.Options.VerticalFov = fov;
+  }
+  if (p.Axis == Family::Faces)
+  {
+    s.Width = 540; // square faces
+    s.Height = 360;
   }
   s.Options.Radii = { { 0.02, 4 } };
   s.Eye = pose.Eye;
   s.Direction = pose.Direction;
   s.Up = pose.Up;
   return s;
+}
+
+std::vector<double> FovsOf(const Projection& p, const std::vector<double>& fovs)
+{
+  // the families' first ones stand for the others at what is not the widest
+  const bool first = p.Name == "equirectangular" || p.Name == "hammer" ||
+    p.Name == "azimuthal-equidistant" || p.Name == "perspective";
+  std::vector<double> own;
+  for (double fov : fovs)
+  {
+    if (first && fov >= p.MinHorizontalFov && fov <= p.MaxHorizontalFov)
+    {
+      own.push_back(fov);
+    }
+  }
+  return first ? own : std::vector<double>{ p.MaxHorizontalFov };
 }
 }
 }

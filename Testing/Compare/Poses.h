@@ -34,6 +34,10 @@ std::vector<NamedPose> SweptPoses(int n);
 // The eye on a vertex, an edge and a face of the room's wall x = 1 (n cells a side).
 std::vector<NamedPose> WallPoses(int n);
 
+// Those of the fields of view, degrees, that are drawn with a projection. The projections
+// that came later share their families' shaders: their widest alone, to spare time.
+std::vector<double> FovsOf(const Projection& projection, const std::vector<double>& fovs);
+
 // A shot of a projection from a pose: size and vertical field of view by the projection.
 Shot MakeShot(const std::string& projection, double fov, const NamedPose& pose);
 }

@@ -85,12 +85,8 @@ protected:
       Picture->SetMesh(make(n, place.Where));
       for (const NamedPose& pose : PlainPoses())
       {
-        for (double fov : { 120.0, 180.0, 360.0 })
+        for (double fov : FovsOf(p, { 120.0, 180.0, 360.0 }))
         {
-          if (fov > p.MaxHorizontalFov)
-          {
-            continue;
-          }
           Shot shot = MakeShot(p.Name, fov, pose);
           shot.Eye = place.Where.Centre + pose.Eye * place.Where.Scale;
           shot.Options.Radii = { { 0.02 * place.Where.Scale, 4 * place.Where.Scale } };
@@ -126,7 +122,8 @@ TEST_P(Watertight, VerticesAloneAreNot)
   }
   Picture->SetMesh(MakeRoom(1));
   Picture->SetTechnique(vtkWideFoVPass::VERTEX);
-  const reference::DrawnPicture picture = Picture->Draw(MakeShot(p.Name, 360, PlainPoses()[1]));
+  const reference::DrawnPicture picture =
+    Picture->Draw(MakeShot(p.Name, p.MaxHorizontalFov, PlainPoses()[1]));
   Picture->SetTechnique(vtkWideFoVPass::PRECLIP);
   EXPECT_GT(CountHoles(picture, Picture->GetView()).Holes, 100);
 }

@@ -42,7 +42,11 @@ vec4 DomainOf(const View& view)
     case Family::Planar:
       return vec4(-a, -view.GetParameters().halfFov.y, a, view.GetParameters().halfFov.y);
     default:
-      return vec4(-WFV_PI, -0.5 * WFV_PI, WFV_PI, 0.5 * WFV_PI);
+    {
+      const Projection& p = view.GetProjection();
+      const vec2 half(0.5 * p.MaxHorizontalFov * Degree, 0.5 * p.MaxVerticalFov * Degree);
+      return vec4(-half.x, -half.y, half.x, half.y);
+    }
   }
 }
 
@@ -68,7 +72,8 @@ Sampled SampleMap(const View& view, const vec4& r)
     for (int j = 0; j <= Samples; ++j)
     {
       const vec2 t(double(i) / Samples, double(j) / Samples);
-      const vec2 angles(r.x + (r.z - r.x) * t.x, r.y + (r.w - r.y) * t.y);
+      const vec2 angles =
+        glm::min(vec2(r.x + (r.z - r.x) * t.x, r.y + (r.w - r.y) * t.y), vec2(r.z, r.w));
       const vec2 p = view.GetProjection().Map(angles, view.GetParameters());
       // a planar map bounds the window only
       const bool window = std::abs(p.x) <= 1 && std::abs(p.y) <= 1;
@@ -108,7 +113,8 @@ TEST(Bounds, AreTight)
   std::mt19937_64 engine(43);
   for (const NamedView& v : AllViews())
   {
-    if (v.TheView.GetProjection().Axis == Family::Planar)
+    const Family family = v.TheView.GetProjection().Axis;
+    if (family == Family::Planar || family == Family::Faces)
     {
       continue; // the whole window
     }

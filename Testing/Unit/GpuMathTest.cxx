@@ -140,7 +140,10 @@ bool IsOnBorder(const View& view, const vec2& ndc)
   return view.Ray(ndc * (1 - BorderSlack)).Inside != view.Ray(ndc * (1 + BorderSlack)).Inside;
 }
 
-// wfvUnproject: the angle between the directions, by the pixels an angle has on the axis.
+// wfvUnproject: the angle between the directions, by the pixels an angle has on the axis,
+// or how far from its point in the picture the direction found really lies: where a map is
+// flat (at the poles of an equal-area cylinder) the one says nothing, where it stretches (at
+// those of the equirectangular one) the other.
 Worst WorstRay(const NamedView& v, const std::vector<Texel>& in, const std::vector<Texel>& out)
 {
   Worst worst;
@@ -158,7 +161,12 @@ Worst WorstRay(const NamedView& v, const std::vector<Texel>& in, const std::vect
       continue;
     }
     ++worst.Inputs;
-    const double error = pixelsPerRadian * glm::length(ToVec3(out[i]) - cpu.direction);
+    const vec2 place = p.Project(ToVec3(out[i]), v.TheView.GetParameters());
+    const double height = PictureWidth / v.Options.Aspect;
+    const double aside =
+      std::hypot(0.5 * PictureWidth * (place.x - ndc.x), 0.5 * height * (place.y - ndc.y));
+    const double angle = pixelsPerRadian * glm::length(ToVec3(out[i]) - cpu.direction);
+    const double error = aside < angle ? aside : angle;
     if (!(error <= worst.Pixels))
     {
       worst.Add(error,
@@ -174,15 +182,15 @@ std::vector<NamedView> Views()
   std::vector<NamedView> views;
   for (const Projection& p : Projections())
   {
-    for (double fov : { 60.0, 170.0, 360.0 })
+    for (double fov : { 60.0, 170.0, p.MaxHorizontalFov })
     {
-      if (fov > p.MaxHorizontalFov)
+      if (fov < p.MinHorizontalFov || fov > p.MaxHorizontalFov)
       {
         continue;
       }
       ViewOptions o;
       o.HorizontalFov = fov;
-      o.VerticalFov = std::min(p.MaxVerticalFov, fov / 2);
+      o.VerticalFov = std::clamp(fov / 2, p.MinVerticalFov, p.MaxVerticalFov);
       o.Aspect = p.Axis == Family::Azimuthal ? 1 : 2;
       views.push_back(MakeView(p, o));
       for (const auto& lens : Lenses(fov))
@@ -215,7 +223,8 @@ TEST(GpuMath, AgreesWithDouble)
     std::cout << v.Name << ": project " << forward.Pixels << " px of " << forward.Inputs
               << ", unproject " << ray.Pixels << " px of " << ray.Inputs << "\n";
     EXPECT_GT(forward.Inputs, Count / 100) << v.Name;
-    EXPECT_GT(ray.Inputs, Count / 2) << v.Name;
+    // the sinusoidal map fills 2 / pi of its rectangle, and hardly reaches its corners
+    EXPECT_GT(ray.Inputs, Count / 3) << v.Name;
     EXPECT_LE(forward.Pixels, Agreement) << forward.Case;
     EXPECT_LE(ray.Pixels, Agreement) << ray.Case;
   }

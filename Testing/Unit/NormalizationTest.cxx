@@ -19,7 +19,7 @@ TEST(Normalization, FieldsOfViewEndAtTheBorders)
 {
   for (const Projection& p : Projections())
   {
-    if (p.Axis == Family::Azimuthal)
+    if (p.Axis == Family::Azimuthal || p.Axis == Family::Faces)
     {
       continue;
     }
@@ -84,7 +84,12 @@ TEST(Normalization, RoundMapsStayRoundAndTouchTheNearerBorders)
       {
         ViewOptions o;
         o.HorizontalFov = fov;
+        o.VerticalFov = std::min(fov, p.MaxVerticalFov);
         o.Aspect = aspect;
+        if (!CheckOptions(p, o).empty())
+        {
+          continue;
+        }
         const View view(p, o);
         const double theta = 0.5 * fov * Degree * (1 - 1e-14);
         for (int i = 0; i < 16; ++i)
@@ -120,10 +125,33 @@ TEST(Normalization, LensIsThePolynomial)
   }
 }
 
+// Always the whole picture: the middle of the faces, and where the rows end.
+TEST(Normalization, FacesFillThePicture)
+{
+  const Projection& p = *FindProjection("equi-angular-cubemap");
+  const View view(p, ViewOptions());
+  const std::pair<vec3, vec2> places[] = { { vec3(-1, 0, 0), vec2(-2. / 3, 0.5) },
+    { vec3(0, 0, -1), vec2(0, 0.5) }, { vec3(1, 0, 0), vec2(2. / 3, 0.5) },
+    { vec3(0, -1, 0), vec2(-2. / 3, -0.5) }, { vec3(0, 0, 1), vec2(0, -0.5) },
+    { vec3(0, 1, 0), vec2(2. / 3, -0.5) } };
+  for (const auto& place : places)
+  {
+    const vec3 ndc = view.Forward(place.first).Ndc;
+    EXPECT_NEAR(ndc.x, place.second.x, Rounding) << Text(place.first);
+    EXPECT_NEAR(ndc.y, place.second.y, Rounding) << Text(place.first);
+  }
+  EXPECT_NEAR(view.Ray(vec2(1, 1)).Direction.y, std::sqrt(1. / 3), Rounding);
+  EXPECT_NEAR(view.Ray(vec2(-1, 1)).Direction.z, std::sqrt(1. / 3), Rounding);
+}
+
 TEST(Normalization, TiltRaisesTheAxis)
 {
   for (const Projection& p : Projections())
   {
+    if (p.Axis == Family::Faces)
+    {
+      continue; // the axis is in the middle of one of six faces
+    }
     ViewOptions o;
     o.HorizontalFov = 90;
     o.VerticalFov = 90;

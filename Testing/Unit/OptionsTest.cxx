@@ -24,11 +24,20 @@ ViewOptions Small()
   return o;
 }
 
+// The same, or what the projection has nearest to it.
+ViewOptions SmallFor(const Projection& p)
+{
+  ViewOptions o = Small();
+  o.HorizontalFov = std::max(o.HorizontalFov, p.MinHorizontalFov);
+  o.VerticalFov = std::max(o.VerticalFov, p.MinVerticalFov);
+  return o;
+}
+
 // One message, no line break, that names all of these.
 void ExpectRefused(const Projection& p, const ViewOptions& o, const std::vector<std::string>& words)
 {
   const std::string message = CheckOptions(p, o);
-  EXPECT_FALSE(message.empty()) << MakeView(p, Small()).Name;
+  EXPECT_FALSE(message.empty()) << p.Name;
   EXPECT_EQ(message.find('\n'), std::string::npos) << message;
   for (const std::string& word : words)
   {
@@ -45,10 +54,13 @@ TEST(Options, RegistryIsConsistent)
     EXPECT_TRUE(names.insert(p.Name).second) << p.Name;
     EXPECT_EQ(FindProjection(p.Name), &p);
     EXPECT_FALSE(p.Title.empty()) << p.Name;
-    ASSERT_TRUE(p.Glsl && p.Map && p.Project && p.Unproject && p.Bounds) << p.Name;
-    EXPECT_NE(std::string(p.Glsl).find("wfvProject"), std::string::npos) << p.Name;
+    ASSERT_TRUE(p.Map && p.Project && p.Unproject && p.Bounds) << p.Name;
+    EXPECT_NE(p.Glsl.find("wfvProject"), std::string::npos) << p.Name;
   }
-  for (const char* name : { "equirectangular", "hammer", "azimuthal-equidistant", "perspective" })
+  for (const char* name : { "equirectangular", "cylindrical-equal-area", "miller", "mercator",
+         "central-cylindrical", "mollweide", "sinusoidal", "eckert-iv", "winkel-tripel", "aitoff",
+         "hammer", "panini", "azimuthal-equidistant", "azimuthal-equal-area", "stereographic",
+         "orthographic", "equi-angular-cubemap", "perspective" })
   {
     EXPECT_EQ(names.count(name), 1u) << name;
   }
@@ -61,20 +73,20 @@ TEST(Options, FieldsOfViewHaveARange)
 {
   for (const Projection& p : Projections())
   {
-    EXPECT_EQ(CheckOptions(p, Small()), "") << p.Name;
+    EXPECT_EQ(CheckOptions(p, SmallFor(p)), "") << p.Name;
     for (double bad : { 0.0, -1.0, p.MaxHorizontalFov * 1.001, NaN, Infinity, -Infinity })
     {
-      ViewOptions o = Small();
+      ViewOptions o = SmallFor(p);
       o.HorizontalFov = bad;
       ExpectRefused(p, o, { "horizontal", p.Name, "degrees" });
     }
     for (double bad : { 0.0, -1.0, p.MaxVerticalFov * 1.001, NaN, Infinity })
     {
-      ViewOptions o = Small();
+      ViewOptions o = SmallFor(p);
       o.VerticalFov = bad;
       ExpectRefused(p, o, { "vertical", p.Name, "degrees" });
     }
-    ViewOptions o = Small();
+    ViewOptions o = SmallFor(p);
     o.HorizontalFov = p.MaxHorizontalFov;
     o.VerticalFov = p.MaxVerticalFov;
     EXPECT_EQ(CheckOptions(p, o), "") << p.Name;
@@ -92,13 +104,30 @@ TEST(Options, RefusalsNameTheValues)
   ExpectRefused(p, o, { "clip", "near", "far", "3", "2" });
 }
 
+// What a map cannot show is refused with the reason.
+TEST(Options, LimitsAreExplained)
+{
+  const Projection& mercator = *FindProjection("mercator");
+  ViewOptions o = Small();
+  o.VerticalFov = 2 * 90; // a latitude limit of 90 degrees
+  ExpectRefused(mercator, o, { "vertical", "mercator", "170.1", "180", "poles", "infinitely" });
+  o = Small();
+  ExpectRefused(
+    *FindProjection("equi-angular-cubemap"), o, { "must be 360", "90", "whole sphere" });
+  o.HorizontalFov = 181;
+  ExpectRefused(*FindProjection("orthographic"), o, { "180", "181", "half sphere" });
+  o.HorizontalFov = 321;
+  ExpectRefused(*FindProjection("stereographic"), o, { "320", "321", "antipode" });
+  ExpectRefused(*FindProjection("panini"), o, { "320", "321", "infinity" });
+}
+
 TEST(Options, TiltAndRadii)
 {
   for (const Projection& p : Projections())
   {
     for (double bad : { NaN, Infinity, -Infinity })
     {
-      ViewOptions o = Small();
+      ViewOptions o = SmallFor(p);
       o.Tilt = bad;
       ExpectRefused(p, o, { "tilt" });
     }
@@ -106,7 +135,7 @@ TEST(Options, TiltAndRadii)
       { { NaN, 1 } }, { { 1, NaN } }, { { 1, Infinity } } };
     for (const auto& radii : bad)
     {
-      ViewOptions o = Small();
+      ViewOptions o = SmallFor(p);
       o.Radii = radii;
       ExpectRefused(p, o, { "clip" });
     }
@@ -124,7 +153,7 @@ TEST(Options, Lens)
     {
       EXPECT_EQ(CheckOptions(p, o), "") << p.Name;
     }
-    else if (p.MaxHorizontalFov >= 180)
+    else if (p.MaxHorizontalFov >= 180 && p.MinHorizontalFov == 0)
     {
       ExpectRefused(p, o, { p.Name, "lens" });
     }

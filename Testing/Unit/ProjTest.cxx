@@ -29,10 +29,35 @@ struct Counterpart
   const char* Sphere; // the same by PROJ's formula for the sphere
   double Fov;         // degrees
   bool TearsAtAntipode;
+  double MaxLatitude = 90; // degrees: up to where PROJ's own solver ends within `Agreement`
+  double MinAngle = 0;     // radians: how near the centre or the antipode PROJ's formula holds
 };
+
+// PROJ ends its iterations for these two at steps of 1e-7, and beside the poles, where
+// Newton's steps become slow, after a fixed number of them; there IndependentTest.cxx looks.
+constexpr double MollweideEnd = 88;
+constexpr double EckertEnd = 85;
+
+// Radians from the centre (Aitoff, Winkel tripel: acos of a cosine) or the antipode
+// (azimuthal equal-area: one plus a cosine) inside which PROJ's formula for the sphere loses
+// the digits asked for; there IndependentTest.cxx looks.
+constexpr double NearCentre = 1e-4;
+constexpr double NearAntipode = 1e-2;
 
 const Counterpart Counterparts[] = {
   { "equirectangular", "+proj=eqc", "+proj=eqc", 360, false },
+  { "cylindrical-equal-area", "+proj=cea", "+proj=cea", 360, false },
+  { "miller", "+proj=mill", "+proj=mill", 360, false },
+  { "mercator", "+proj=merc", "+proj=merc", 360, false },
+  { "central-cylindrical", "+proj=cc", "+proj=cc", 360, false },
+  { "mollweide", "+proj=moll", "+proj=moll", 360, false, MollweideEnd },
+  { "sinusoidal", "+proj=sinu", "+proj=sinu", 360, false },
+  { "eckert-iv", "+proj=eck4", "+proj=eck4", 360, false, EckertEnd },
+  { "winkel-tripel", "+proj=wintri", "+proj=wintri", 360, false, 90, NearCentre },
+  { "aitoff", "+proj=aitoff", "+proj=aitoff", 360, false, 90, NearCentre },
+  { "azimuthal-equal-area", "+proj=laea", "+proj=laea", 360, false, 90, NearAntipode },
+  { "stereographic", "+proj=stere", "+proj=stere", 320, false },
+  { "orthographic", "+proj=ortho", "+proj=ortho", 180, false },
   { "hammer", "+proj=hammer", "+proj=hammer", 360, false },
   // a flattening below double's epsilon makes PROJ solve for geodesics: its formula for the
   // sphere goes through acos and loses half the digits near the axis and the antipode
@@ -119,6 +144,14 @@ double Sine(const vec3& d)
 {
   return std::hypot(d.x, d.y);
 }
+
+// The sphere in a circle or an ellipse, outside of which PROJ refuses to answer (it does
+// answer for aitoff).
+bool IsRound(const Projection& p)
+{
+  return p.Name == "hammer" || p.Name == "mollweide" ||
+    (p.Axis == Family::Azimuthal && p.Limit.empty());
+}
 }
 
 class Proj : public ::testing::TestWithParam<Counterpart>
@@ -140,7 +173,8 @@ TEST_P(Proj, AgreesForward)
     vec2 xy;
     // the seam itself may be drawn on either side
     const bool seam = std::abs(angles.x) > WFV_PI - 1e-10;
-    if (seam || !InDomain(view, d) || !oracle.Forward(angles, xy))
+    const bool slow = std::abs(angles.y) > c.MaxLatitude * Degree || Sine(d) < c.MinAngle;
+    if (seam || slow || !InDomain(view, d) || !oracle.Forward(angles, xy))
     {
       continue;
     }
@@ -178,7 +212,9 @@ TEST_P(Proj, AgreesInverse)
       const vec2 ndc(i / 100.0 - 1, j / 100.0 - 1);
       vec2 angles;
       const ViewRay ray = view.Ray(ndc);
-      if (!ray.Inside || !oracle.Inverse(vec2(ndc.x / scale.x, ndc.y / scale.y), angles))
+      // a direction at the border may be on either side for PROJ
+      const bool rim = !view.Ray(ndc * (1 + 1e-6)).Inside;
+      if (!ray.Inside || rim || !oracle.Inverse(vec2(ndc.x / scale.x, ndc.y / scale.y), angles))
       {
         continue;
       }
@@ -203,7 +239,7 @@ TEST(ProjRefuses, OutsideOfRoundMaps)
 {
   for (const Counterpart& c : Counterparts)
   {
-    if (FindProjection(c.Projection)->StraightSeam)
+    if (!IsRound(*FindProjection(c.Projection)))
     {
       continue;
     }
@@ -271,12 +307,12 @@ INSTANTIATE_TEST_SUITE_P(All, Proj, ::testing::ValuesIn(Counterparts),
     return name;
   });
 
-// A projection added to the registry needs its witness here.
+// A projection added to the registry needs its witness here, or in IndependentTest.cxx.
 TEST(ProjCoverage, EveryProjectionHasAWitness)
 {
   for (const Projection& p : Projections())
   {
-    bool found = false;
+    bool found = p.Name == "panini" || p.Name == "equi-angular-cubemap";
     for (const Counterpart& c : Counterparts)
     {
       found = found || p.Name == c.Projection;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Views.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <random>
 
@@ -27,6 +28,12 @@ std::vector<std::array<double, 5>> LensesAndNone(const Projection& p, double fov
   return lenses;
 }
 
+// The vertical field of view nearest to this one, degrees.
+double FitVertical(const Projection& p, double degrees)
+{
+  return std::clamp(degrees, p.MinVerticalFov, p.MaxVerticalFov);
+}
+
 void AddViews(std::vector<NamedView>& views, const Projection& p, double fov)
 {
   for (double tilt : { 0.0, 21.0, 90.0, -135.0 })
@@ -35,7 +42,7 @@ void AddViews(std::vector<NamedView>& views, const Projection& p, double fov)
     {
       ViewOptions o;
       o.HorizontalFov = fov;
-      o.VerticalFov = std::min(p.MaxVerticalFov, fov / 2);
+      o.VerticalFov = FitVertical(p, fov / 2);
       o.Tilt = tilt;
       o.Lens = lens;
       views.push_back(MakeView(p, o));
@@ -59,13 +66,14 @@ std::vector<NamedView> AllViews()
   std::vector<NamedView> views;
   for (const Projection& p : Projections())
   {
-    for (double fov : { 0.001, 1.0, 60.0, 90.0, 120.0, 179.0, 180.0, 270.0, 359.9, 360.0 })
+    for (double fov : { 0.001, 1.0, 60.0, 90.0, 120.0, 179.0, 180.0, 270.0, 359.9 })
     {
-      if (fov <= p.MaxHorizontalFov)
+      if (fov >= p.MinHorizontalFov && fov <= p.MaxHorizontalFov)
       {
         AddViews(views, p, fov);
       }
     }
+    AddViews(views, p, p.MaxHorizontalFov);
   }
   return views;
 }
@@ -129,12 +137,22 @@ std::vector<vec3> RandomDirections(int count)
 std::vector<vec3> RimDirections(const View& view, double offset)
 {
   std::vector<vec3> d;
+  const Projection& p = view.GetProjection();
   const double rim = view.GetParameters().maxAngle - offset;
-  if (view.GetProjection().Axis == Family::Azimuthal && rim > 0)
+  const vec2 half(0.5 * p.MaxHorizontalFov * Degree, 0.5 * p.MaxVerticalFov * Degree);
+  constexpr int Around = 32;
+  for (int i = 0; i < Around; ++i)
   {
-    for (int i = 0; i < 32; ++i)
+    const double t = (i + 0.5) / Around * 2 - 1;
+    if (p.Axis == Family::Azimuthal && rim > 0)
     {
-      d.push_back(wfvAzimuthalDirection(vec2(2 * WFV_PI * i / 32, rim)));
+      d.push_back(wfvAzimuthalDirection(vec2(WFV_PI * t, rim)));
+    }
+    if (p.Axis == Family::Meridian)
+    {
+      const double s = i % 2 ? 1 : -1;
+      d.push_back(wfvMeridianDirection(vec2(half.x * t, s * (half.y - offset))));
+      d.push_back(wfvMeridianDirection(vec2(s * (half.x - offset), half.y * t)));
     }
   }
   return d;
@@ -167,6 +185,13 @@ bool InDomain(const View& view, const vec3& direction)
       return wfvAzimuthalAngles(p).y <= v.maxAngle;
     case Family::Planar:
       return p.z < 0;
+    case Family::Meridian:
+    {
+      const Projection& map = view.GetProjection();
+      const vec2 a = wfvMeridianAngles(p) / Degree;
+      return std::abs(a.x) <= 0.5 * map.MaxHorizontalFov &&
+        std::abs(a.y) <= 0.5 * map.MaxVerticalFov;
+    }
     default:
       return true;
   }

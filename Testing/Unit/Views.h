@@ -25,8 +25,8 @@ struct NamedView
 // One view, its name made from the options.
 NamedView MakeView(const Projection& projection, const ViewOptions& options);
 
-// Every projection x fields of view from 0.001 degrees to its largest x tilts x (where it
-// takes one) lenses.
+// Every projection x fields of view from 0.001 degrees (where it has more than one) to its largest
+// x tilts x (where it takes one) lenses.
 std::vector<NamedView> AllViews();
 
 // Lenses that grow everywhere up to half the field of view (degrees) and have r = 1 there.
@@ -39,7 +39,8 @@ std::vector<vec3> SpecialDirections(double offset);
 // Uniform on the sphere, always the same ones.
 std::vector<vec3> RandomDirections(int count);
 
-// Directions `offset` radians inside the rim of a round map; none for the others.
+// Directions `offset` radians inside the rim of a round map, or the largest longitude and
+// latitude of a meridian one; none for the others.
 std::vector<vec3> RimDirections(const View& view, double offset);
 
 // All of the above, at 1e-9 and larger offsets, turned by the tilt into view coordinates.

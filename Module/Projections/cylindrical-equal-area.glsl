@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Cylindrical equal-area (Lambert): x = lambda, y = sin(phi). Source: Snyder, Map
+// Projections: A Working Manual (1987), chapter 10, standard parallel at the equator.
+// Domain: the sphere. Discontinuities: the meridian lambda = +-pi; both poles stretch to
+// the top and bottom borders, where the map is flat: y hardly tells latitudes apart.
+
+const float WFV_TOP = 1.0;
+
+WFV_FN float wfvHeight(float phi)
+{
+  return sin(phi);
+}
+
+WFV_FN float wfvLatitude(float y)
+{
+  return wfvAtan2(y, sqrt((1.0 - y) * (1.0 + y)));
+}

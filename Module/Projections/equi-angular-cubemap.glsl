@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Equi-angular cubemap: the sphere on the six faces of a cube, on each of which the angle,
+// not its tangent, grows evenly: u = 4/pi atan(right / forward), v = 4/pi atan(up /
+// forward), both in [-1, 1]. Three columns and two rows, as web video has them:
+//   left            front           right            (upright)
+//   bottom          back            top              (turned, up in the picture is +X)
+// so that each row is one strip without a break. Source: Google, Bringing pixels front and
+// center in VR video (2017); the layout is that of FFmpeg's v360 filter, "eac".
+// Domain: the sphere, always all of it. Discontinuities: the borders between the faces: the
+// strips bend there, and break from one row to the other.
+
+// Direction in the frame of a face (0 to 5 in the order above): right, up, forward.
+WFV_FN vec3 wfvInFace(vec3 p, int face)
+{
+  if (face < 3)
+  {
+    return face == 1 ? vec3(p.x, p.y, -p.z)
+                     : (face == 0 ? vec3(-p.z, p.y, -p.x) : vec3(p.z, p.y, p.x));
+  }
+  return face == 4 ? vec3(p.y, p.x, p.z)
+                   : (face == 3 ? vec3(p.z, p.x, -p.y) : vec3(-p.z, p.x, p.y));
+}
+
+WFV_FN vec3 wfvFromFace(vec3 q, int face)
+{
+  if (face < 3)
+  {
+    return face == 1 ? vec3(q.x, q.y, -q.z)
+                     : (face == 0 ? vec3(-q.z, q.y, -q.x) : vec3(q.z, q.y, q.x));
+  }
+  return face == 4 ? vec3(q.y, q.x, q.z)
+                   : (face == 3 ? vec3(q.y, -q.z, q.x) : vec3(q.y, q.z, -q.x));
+}
+
+// The face that a direction meets; on a border the same one always.
+WFV_FN int wfvFaceOf(vec3 p)
+{
+  vec3 a = vec3(abs(p.x), abs(p.y), abs(p.z));
+  if (p.z < 0.0 && a.z >= a.x && a.z >= a.y)
+  {
+    return 1;
+  }
+  if (a.x >= a.y && a.x >= a.z)
+  {
+    return p.x < 0.0 ? 0 : 2;
+  }
+  return a.z >= a.y ? 4 : (p.y < 0.0 ? 3 : 5);
+}
+
+// Centre of a face in the raw map, which reaches from -1 to 1 on both axes.
+WFV_FN vec2 wfvFaceCentre(int face)
+{
+  int column = face < 3 ? face : face - 3;
+  return vec2(2.0 / 3.0 * (float(column) - 1.0), face < 3 ? 0.5 : -0.5);
+}
+
+// Map of a direction on a face, carried on beyond its borders.
+WFV_FN vec2 wfvProjectOnFace(vec3 p, int face, WfvView v)
+{
+  vec3 q = wfvInFace(p, face);
+  vec2 centre = wfvFaceCentre(face);
+  float perAngle = 4.0 / WFV_PI;
+  return vec2((centre.x + perAngle / 3.0 * wfvAtan2(q.x, q.z)) * v.scale.x,
+    (centre.y + perAngle / 2.0 * wfvAtan2(q.y, q.z)) * v.scale.y);
+}
+
+WFV_FN vec2 wfvProject(vec3 p, WfvView v)
+{
+  return wfvProjectOnFace(p, wfvFaceOf(p), v);
+}
+
+// Map of (lambda, phi) in radians.
+WFV_FN vec2 wfvMap(vec2 angles, WfvView v)
+{
+  return wfvProject(wfvMeridianDirection(angles), v);
+}
+
+// The face that a point of the raw map lies on; outside the picture the nearest.
+WFV_FN int wfvFaceAt(vec2 m)
+{
+  int column = m.x < -1.0 / 3.0 ? 0 : (m.x > 1.0 / 3.0 ? 2 : 1);
+  return m.y < 0.0 ? column + 3 : column;
+}
+
+WFV_FN WfvRay wfvUnproject(vec2 ndc, WfvView v)
+{
+  vec2 m = wfvFinite(ndc);
+  m = vec2(m.x / v.scale.x, m.y / v.scale.y);
+  WfvRay ray;
+  ray.inside = abs(m.x) <= WFV_BORDER && abs(m.y) <= WFV_BORDER;
+  int face = wfvFaceAt(m);
+  vec2 centre = wfvFaceCentre(face);
+  float quarter = 0.25 * WFV_PI;
+  float a = quarter * max(-1.0, min(1.0, 3.0 * (m.x - centre.x)));
+  float b = quarter * max(-1.0, min(1.0, 2.0 * (m.y - centre.y)));
+  vec3 q = vec3(sin(a) * cos(b), sin(b) * cos(a), cos(a) * cos(b));
+  ray.direction = wfvFromFace(q / wfvHypot(wfvHypot(q.x, q.y), q.z), face);
+  return ray;
+}
+
+// NDC rectangle of a rectangle of angles: all of the picture. The stages bound what they
+// draw face by face.
+WFV_FN vec4 wfvBounds(vec4 a, WfvView v)
+{
+  return vec4(-v.scale.x, -v.scale.y, v.scale.x, v.scale.y);
+}

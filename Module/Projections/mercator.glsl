@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Mercator: x = lambda, y = asinh(tan(phi)), which is 2 atanh(tan(phi/2)). Conformal.
+// Source: Snyder, Map Projections: A Working Manual (1987), chapter 7.
+// Domain: latitudes up to atan(sinh(pi)), 85.0511 degrees, where y = pi and the map of the
+// whole circle is a square, as web maps cut it: the poles are infinitely far away.
+// Discontinuity: the meridian lambda = +-pi.
+
+const float WFV_TOP = WFV_PI;
+
+// tan(phi/2) at which the height ends, for what lies beyond the domain.
+const float WFV_MERCATOR_END = 0.999999;
+
+WFV_FN float wfvHeight(float phi)
+{
+  float t = sin(0.5 * phi) / cos(0.5 * phi);
+  return 2.0 * wfvAtanh(max(-WFV_MERCATOR_END, min(WFV_MERCATOR_END, t)));
+}
+
+WFV_FN float wfvLatitude(float y)
+{
+  return 2.0 * wfvAtan2(wfvTanh(0.5 * y), 1.0);
+}
