@@ -2,34 +2,23 @@
 #include "vtkWideFoVShaderBuilder.h"
 
 #include "WideFoVGlsl.h"
+#include "vtkWideFoVQuadricShaders.h"
+#include "vtkWideFoVShaderText.h"
 
 #include <regex>
 #include <vector>
 
+namespace wfv
+{
+namespace shader
+{
 namespace
 {
-using Request = vtkWideFoVShaderBuilder::Request;
-using Primitive = vtkWideFoVShaderBuilder::Primitive;
-
 // Newton steps of the lens inverse in float32: from half the range, quadratic
 // convergence reaches float32's end in fewer.
 constexpr int NewtonSteps = 12;
 
-// One output of the vertex stage.
-struct Varying
-{
-  bool Flat;
-  std::string Type;
-  std::string Name;
-
-  // As the geometry stage takes it in: one a vertex.
-  std::string Input() const
-  {
-    return (this->Flat ? "flat in " : "in ") + this->Type + " " + this->Name + "[];\n";
-  }
-
-  std::string Declaration(const std::string& name) const { return this->Type + " " + name + ";\n"; }
-};
+}
 
 std::vector<Varying> FindVaryings(const std::string& vertex)
 {
@@ -43,6 +32,8 @@ std::vector<Varying> FindVaryings(const std::string& vertex)
   return result;
 }
 
+namespace
+{
 // One array of floats between the stages as vectors of four.
 struct PackedArray
 {
@@ -74,9 +65,8 @@ PackedArray PackArray(const std::string& name, int count, int number)
   return p;
 }
 
-// GLSL 1.50 has no arrays of arrays, so a geometry stage cannot take an array from each
-// vertex: arrays between the stages become vectors (scalars would use up the slots), and
-// arrays again where they are used.
+}
+
 void FlattenArrays(std::string& vertex, std::string& fragment)
 {
   static const std::regex array(R"(\bout\s+float\s+(\w+)\s*\[\s*(\d+)\s*\]\s*;)");
@@ -94,7 +84,6 @@ void FlattenArrays(std::string& vertex, std::string& fragment)
   }
 }
 
-// Takes the fragment stage's declarations of these inputs out.
 void RemoveInputs(std::string& fragment, const std::vector<Varying>& varyings)
 {
   for (const Varying& v : varyings)
@@ -118,7 +107,6 @@ std::string Define(const char* name, int value)
   return std::string("#define ") + name + " " + std::to_string(value) + "\n";
 }
 
-// The mathematics of the view, for any stage.
 std::string ViewSource(const Request& r)
 {
   const bool meridian = r.Projection->Axis == wfv::Family::Meridian;
@@ -132,15 +120,17 @@ std::string ViewSource(const Request& r)
     wfv::CommonGlsl() + r.Projection->Glsl + interface_glsl;
 }
 
+std::string Corner(size_t varying, int corner)
+{
+  return "wfvCorner" + std::to_string(varying) + "_" + std::to_string(corner);
+}
+
+namespace
+{
 // How the picture of a triangle is covered, one file a family.
 std::string CoverSource(const wfv::Projection& projection)
 {
   return projection.Axis == wfv::Family::Meridian ? cover_meridian_glsl : cover_azimuthal_glsl;
-}
-
-std::string Corner(size_t varying, int corner)
-{
-  return "wfvCorner" + std::to_string(varying) + "_" + std::to_string(corner);
 }
 
 // Copies of every vertex output at the three corners, which the fragment stage
@@ -204,8 +194,8 @@ std::string LineOutputs(const std::vector<Varying>& varyings)
   return declarations + "void wfvWriteMix(float t)\n{\n" + body + "}\n";
 }
 
-// The stock text takes normal.z for the cosine towards the eye and the view axis for
-// the direction of a headlight; both hold in front of the eye only.
+}
+
 void RewriteLights(std::string& fragment)
 {
   // the first statement of the stock main, whatever main is called by now
@@ -225,18 +215,20 @@ void RewriteLights(std::string& fragment)
   fragment = head + body;
 }
 
-// The wide camera's view and clip coordinates are the same; both stock statements are
-// replaced, so that neighbours and attributes agree to the bit.
 void TakeFromEye(std::string& vertex)
 {
   static const std::regex product(R"(\bMC[DV]CMatrix\s*\*\s*vertexMC\b)");
   if (std::regex_search(vertex, product))
   {
-    vertex = std::regex_replace(vertex, product, "wfvFromEyeOf(MCDCMatrix, vertexMC)");
+    const bool both = vertex.find("MCDCMatrix") != std::string::npos;
+    const std::string matrix = both ? "MCDCMatrix" : "MCVCMatrix";
+    vertex = std::regex_replace(vertex, product, "wfvFromEyeOf(" + matrix + ", vertexMC)");
     vtkWideFoVShaderBuilder::Declare(vertex, eye_vertex_glsl);
   }
 }
 
+namespace
+{
 void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
 {
   const bool triangles =
@@ -274,6 +266,10 @@ void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std:
   }
 }
 }
+}
+}
+
+using namespace wfv::shader;
 
 std::string vtkWideFoVShaderBuilder::MakeViewSource(const Request& r)
 {
@@ -282,7 +278,7 @@ std::string vtkWideFoVShaderBuilder::MakeViewSource(const Request& r)
 
 bool vtkWideFoVShaderBuilder::NeedsGeometryStage(const Request& r)
 {
-  return r.Stage != Variant::Plain && r.Kind != Primitive::Points;
+  return wfv::quadric::Draws(r.Kind) || (r.Stage != Variant::Plain && r.Kind != Primitive::Points);
 }
 
 void vtkWideFoVShaderBuilder::WrapMain(
@@ -315,6 +311,11 @@ void vtkWideFoVShaderBuilder::Prepare(
   {
     return;
   }
+  if (wfv::quadric::Draws(r.Kind))
+  {
+    wfv::quadric::Prepare(r, geometry, fragment);
+    return;
+  }
   geometry.clear();
   if (r.Edges)
   {
@@ -329,6 +330,11 @@ void vtkWideFoVShaderBuilder::Prepare(
 void vtkWideFoVShaderBuilder::Finish(
   const Request& r, std::string& vertex, std::string& geometry, std::string& fragment)
 {
+  if (wfv::quadric::Draws(r.Kind))
+  {
+    wfv::quadric::Finish(r, vertex, geometry, fragment);
+    return;
+  }
   if (NeedsGeometryStage(r))
   {
     FlattenArrays(vertex, fragment);

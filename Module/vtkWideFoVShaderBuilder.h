@@ -23,7 +23,8 @@ public:
   {
     Points,
     Lines,
-    Triangles
+    Triangles,
+    Spheres // of the stock sphere mapper
   };
 
   struct Request

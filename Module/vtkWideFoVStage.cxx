@@ -19,6 +19,7 @@
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
+#include "vtkOpenGLSphereMapper.h"
 #include "vtkOpenGLState.h"
 #include "vtkProperty.h"
 #include "vtkShaderProgram.h"
@@ -60,6 +61,18 @@ public:
       actor->GetProperty()->GetEdgeVisibility() && !renderer->GetSelector();
     request.EdgeFlags =
       request.Edges && type == PrimitiveTris && !(mapper->*(&MapperAccess::EdgeValues)).empty();
+    DescribeQuadrics(mapper, request);
+  }
+
+  // Mappers that draw no mesh, each point as a ball.
+  static void DescribeQuadrics(
+    vtkOpenGLPolyDataMapper* mapper, vtkWideFoVShaderBuilder::Request& request)
+  {
+    if (vtkOpenGLSphereMapper::SafeDownCast(mapper))
+    {
+      request.Kind = vtkWideFoVShaderBuilder::Primitive::Spheres;
+      request.Edges = false;
+    }
   }
 };
 
