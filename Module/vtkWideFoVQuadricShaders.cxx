@@ -14,33 +14,66 @@ using namespace shader;
 
 namespace
 {
+// Components that every OpenGL 3.2 lets a geometry stage emit in all.
+constexpr int MostComponents = 1024;
+
+// Of a vertex of the cover, beside the stock shader's own: position, two balls, share,
+// primitive.
+constexpr int OwnComponents = 4 + 4 + 4 + 2 + 1;
+
+// Pieces of a long span: more would spare few pixels.
+constexpr int MostPieces = 4;
+
 // Inputs that the stock fragment stage takes from its own geometry stage, or from the
-// vertices where the surface itself is meant: the fragment stage sets them.
+// vertices where the surface itself is meant: the fragment stage sets them or needs none.
 const std::vector<Varying>& OwnInputs()
 {
   static const std::vector<Varying> own{ { false, "vec4", "vertexVCVSOutput" },
-    { false, "vec3", "centerVCVSOutput" }, { false, "float", "radiusVCVSOutput" } };
+    { false, "vec3", "centerVCVSOutput" }, { false, "float", "radiusVCVSOutput" },
+    { false, "vec3", "orientVCVSOutput" }, { false, "float", "lengthVCVSOutput" },
+    { false, "vec2", "offsetVCVSOutput" } };
   return own;
 }
 
 // How the inputs that stand for the surface follow from what the ray meets.
-std::string SurfaceValue(const std::string& name)
+std::string SurfaceValue(const Request& r, const std::string& name)
 {
   if (name == "vertexVCVSOutput")
   {
     return "vec4(wfvSurface, 1.0)";
   }
+  if (name == "offsetVCVSOutput")
+  {
+    return r.Kind == Primitive::Splats ? "wfvSplatOffset()" : "";
+  }
   return name == "wfvPositionVSOutput" ? "wfvSurface" : "";
+}
+
+bool HasName(const std::vector<Varying>& varyings, const std::string& name)
+{
+  const auto same = [&name](const Varying& v) { return v.Name == name; };
+  return std::any_of(varyings.begin(), varyings.end(), same);
 }
 
 bool IsOwn(const Varying& v)
 {
-  const auto same = [&v](const Varying& own) { return own.Name == v.Name; };
-  return !SurfaceValue(v.Name).empty() || std::any_of(OwnInputs().begin(), OwnInputs().end(), same);
+  return v.Name == "wfvPositionVSOutput" || HasName(OwnInputs(), v.Name);
 }
 
-// Copies of the vertex outputs at the vertices of the primitive.
-std::string CornerOutputs(const std::vector<Varying>& varyings)
+bool IsSegment(const Request& r)
+{
+  return r.Kind == Primitive::Tubes;
+}
+
+// Which vertices of the primitive an output is copied from: both ends of a segment, but
+// the last alone (as OpenGL has it) where it is not interpolated.
+std::vector<int> Corners(const Request& r, const Varying& v)
+{
+  return !IsSegment(r) ? std::vector<int>{ 0 }
+                       : (v.Flat ? std::vector<int>{ 1 } : std::vector<int>{ 0, 1 });
+}
+
+std::string CornerOutputs(const Request& r, const std::vector<Varying>& varyings)
 {
   std::string declarations;
   std::string body;
@@ -48,16 +81,24 @@ std::string CornerOutputs(const std::vector<Varying>& varyings)
   {
     const Varying& v = varyings[i];
     declarations += v.Input();
-    if (!IsOwn(v))
+    for (int c : IsOwn(v) ? std::vector<int>() : Corners(r, v))
     {
-      declarations += "flat out " + v.Declaration(Corner(i, 0));
-      body += "  " + Corner(i, 0) + " = " + v.Name + "[0];\n";
+      declarations += "flat out " + v.Declaration(Corner(i, c));
+      body += "  " + Corner(i, c) + " = " + v.Name + "[" + std::to_string(c) + "];\n";
     }
   }
   return declarations + "void wfvWriteCorners()\n{\n" + body + "}\n";
 }
 
-std::string CornerInputs(const std::vector<Varying>& varyings)
+// The value of an input at wfvAlong.
+std::string CornerValue(const Request& r, const Varying& v, size_t i)
+{
+  const std::vector<int> corners = Corners(r, v);
+  return corners.size() == 2 ? "mix(" + Corner(i, 0) + ", " + Corner(i, 1) + ", wfvAlong)"
+                             : Corner(i, corners[0]);
+}
+
+std::string CornerInputs(const Request& r, const std::vector<Varying>& varyings)
 {
   std::string declarations;
   std::string body;
@@ -65,36 +106,90 @@ std::string CornerInputs(const std::vector<Varying>& varyings)
   {
     const Varying& v = varyings[i];
     declarations += v.Declaration(v.Name);
-    if (!IsOwn(v))
+    for (int c : IsOwn(v) ? std::vector<int>() : Corners(r, v))
     {
-      declarations += "flat in " + v.Declaration(Corner(i, 0));
+      declarations += "flat in " + v.Declaration(Corner(i, c));
     }
-    const std::string value = IsOwn(v) ? SurfaceValue(v.Name) : Corner(i, 0);
+    const std::string value = IsOwn(v) ? SurfaceValue(r, v.Name) : CornerValue(r, v, i);
     body += value.empty() ? "" : "  " + v.Name + " = " + value + ";\n";
   }
   return declarations + "void wfvInterpolate()\n{\n" + body + "}\n";
 }
 
-std::string KindDefines(const Request& r)
+// Rectangles of a span that the components of their vertices leave room for: two a
+// piece, where it crosses the seam.
+int CountPieces(const Request& r, const std::vector<Varying>& varyings)
 {
-  return Define("WFV_ANGULAR",
-           r.Projection->Axis == Family::Meridian || r.Projection->Axis == Family::Azimuthal) +
-    "#define WFV_BALL_RADIUS radiusVCVSOutput[0] / wfvScale()\n";
+  int components = OwnComponents;
+  for (const Varying& v : varyings)
+  {
+    const int size = v.Type.compare(0, 3, "vec") == 0 ? v.Type[3] - '0' : 1;
+    components += IsOwn(v) ? 0 : size * static_cast<int>(Corners(r, v).size());
+  }
+  return std::max(1, std::min(MostPieces, MostComponents / components / 8));
 }
 
-// What the stock sphere mapper's two passes over translucent balls show.
-std::string Side()
+std::string GeometrySource(const Request& r, const std::vector<Varying>& varyings)
 {
-  return "opacityUniform >= 1.0 ? 0 : (invertedDepth < 0.0 ? -1 : 1)";
+  const int pieces = CountPieces(r, varyings);
+  const bool pixels = r.Kind == Primitive::PointSpheres;
+  const std::string head = "//VTK::System::Dec\n" + ViewSource(r) +
+    Define("WFV_ANGULAR",
+      r.Projection->Axis == Family::Meridian || r.Projection->Axis == Family::Azimuthal) +
+    Define("WFV_PIECES", pieces) + Define("WFV_SPAN_VERTICES", 8 * pieces) +
+    "#define WFV_BALL_RADIUS " +
+    (pixels ? "wfvPixelRadius(centre)" : "radiusVCVSOutput[0] / wfvScale()") + "\n" +
+    CornerOutputs(r, varyings) + quadric_cover_glsl;
+  switch (r.Kind)
+  {
+    case Primitive::Tubes:
+      return head + quadric_pixels_glsl + quadric_span_glsl + quadric_tubes_glsl;
+    case Primitive::Sticks:
+      return head + quadric_span_glsl + quadric_sticks_glsl;
+    case Primitive::Splats:
+      return head + quadric_splats_glsl;
+    case Primitive::PointSpheres:
+      return head + quadric_pixels_glsl + quadric_balls_glsl;
+    default:
+      return head + quadric_balls_glsl;
+  }
+}
+
+// How the ray meets it.
+std::string MeetSource(Primitive kind)
+{
+  switch (kind)
+  {
+    case Primitive::Tubes:
+      return quadric_tube_glsl;
+    case Primitive::Sticks:
+      return quadric_stick_glsl;
+    case Primitive::Splats:
+      return quadric_splat_glsl;
+    default:
+      return quadric_ball_glsl;
+  }
+}
+
+// What main begins with.
+std::string Before(const Request& r, const std::string& fragment)
+{
+  // the stock sphere mapper draws translucent balls twice, their backs first
+  const std::string side = r.Kind == Primitive::Spheres
+    ? "opacityUniform >= 1.0 ? 0 : (invertedDepth < 0.0 ? -1 : 1)"
+    : "0";
+  // of tubes and points, where the stock text adds it to a depth of its own
+  const bool offset = (IsSegment(r) || r.Kind == Primitive::PointSpheres) &&
+    fragment.find("uniform float cOffset;") != std::string::npos;
+  return "  wfvPrepare(" + side + ");\n  gl_FragDepth = wfvDepth" +
+    (offset ? " + cOffset / 65000.0" : "") + ";\n";
 }
 
 void FinishFragment(const Request& r, std::vector<Varying> varyings, std::string& fragment)
 {
-  const size_t fromVertex = varyings.size();
   for (const Varying& own : OwnInputs())
   {
-    const auto same = [&own](const Varying& v) { return v.Name == own.Name; };
-    if (std::none_of(varyings.begin(), varyings.begin() + fromVertex, same))
+    if (!HasName(varyings, own.Name))
     {
       varyings.push_back(own);
     }
@@ -104,31 +199,40 @@ void FinishFragment(const Request& r, std::vector<Varying> varyings, std::string
   ReplaceAll(fragment, "gl_FrontFacing", "wfvFront");
   RewriteLights(fragment);
   const bool round = r.Projection->Axis == Family::Azimuthal;
-  vtkWideFoVShaderBuilder::WrapMain(fragment,
-    "  wfvPrepare(" + Side() + ");\n  gl_FragDepth = wfvDepth;\n",
+  vtkWideFoVShaderBuilder::WrapMain(fragment, Before(r, fragment),
     std::string("  if (wfvHide) { discard; }\n") +
       (round ? "  if (wfvOutsideDomain()) { discard; }\n" : ""));
   vtkWideFoVShaderBuilder::Declare(fragment,
     "#extension GL_ARB_sample_shading : enable\n" + ViewSource(r) + quadric_fragment_glsl +
-      quadric_ball_glsl + CornerInputs(varyings) + (round ? domain_fragment_glsl : ""));
+      MeetSource(r.Kind) + CornerInputs(r, varyings) + (round ? domain_fragment_glsl : ""));
 }
 }
 
 bool Draws(Primitive kind)
 {
-  return kind == Primitive::Spheres;
+  return kind == Primitive::Spheres || kind == Primitive::Sticks || kind == Primitive::Splats ||
+    kind == Primitive::PointSpheres || kind == Primitive::Tubes;
 }
 
-void Prepare(const Request&, std::string& geometry, std::string& fragment)
+void Prepare(const Request& r, std::string& geometry, std::string& fragment)
 {
   geometry.clear();
-  // the mapper's own meeting of its imposter with the ray, for a flat picture
+  const std::string normal = "  vec3 normalVCVSOutput = wfvNormal;";
+  if (r.Kind == Primitive::Tubes || r.Kind == Primitive::PointSpheres)
+  {
+    // the mapper would put its own, for a flat picture, in these places
+    ReplaceAll(fragment, "//VTK::Normal::Dec", "");
+    ReplaceAll(fragment, "//VTK::Depth::Impl", "");
+    ReplaceAll(fragment, "//VTK::Normal::Impl", normal);
+    return;
+  }
+  // the mapper's own meeting of its imposter with the ray, which stands there already
   const size_t begin = fragment.find("  vec3 EyePos;");
   const std::string last = "gl_FragDepth = (pos.z / pos.w + 1.0) / 2.0;";
   const size_t end = fragment.find(last, std::min(begin, fragment.size()));
   if (end != std::string::npos)
   {
-    fragment.replace(begin, end + last.size() - begin, "  vec3 normalVCVSOutput = wfvNormal;");
+    fragment.replace(begin, end + last.size() - begin, normal);
   }
 }
 
@@ -137,8 +241,7 @@ void Finish(const Request& r, std::string& vertex, std::string& geometry, std::s
   FlattenArrays(vertex, fragment);
   TakeFromEye(vertex);
   const std::vector<Varying> varyings = FindVaryings(vertex);
-  geometry = "//VTK::System::Dec\n" + ViewSource(r) + KindDefines(r) + CornerOutputs(varyings) +
-    quadric_cover_glsl + quadric_balls_glsl;
+  geometry = GeometrySource(r, varyings);
   FinishFragment(r, varyings, fragment);
 }
 }

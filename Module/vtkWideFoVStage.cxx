@@ -19,8 +19,8 @@
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
-#include "vtkOpenGLSphereMapper.h"
 #include "vtkOpenGLState.h"
+#include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkProperty.h"
 #include "vtkShaderProgram.h"
 #include "vtk_glew.h"
@@ -61,18 +61,31 @@ public:
       actor->GetProperty()->GetEdgeVisibility() && !renderer->GetSelector();
     request.EdgeFlags =
       request.Edges && type == PrimitiveTris && !(mapper->*(&MapperAccess::EdgeValues)).empty();
-    DescribeQuadrics(mapper, request);
+    request.Kind = QuadricKind(mapper, actor, request.Kind);
   }
 
-  // Mappers that draw no mesh, each point as a ball.
-  static void DescribeQuadrics(
-    vtkOpenGLPolyDataMapper* mapper, vtkWideFoVShaderBuilder::Request& request)
+  // The kind of what is drawn as balls, sticks, tubes or splats; else the one given.
+  static vtkWideFoVShaderBuilder::Primitive QuadricKind(
+    vtkOpenGLPolyDataMapper* mapper, vtkActor* actor, vtkWideFoVShaderBuilder::Primitive kind)
   {
-    if (vtkOpenGLSphereMapper::SafeDownCast(mapper))
+    using Primitive = vtkWideFoVShaderBuilder::Primitive;
+    if (mapper->IsA("vtkOpenGLPointGaussianMapperHelper"))
     {
-      request.Kind = vtkWideFoVShaderBuilder::Primitive::Spheres;
-      request.Edges = false;
+      // without a radius it draws plain points
+      auto* buffers = mapper->*(&MapperAccess::VBOs);
+      return buffers->GetNumberOfComponents("radiusMC") > 0 ? Primitive::Splats : Primitive::Points;
     }
+    if (mapper->IsA("vtkOpenGLSphereMapper") || mapper->IsA("vtkOpenGLStickMapper"))
+    {
+      return mapper->IsA("vtkOpenGLSphereMapper") ? Primitive::Spheres : Primitive::Sticks;
+    }
+    vtkOpenGLHelper* buffer = mapper->*(&MapperAccess::LastBoundBO);
+    const bool tubes = buffer && (mapper->*(&MapperAccess::DrawingTubes))(*buffer, actor);
+    const bool spheres = buffer && (mapper->*(&MapperAccess::DrawingSpheres))(*buffer, actor);
+    // stock VTK asks for tubes even while it draws points to pick them
+    const bool points = kind == Primitive::Points;
+    return spheres || (tubes && points) ? Primitive::PointSpheres
+                                        : (tubes ? Primitive::Tubes : kind);
   }
 };
 
@@ -232,6 +245,13 @@ bool vtkWideFoVStage::SetShaderParameters(
   if (polydata && actor && this->Renderer)
   {
     wfv::SetEye(program, polydata, actor, this->Renderer->GetActiveCamera());
+  }
+  if (program->IsUniformUsed("wfvPixels"))
+  {
+    auto* property = vtkActor::SafeDownCast(prop)->GetProperty();
+    const bool tubes =
+      this->MakeRequest(mapper, prop).Kind == vtkWideFoVShaderBuilder::Primitive::Tubes;
+    program->SetUniformf("wfvPixels", tubes ? property->GetLineWidth() : property->GetPointSize());
   }
   const float f[4] = { static_cast<float>(viewport[0]), static_cast<float>(viewport[1]),
     static_cast<float>(viewport[2]), static_cast<float>(viewport[3]) };

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The hull of two balls, by the ray of the pixel. It is all the balls between them: the
+// one whose surface the ray meets first is found in closed form, and then met as a ball.
+// With v from 0 to 1 along the axis, the ray passes the centre of ball v at the distance
+// hypot(D, m (v - v0)), v0 where it is nearest to the axis, and its radius is linear in v.
+
+vec4 wfvBallAlong(float v)
+{
+  return mix(wfvBall, wfvOther, v);
+}
+
+// Adds the ball at v to what the line has crossed so far.
+WfvCrossing wfvJoin(WfvCrossing x, vec3 u, float v)
+{
+  vec4 ball = wfvBallAlong(v);
+  WfvCrossing y = wfvMeetBall(u, ball.xyz, ball.w);
+  bool nearer = y.met && (!x.met || y.distance.x < x.distance.x);
+  bool farther = y.met && (!x.met || y.distance.y > x.distance.y);
+  x.distance = vec2(nearer ? y.distance.x : x.distance.x, farther ? y.distance.y : x.distance.y);
+  x.along = vec2(nearer ? v : x.along.x, farther ? v : x.along.y);
+  x.entry = nearer ? y.entry : x.entry;
+  x.exit = farther ? y.exit : x.exit;
+  x.met = x.met || y.met;
+  return x;
+}
+
+WfvCrossing wfvMeet(vec3 u)
+{
+  WfvCrossing x;
+  x.met = false;
+  x.distance = vec2(0.0);
+  x.along = vec2(0.0);
+  x.entry = vec3(0.0);
+  x.exit = vec3(0.0);
+  vec3 e = wfvOther.xyz - wfvBall.xyz;
+  float dr = wfvOther.w - wfvBall.w;
+  float l2 = dot(e, e);
+  vec3 w0 = cross(wfvBall.xyz, u);
+  vec3 w1 = cross(e, u);
+  float m2 = dot(w1, w1);
+  float n2 = m2 - dr * dr;
+  if (l2 > dr * dr && m2 > 0.0 && n2 != 0.0)
+  {
+    float m = sqrt(m2);
+    float v0 = -dot(w0, w1) / m2;
+    float d = abs(dot(cross(w0, w1), u)) / m;
+    float r = wfvBall.w + dr * v0;
+    // where the ray is deepest inside, of all balls: surely met there, if anywhere
+    float deepest = n2 > 0.0 ? v0 + d * dr / (m * sqrt(n2)) : v0;
+    x = wfvJoin(x, u, clamp(deepest, 0.0, 1.0));
+    // where the surface is met: the balls' own crossings are least and greatest there
+    float room = n2 > 0.0 ? (r * m / sqrt(n2) - d) * (r * m / sqrt(n2) + d) : r * r * m2 / n2 - d * d;
+    float step_ = dot(e, u) * sqrt(max(room / (n2 * (l2 - dr * dr)), 0.0));
+    step_ = n2 > 0.0 ? step_ : -step_;
+    float middle = v0 + r * dr / n2;
+    x = wfvJoin(x, u, clamp(middle - step_, 0.0, 1.0));
+    x = wfvJoin(x, u, clamp(middle + step_, 0.0, 1.0));
+  }
+  // the ends: where the ray looks along the tube, or there is no length
+  if (!(n2 > 0.0))
+  {
+    x = wfvJoin(x, u, 0.0);
+    x = wfvJoin(x, u, 1.0);
+  }
+  return x;
+}
