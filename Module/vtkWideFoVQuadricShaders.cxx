@@ -214,6 +214,11 @@ bool Draws(Primitive kind)
     kind == Primitive::PointSpheres || kind == Primitive::Tubes;
 }
 
+bool MakesImposters(const std::string& geometry)
+{
+  return geometry.find("radiusVCVSOutput[]") != std::string::npos;
+}
+
 void Prepare(const Request& r, std::string& geometry, std::string& fragment)
 {
   geometry.clear();

@@ -240,19 +240,7 @@ bool vtkWideFoVStage::SetShaderParameters(
     renderer->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
   }
   this->SetSampleParameters(program);
-  auto* polydata = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
-  auto* actor = vtkActor::SafeDownCast(prop);
-  if (polydata && actor && this->Renderer)
-  {
-    wfv::SetEye(program, polydata, actor, this->Renderer->GetActiveCamera());
-  }
-  if (program->IsUniformUsed("wfvPixels"))
-  {
-    auto* property = vtkActor::SafeDownCast(prop)->GetProperty();
-    const bool tubes =
-      this->MakeRequest(mapper, prop).Kind == vtkWideFoVShaderBuilder::Primitive::Tubes;
-    program->SetUniformf("wfvPixels", tubes ? property->GetLineWidth() : property->GetPointSize());
-  }
+  this->SetPropParameters(program, mapper, prop);
   const float f[4] = { static_cast<float>(viewport[0]), static_cast<float>(viewport[1]),
     static_cast<float>(viewport[2]), static_cast<float>(viewport[3]) };
   program->SetUniform4f("wfvViewport", f);
@@ -260,6 +248,24 @@ bool vtkWideFoVStage::SetShaderParameters(
   const bool tessellates = this->Variant == vtkWideFoVShaderBuilder::Variant::Tessellate;
   this->NumberOfTessellateDraws += tessellates && vtkWideFoVTessellation::IsIn(program);
   return true;
+}
+
+void vtkWideFoVStage::SetPropParameters(
+  vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop) const
+{
+  using Primitive = vtkWideFoVShaderBuilder::Primitive;
+  auto* polydata = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
+  auto* actor = vtkActor::SafeDownCast(prop);
+  if (polydata && actor && this->Renderer)
+  {
+    wfv::SetEye(program, polydata, actor, this->Renderer->GetActiveCamera());
+  }
+  if (actor && program->IsUniformUsed("wfvPixels"))
+  {
+    const bool tubes = this->MakeRequest(mapper, prop).Kind == Primitive::Tubes;
+    vtkProperty* property = actor->GetProperty();
+    program->SetUniformf("wfvPixels", tubes ? property->GetLineWidth() : property->GetPointSize());
+  }
 }
 
 void vtkWideFoVStage::SetSampleParameters(vtkShaderProgram* program)

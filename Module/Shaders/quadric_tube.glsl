@@ -24,6 +24,30 @@ WfvCrossing wfvJoin(WfvCrossing x, vec3 u, float v)
   return x;
 }
 
+// The balls that the line meets first, last and deepest, none of them an end.
+WfvCrossing wfvJoinMiddle(WfvCrossing x, vec3 u, vec3 e, float dr)
+{
+  vec3 w0 = cross(wfvBall.xyz, u);
+  vec3 w1 = cross(e, u);
+  float m2 = dot(w1, w1);
+  float n2 = m2 - dr * dr;
+  float m = sqrt(m2);
+  float v0 = -dot(w0, w1) / m2;
+  float d = abs(dot(cross(w0, w1), u)) / m;
+  float r = wfvBall.w + dr * v0;
+  // where the ray is deepest inside, of all balls: surely met there, if anywhere
+  float deepest = n2 > 0.0 ? v0 + d * dr / (m * sqrt(n2)) : v0;
+  x = wfvJoin(x, u, clamp(deepest, 0.0, 1.0));
+  // the balls' own crossings are least and greatest where the surface is met
+  float top = r * m / sqrt(abs(n2));
+  float room = n2 > 0.0 ? (top - d) * (top + d) : -(top * top + d * d);
+  float stride = dot(e, u) * sqrt(max(room / (n2 * (dot(e, e) - dr * dr)), 0.0));
+  stride = n2 > 0.0 ? stride : -stride;
+  float middle = v0 + r * dr / n2;
+  x = wfvJoin(x, u, clamp(middle - stride, 0.0, 1.0));
+  return wfvJoin(x, u, clamp(middle + stride, 0.0, 1.0));
+}
+
 WfvCrossing wfvMeet(vec3 u)
 {
   WfvCrossing x;
@@ -33,30 +57,14 @@ WfvCrossing wfvMeet(vec3 u)
   x.entry = vec3(0.0);
   x.exit = vec3(0.0);
   vec3 e = wfvOther.xyz - wfvBall.xyz;
+  vec3 across = cross(e, u);
   float dr = wfvOther.w - wfvBall.w;
-  float l2 = dot(e, e);
-  vec3 w0 = cross(wfvBall.xyz, u);
-  vec3 w1 = cross(e, u);
-  float m2 = dot(w1, w1);
-  float n2 = m2 - dr * dr;
-  if (l2 > dr * dr && m2 > 0.0 && n2 != 0.0)
+  float n2 = dot(across, across) - dr * dr;
+  if (dot(e, e) > dr * dr && dot(across, across) > 0.0 && n2 != 0.0)
   {
-    float m = sqrt(m2);
-    float v0 = -dot(w0, w1) / m2;
-    float d = abs(dot(cross(w0, w1), u)) / m;
-    float r = wfvBall.w + dr * v0;
-    // where the ray is deepest inside, of all balls: surely met there, if anywhere
-    float deepest = n2 > 0.0 ? v0 + d * dr / (m * sqrt(n2)) : v0;
-    x = wfvJoin(x, u, clamp(deepest, 0.0, 1.0));
-    // where the surface is met: the balls' own crossings are least and greatest there
-    float room = n2 > 0.0 ? (r * m / sqrt(n2) - d) * (r * m / sqrt(n2) + d) : r * r * m2 / n2 - d * d;
-    float step_ = dot(e, u) * sqrt(max(room / (n2 * (l2 - dr * dr)), 0.0));
-    step_ = n2 > 0.0 ? step_ : -step_;
-    float middle = v0 + r * dr / n2;
-    x = wfvJoin(x, u, clamp(middle - step_, 0.0, 1.0));
-    x = wfvJoin(x, u, clamp(middle + step_, 0.0, 1.0));
+    x = wfvJoinMiddle(x, u, e, dr);
   }
-  // the ends: where the ray looks along the tube, or there is no length
+  // the ends, where the ray looks along the tube, or one end holds the other
   if (!(n2 > 0.0))
   {
     x = wfvJoin(x, u, 0.0);
