@@ -9,6 +9,17 @@ vec4 wfvBallAlong(float v)
   return mix(wfvBall, wfvOther, v);
 }
 
+WfvCrossing wfvNothing()
+{
+  WfvCrossing x;
+  x.met = false;
+  x.distance = vec2(0.0);
+  x.along = vec2(0.0);
+  x.entry = vec3(0.0);
+  x.exit = vec3(0.0);
+  return x;
+}
+
 // Adds the ball at v to what the line has crossed so far.
 WfvCrossing wfvJoin(WfvCrossing x, vec3 u, float v)
 {
@@ -24,8 +35,24 @@ WfvCrossing wfvJoin(WfvCrossing x, vec3 u, float v)
   return x;
 }
 
-// The balls that the line meets first, last and deepest, none of them an end.
-WfvCrossing wfvJoinMiddle(WfvCrossing x, vec3 u, vec3 e, float dr)
+// Met where the balls' own crossings are least and greatest. Covered where the deepest
+// ball is: those two may be missed by rounding where the ray only grazes them.
+WfvCrossing wfvMeetBetween(vec3 u, float first, float last, float deepest)
+{
+  vec4 ball = wfvBallAlong(first);
+  WfvCrossing x = wfvMeetBall(u, ball.xyz, ball.w);
+  ball = wfvBallAlong(last);
+  WfvCrossing y = wfvMeetBall(u, ball.xyz, ball.w);
+  ball = wfvBallAlong(deepest);
+  x.met = x.met || y.met || length(cross(ball.xyz, u)) <= ball.w;
+  x.distance.y = y.distance.y;
+  x.exit = y.exit;
+  x.along = vec2(first, last);
+  return x;
+}
+
+// e: from the first centre to the second; dr: the difference of the radii.
+WfvCrossing wfvMeetHull(vec3 u, vec3 e, float dr)
 {
   vec3 w0 = cross(wfvBall.xyz, u);
   vec3 w1 = cross(e, u);
@@ -35,40 +62,29 @@ WfvCrossing wfvJoinMiddle(WfvCrossing x, vec3 u, vec3 e, float dr)
   float v0 = -dot(w0, w1) / m2;
   float d = abs(dot(cross(w0, w1), u)) / m;
   float r = wfvBall.w + dr * v0;
-  // where the ray is deepest inside, of all balls: surely met there, if anywhere
-  float deepest = n2 > 0.0 ? v0 + d * dr / (m * sqrt(n2)) : v0;
-  x = wfvJoin(x, u, clamp(deepest, 0.0, 1.0));
-  // the balls' own crossings are least and greatest where the surface is met
   float top = r * m / sqrt(abs(n2));
   float room = n2 > 0.0 ? (top - d) * (top + d) : -(top * top + d * d);
   float stride = dot(e, u) * sqrt(max(room / (n2 * (dot(e, e) - dr * dr)), 0.0));
-  stride = n2 > 0.0 ? stride : -stride;
   float middle = v0 + r * dr / n2;
-  x = wfvJoin(x, u, clamp(middle - stride, 0.0, 1.0));
-  return wfvJoin(x, u, clamp(middle + stride, 0.0, 1.0));
+  if (n2 > 0.0)
+  {
+    float deepest = v0 + d * dr / (m * sqrt(n2));
+    return wfvMeetBetween(u, clamp(middle - stride, 0.0, 1.0), clamp(middle + stride, 0.0, 1.0),
+      clamp(deepest, 0.0, 1.0));
+  }
+  // looking along the tube: its side once at the most, and its ends
+  WfvCrossing x = wfvJoin(wfvNothing(), u, clamp(middle + stride, 0.0, 1.0));
+  return wfvJoin(wfvJoin(x, u, 0.0), u, 1.0);
 }
 
 WfvCrossing wfvMeet(vec3 u)
 {
-  WfvCrossing x;
-  x.met = false;
-  x.distance = vec2(0.0);
-  x.along = vec2(0.0);
-  x.entry = vec3(0.0);
-  x.exit = vec3(0.0);
   vec3 e = wfvOther.xyz - wfvBall.xyz;
   vec3 across = cross(e, u);
   float dr = wfvOther.w - wfvBall.w;
-  float n2 = dot(across, across) - dr * dr;
-  if (dot(e, e) > dr * dr && dot(across, across) > 0.0 && n2 != 0.0)
+  if (dot(e, e) > dr * dr && dot(across, across) > 0.0 && dot(across, across) != dr * dr)
   {
-    x = wfvJoinMiddle(x, u, e, dr);
+    return wfvMeetHull(u, e, dr);
   }
-  // the ends, where the ray looks along the tube, or one end holds the other
-  if (!(n2 > 0.0))
-  {
-    x = wfvJoin(x, u, 0.0);
-    x = wfvJoin(x, u, 1.0);
-  }
-  return x;
+  return wfvJoin(wfvJoin(wfvNothing(), u, 0.0), u, 1.0);
 }
