@@ -332,8 +332,7 @@ void vtkWideFoVShaderBuilder::Finish(
 {
   if (wfv::quadric::Draws(r.Kind))
   {
-    wfv::quadric::Finish(r, vertex, geometry, fragment);
-    return;
+    return wfv::quadric::Finish(r, vertex, geometry, fragment);
   }
   if (NeedsGeometryStage(r))
   {
@@ -351,11 +350,10 @@ void vtkWideFoVShaderBuilder::Finish(
   const std::vector<Varying> varyings = FindVaryings(vertex);
   if (NeedsGeometryStage(r))
   {
-    const bool lines = r.Kind == Primitive::Lines;
     geometry = "//VTK::System::Dec\n" + ViewSource(r) + preclip_glsl +
-      (lines ? LineOutputs(varyings) + preclip_lines_glsl
-             : TriangleOutputs(varyings) + preclip_emit_glsl + preclip_cover_glsl +
-            CoverSource(*r.Projection) + preclip_triangles_glsl);
+      (r.Kind == Primitive::Lines ? LineOutputs(varyings) + preclip_lines_glsl
+                                  : TriangleOutputs(varyings) + preclip_emit_glsl +
+            preclip_cover_glsl + CoverSource(*r.Projection) + preclip_triangles_glsl);
     if (tessellate)
     {
       ReplaceAll(geometry, "gl_PrimitiveIDIn", "wfvPrimitive[0]");

@@ -4,6 +4,7 @@
 #include "vtkWideFoVCamera.h"
 #include "vtkWideFoVEye.h"
 #include "vtkWideFoVPass.h"
+#include "vtkWideFoVQuadricKind.h"
 #include "vtkWideFoVPolyDataMapper.h"
 #include "vtkWideFoVTessellation.h"
 
@@ -20,7 +21,6 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLState.h"
-#include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkProperty.h"
 #include "vtkShaderProgram.h"
 #include "vtk_glew.h"
@@ -61,31 +61,7 @@ public:
       actor->GetProperty()->GetEdgeVisibility() && !renderer->GetSelector();
     request.EdgeFlags =
       request.Edges && type == PrimitiveTris && !(mapper->*(&MapperAccess::EdgeValues)).empty();
-    request.Kind = QuadricKind(mapper, actor, request.Kind);
-  }
-
-  // The kind of what is drawn as balls, sticks, tubes or splats; else the one given.
-  static vtkWideFoVShaderBuilder::Primitive QuadricKind(
-    vtkOpenGLPolyDataMapper* mapper, vtkActor* actor, vtkWideFoVShaderBuilder::Primitive kind)
-  {
-    using Primitive = vtkWideFoVShaderBuilder::Primitive;
-    if (mapper->IsA("vtkOpenGLPointGaussianMapperHelper"))
-    {
-      // without a radius it draws plain points
-      auto* buffers = mapper->*(&MapperAccess::VBOs);
-      return buffers->GetNumberOfComponents("radiusMC") > 0 ? Primitive::Splats : Primitive::Points;
-    }
-    if (mapper->IsA("vtkOpenGLSphereMapper") || mapper->IsA("vtkOpenGLStickMapper"))
-    {
-      return mapper->IsA("vtkOpenGLSphereMapper") ? Primitive::Spheres : Primitive::Sticks;
-    }
-    vtkOpenGLHelper* buffer = mapper->*(&MapperAccess::LastBoundBO);
-    const bool tubes = buffer && (mapper->*(&MapperAccess::DrawingTubes))(*buffer, actor);
-    const bool spheres = buffer && (mapper->*(&MapperAccess::DrawingSpheres))(*buffer, actor);
-    // stock VTK asks for tubes even while it draws points to pick them
-    const bool points = kind == Primitive::Points;
-    return spheres || (tubes && points) ? Primitive::PointSpheres
-                                        : (tubes ? Primitive::Tubes : kind);
+    request.Kind = wfv::quadric::KindOf(mapper, actor, request.Kind);
   }
 };
 

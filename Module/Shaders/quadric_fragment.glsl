@@ -14,10 +14,6 @@ vec3 wfvNormal;   // towards the eye, view coordinates
 vec3 wfvSurface;  // the point itself, view coordinates
 float wfvAlong;   // where on the length, 0 to 1
 
-// Where a sample lies inside a pixel, from its centre, pixels; one sample: the centre.
-uniform int wfvSamples;
-uniform vec2 wfvSampleOffsets[16];
-
 void wfvInterpolate(); // generated: sets the stock shader's inputs from wfvAlong
 
 // A line through a convex body: where it enters and where it leaves.
@@ -90,17 +86,11 @@ WfvSeen wfvLook(vec3 u, int side)
   return s;
 }
 
-WfvRay wfvRayAt(vec2 pixel)
-{
-  vec2 ndc = 2.0 * (pixel - wfvViewport.xy) / wfvViewport.zw - 1.0;
-  return wfvUnproject((ndc - wfvTile.zw) / wfvTile.xy, wfvView);
-}
-
 // What the pixel's centre sees or, where that sees nothing, the first sample that does;
 // the sample mask is that of the samples.
 WfvSeen wfvLookAround(int side, out vec3 direction)
 {
-  WfvRay ray = wfvRayAt(gl_FragCoord.xy);
+  WfvRay ray = wfvRayAt(vec2(0.0));
   WfvSeen here = wfvLook(ray.direction, side);
   here.seen = here.seen && ray.inside;
   direction = ray.direction;
@@ -111,7 +101,7 @@ WfvSeen wfvLookAround(int side, out vec3 direction)
   int mask = 0;
   for (int i = 0; i < wfvSamples; i++)
   {
-    ray = wfvRayAt(gl_FragCoord.xy + wfvSampleOffsets[i]);
+    ray = wfvRayAt(wfvSampleOffsets[i]);
     WfvSeen s = wfvLook(ray.direction, side);
     if (s.seen && ray.inside)
     {
