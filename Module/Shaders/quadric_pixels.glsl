@@ -11,8 +11,22 @@ uniform float wfvPixels; // diameter
 // a pixel may have no solid angle at all. Radians.
 const float WFV_RIM_ANGLE = 0.01;
 
-// Step of the central differences, radians.
+// Step of the differences, radians on the sphere: two of them stay inside that distance.
 const float WFV_ANGLE_STEP = 0.005;
+
+// The longest step of an azimuth, radians: near a pole, where it is short on the sphere.
+const float WFV_AZIMUTH_STEP = 0.1;
+
+#if WFV_ANGULAR
+// The derivative of the map along an angle, by differences of fourth order: near a pole
+// maps bend within a few steps.
+vec2 wfvMapSlope(vec2 a, vec2 h)
+{
+  vec2 near = wfvMap(a + h, wfvView) - wfvMap(a - h, wfvView);
+  vec2 far = wfvMap(a + 2.0 * h, wfvView) - wfvMap(a - 2.0 * h, wfvView);
+  return (8.0 * near - far) / (12.0 * (h.x + h.y));
+}
+#endif
 
 // Side, in radians, of the square of a pixel's solid angle, at the direction of p.
 float wfvPixelAngle(vec3 p)
@@ -22,24 +36,19 @@ float wfvPixelAngle(vec3 p)
 #if WFV_ANGULAR
   vec2 a = WFV_ANGLES(p);
   vec2 all = wfvPolarRange();
-#if WFV_MERIDIAN
-  a.x = clamp(a.x, WFV_RIM_ANGLE - WFV_PI, WFV_PI - WFV_RIM_ANGLE);
-#else
+#if !WFV_MERIDIAN
   all.y = min(all.y, wfvView.maxAngle);
 #endif
   a.y = clamp(a.y, all.x + WFV_RIM_ANGLE, all.y - WFV_RIM_ANGLE);
-  vec2 dx = wfvMap(a + vec2(WFV_ANGLE_STEP, 0.0), wfvView) -
-    wfvMap(a - vec2(WFV_ANGLE_STEP, 0.0), wfvView);
-  vec2 dy = wfvMap(a + vec2(0.0, WFV_ANGLE_STEP), wfvView) -
-    wfvMap(a - vec2(0.0, WFV_ANGLE_STEP), wfvView);
-  dx *= 0.25 * size / WFV_ANGLE_STEP;
-  dy *= 0.25 * size / WFV_ANGLE_STEP;
-  float area = abs(dx.x * dy.y - dx.y * dy.x);
 #if WFV_MERIDIAN
-  float side = sqrt(cos(a.y) / area);
+  float element = cos(a.y);
 #else
-  float side = sqrt(sin(a.y) / area);
+  float element = sin(a.y);
 #endif
+  float turn = min(WFV_ANGLE_STEP / element, WFV_AZIMUTH_STEP);
+  vec2 dx = 0.5 * size * wfvMapSlope(a, vec2(turn, 0.0));
+  vec2 dy = 0.5 * size * wfvMapSlope(a, vec2(0.0, WFV_ANGLE_STEP));
+  float side = sqrt(element / abs(dx.x * dy.y - dx.y * dy.x));
   return side > 0.0 && side < 1.0 ? side : mean;
 #else
   return mean;

@@ -39,8 +39,8 @@ constexpr double PointPixels = 9;
 // Relative to a centre's distance from the eye: its view coordinates are float32.
 constexpr double PlaceRounding = 2e-7;
 
-// Relative: radii in pixels come from differences of the map over half a degree, in float32.
-constexpr double RadiusRounding = 2e-4;
+// Relative: radii in pixels come from differences of the map, in float32.
+constexpr double RadiusRounding = 1e-4;
 
 // The largest error in units of what is allowed there, and where.
 struct Worst
