@@ -38,6 +38,13 @@ if [ -f "$office" ]; then
   render_all office "$office" --streamlines vectors --vectors vectors --eye 2,2.2,1.4 \
     --direction 1,0,0 --up 0,0,1 --range 0,0.25 --colormap rainbow --scalar-bar
 fi
+protein=../shared/data/2LYZ.pdb
+if [ -f "$protein" ]; then
+  # the eye among the atoms of a lysozyme molecule
+  render protein-dome "$protein" --projection azimuthal-equidistant --fov 180 --tilt 30 \
+    --size 1024x1024
+  render protein-equirectangular "$protein" --projection equirectangular --size 1024x512
+fi
 if [ "$#" -gt 0 ]; then
   name="$(basename "$1")"
   map_size=2048x1024

@@ -3,6 +3,7 @@
 #include "vtkWideFoVCamera.h"
 
 #include "vtkWideFoVCameraInternals.h"
+#include "vtkWideFoVQuadricBounds.h"
 
 #include "vtkMath.h"
 #include "vtkMatrix3x3.h"
@@ -85,6 +86,7 @@ void vtkWideFoVCamera::PrepareFrame(vtkRenderer* renderer)
   {
     double bounds[6];
     renderer->ComputeVisiblePropBounds(bounds);
+    wfv::InflateForQuadrics(renderer, this->Position, bounds);
     this->ResetClipRadii(bounds);
   }
 }

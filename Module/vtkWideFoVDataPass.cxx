@@ -3,6 +3,7 @@
 
 #include "vtkWideFoVCamera.h"
 #include "WideFoVGlsl.h"
+#include "vtkWideFoVQuadricShaders.h"
 #include "vtkWideFoVShaderBuilder.h"
 
 #include "vtkActor.h"
@@ -49,13 +50,23 @@ vtkSmartPointer<vtkFloatArray> AddArray(vtkImageData* image, const char* name, i
   return array;
 }
 
+// These draw their points, whatever the cells are: a primitive is a point.
+bool DrawsPoints(vtkProp* prop)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
+  return mapper &&
+    (mapper->IsA("vtkOpenGLSphereMapper") || mapper->IsA("vtkOpenGLStickMapper") ||
+      mapper->IsA("vtkPointGaussianMapper"));
+}
+
 // Primitive numbers of the mapper's draws back to cells of its polydata.
 vtkSmartPointer<vtkOpenGLCellToVTKCellMap> CellMap(vtkProp* prop)
 {
   auto* actor = vtkActor::SafeDownCast(prop);
   auto* mapper = actor ? vtkPolyDataMapper::SafeDownCast(actor->GetMapper()) : nullptr;
   vtkPolyData* input = mapper ? mapper->GetInput() : nullptr;
-  if (!input)
+  if (!input || DrawsPoints(prop))
   {
     return nullptr;
   }
@@ -207,9 +218,11 @@ void vtkWideFoVDataPass::Internals::Decode(
   const std::vector<float>& data, const std::vector<float>& normals)
 {
   std::vector<vtkSmartPointer<vtkOpenGLCellToVTKCellMap>> maps;
+  std::vector<bool> points;
   for (const IndexedProp& entry : this->Props)
   {
     maps.push_back(CellMap(entry.Prop));
+    points.push_back(DrawsPoints(entry.Prop));
   }
   auto distance = AddArray(this->Output, "distance", 1);
   auto cell = AddArray(this->Output, "cell", 1);
@@ -226,6 +239,10 @@ void vtkWideFoVDataPass::Internals::Decode(
     if (known && maps[number] && primitive >= 0)
     {
       id = maps[number]->ConvertOpenGLCellIdToVTKCellId(false, primitive) + 1;
+    }
+    else if (known && points[number])
+    {
+      id = primitive + 1;
     }
     distance->SetValue(i, d[3] > 0 ? d[0] : std::numeric_limits<float>::infinity());
     prop->SetValue(i, known ? static_cast<float>(this->Props[number].Index + 1) : 0.0f);
@@ -301,7 +318,10 @@ bool vtkWideFoVDataPass::PreReplaceShaderValues(std::string&, std::string& geome
 {
   // stock geometry stages (surface edges, wide lines) would drop our output; without
   // them the surface is drawn without its edges
-  geometryShader.clear();
+  if (this->Internal->Wide || !wfv::quadric::MakesImposters(geometryShader))
+  {
+    geometryShader.clear();
+  }
   if (!this->Internal->Wide)
   {
     vtkShaderProgram::Substitute(fragmentShader, "//VTK::Edges::Dec", "");
@@ -310,17 +330,28 @@ bool vtkWideFoVDataPass::PreReplaceShaderValues(std::string&, std::string& geome
   return true;
 }
 
-bool vtkWideFoVDataPass::PostReplaceShaderValues(std::string& vertexShader, std::string&,
-  std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
+bool vtkWideFoVDataPass::PostReplaceShaderValues(std::string& vertexShader,
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
 {
-  vtkWideFoVShaderBuilder::WrapMain(vertexShader, "", "  wfvKeepPosition();\n");
-  vtkWideFoVShaderBuilder::Declare(vertexShader, data_vertex_glsl);
+  if (wfv::quadric::MakesImposters(geometryShader))
+  {
+    vtkWideFoVShaderBuilder::Declare(geometryShader, data_geometry_glsl);
+  }
+  else
+  {
+    vtkWideFoVShaderBuilder::WrapMain(vertexShader, "", "  wfvKeepPosition();\n");
+    vtkWideFoVShaderBuilder::Declare(vertexShader, data_vertex_glsl);
+  }
   vtkWideFoVShaderBuilder::Declare(fragmentShader, data_fragment_glsl);
   const bool lit = fragmentShader.find("vec3 normalVCVSOutput =") != std::string::npos;
   const std::string normal = lit ? "normalVCVSOutput" : "wfvFlatNormal()";
+  // balls and sticks work their surface out; elsewhere it is what is interpolated
+  const bool ball = fragmentShader.find("centerVCVSOutput") != std::string::npos;
+  const std::string position = ball ? "vertexVC.xyz" : "wfvPositionVSOutput";
   vtkShaderProgram::Substitute(fragmentShader, "//VTK::DepthPeeling::Impl",
-    "  gl_FragData[1] = wfvData(gl_PrimitiveID + PrimitiveIDOffset);\n"
-    "  gl_FragData[2] = vec4(" +
+    "  gl_FragData[1] = wfvData(" + position +
+      ", gl_PrimitiveID + PrimitiveIDOffset);\n"
+      "  gl_FragData[2] = vec4(" +
       normal + ", 1.0);\n  //VTK::DepthPeeling::Impl\n",
     false);
   return true;

@@ -3,88 +3,16 @@
 
 #include "WideFoVGlsl.h"
 #include "vtkWideFoVShaderArrays.h"
+#include "vtkWideFoVQuadricShaders.h"
+#include "vtkWideFoVShaderText.h"
 
 #include <regex>
 #include <vector>
 
+using namespace wfv::shader;
+
 namespace
 {
-using Request = vtkWideFoVShaderBuilder::Request;
-using Primitive = vtkWideFoVShaderBuilder::Primitive;
-
-// Newton steps of the lens inverse in float32: from half the range, quadratic
-// convergence reaches float32's end in fewer.
-constexpr int NewtonSteps = 12;
-
-// One output of the vertex stage.
-struct Varying
-{
-  bool Flat;
-  std::string Type;
-  std::string Name;
-
-  // As the geometry stage takes it in: one a vertex.
-  std::string Input() const
-  {
-    return (this->Flat ? "flat in " : "in ") + this->Type + " " + this->Name + "[];\n";
-  }
-
-  std::string Declaration(const std::string& name) const { return this->Type + " " + name + ";\n"; }
-};
-
-std::vector<Varying> FindVaryings(const std::string& vertex)
-{
-  static const std::regex output(
-    R"((flat\s+|smooth\s+|noperspective\s+)?\bout\s+(\w+)\s+(\w+)\s*;)");
-  std::vector<Varying> result;
-  for (std::sregex_iterator i(vertex.begin(), vertex.end(), output), end; i != end; ++i)
-  {
-    result.push_back({ (*i)[1].str().compare(0, 4, "flat") == 0, (*i)[2], (*i)[3] });
-  }
-  return result;
-}
-
-// Takes the fragment stage's declarations of these inputs out.
-void RemoveInputs(std::string& fragment, const std::vector<Varying>& varyings)
-{
-  for (const Varying& v : varyings)
-  {
-    const std::regex input(
-      R"((flat\s+|smooth\s+|noperspective\s+)?\bin\s+)" + v.Type + R"(\s+)" + v.Name + R"(\s*;)");
-    fragment = std::regex_replace(fragment, input, "");
-  }
-}
-
-void ReplaceAll(std::string& text, const std::string& from, const std::string& to)
-{
-  for (size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-  {
-    text.replace(at, from.size(), to);
-  }
-}
-
-std::string Define(const char* name, int value)
-{
-  return std::string("#define ") + name + " " + std::to_string(value) + "\n";
-}
-
-// The mathematics of the view, for any stage.
-std::string ViewSource(const Request& r)
-{
-  const bool meridian = r.Projection->Axis == wfv::Family::Meridian;
-  const bool faces = r.Projection->Axis == wfv::Family::Faces;
-  return "#define WFV_FN\n" + Define("WFV_NEWTON_STEPS", NewtonSteps) +
-    Define("WFV_MERIDIAN", meridian) + Define("WFV_FACES", faces) +
-    Define("WFV_STRAIGHT_SEAM", r.Projection->StraightSeam) +
-    Define("WFV_FLAT_RIM", r.Projection->FlatRim) +
-    Define("WFV_EXACT", r.Stage == vtkWideFoVShaderBuilder::Variant::Exact) +
-    Define("WFV_TESSELLATE", r.Stage == vtkWideFoVShaderBuilder::Variant::Tessellate) +
-    Define("WFV_WIDE_LINES", r.WideLines) + Define("WFV_EDGES", r.Edges || r.DebugView) +
-    Define("WFV_EDGE_FLAGS", r.EdgeFlags) + Define("WFV_DEBUG_VIEW", r.DebugView) +
-    "#define WFV_ANGLES " + (meridian ? "wfvMeridianAngles" : "wfvAzimuthalAngles") + "\n" +
-    wfv::MathGlsl() + wfv::CommonGlsl() + wfv::DepthGlsl() + r.Projection->Glsl + interface_glsl;
-}
-
 // How the picture of a triangle is covered, one file a family.
 std::string CoverSource(const wfv::Projection& projection)
 {
@@ -97,11 +25,6 @@ std::string CoverSource(const wfv::Projection& projection)
     default:
       return cover_azimuthal_glsl;
   }
-}
-
-std::string Corner(size_t varying, int corner)
-{
-  return "wfvCorner" + std::to_string(varying) + "_" + std::to_string(corner);
 }
 
 // Copies of every vertex output at the three corners, which the fragment stage
@@ -182,51 +105,9 @@ std::string GeometrySource(const Request& r, const std::vector<Varying>& varying
   return source;
 }
 
-// The stock text takes normal.z for the cosine towards the eye and the view axis for
-// the direction of a headlight; both hold in front of the eye only.
-void RewriteLights(std::string& fragment)
-{
-  // the first statement of the stock main, whatever main is called by now
-  const std::string position = "vec4 vertexVC = vertexVCVSOutput;";
-  const size_t inside = fragment.find(position);
-  if (inside == std::string::npos)
-  {
-    return;
-  }
-  std::string head = fragment.substr(0, inside);
-  std::string body = fragment.substr(inside);
-  vtkWideFoVShaderBuilder::Declare(head, light_fragment_glsl);
-  ReplaceAll(body, position, position + "\n  wfvFromEye = normalize(vertexVC.xyz);");
-  ReplaceAll(body, "max(0.0,normalVCVSOutput.z)", "max(0.0, dot(normalVCVSOutput, -wfvFromEye))");
-  body = std::regex_replace(
-    body, std::regex(R"(\blightDirectionVC(\d+))"), "wfvLightDirection($1, lightDirectionVC$1)");
-  fragment = head + body;
-}
-
-// The wide camera's view and clip coordinates are the same; both stock statements are
-// replaced, so that neighbours and attributes agree to the bit.
-void TakeFromEye(std::string& vertex)
-{
-  static const std::regex product(R"(\bMC[DV]CMatrix\s*\*\s*vertexMC\b)");
-  if (std::regex_search(vertex, product))
-  {
-    vertex = std::regex_replace(vertex, product, "wfvFromEyeOf(MCDCMatrix, vertexMC)");
-    vtkWideFoVShaderBuilder::Declare(vertex, eye_vertex_glsl);
-  }
-}
-
 bool CoversTriangles(const Request& r)
 {
   return vtkWideFoVShaderBuilder::NeedsGeometryStage(r) && r.Kind == Primitive::Triangles;
-}
-
-// Depth by wfvDepth instead of the rasterizer's; returns what main begins with.
-std::string RewriteDepth(std::string& fragment)
-{
-  ReplaceAll(fragment, "gl_FragCoord.z", "wfvDepth");
-  // the stock template names gl_FragDepth in a comment; only a value given counts
-  static const std::regex setsDepth(R"(gl_FragDepth\s*=)");
-  return std::regex_search(fragment, setsDepth) ? "" : "  gl_FragDepth = wfvDepth;\n";
 }
 
 // What the debug view adds to the fragment stage.
@@ -289,7 +170,7 @@ std::string vtkWideFoVShaderBuilder::MakeViewSource(const Request& r)
 
 bool vtkWideFoVShaderBuilder::NeedsGeometryStage(const Request& r)
 {
-  return r.Stage != Variant::Plain && r.Kind != Primitive::Points;
+  return wfv::quadric::Draws(r.Kind) || (r.Stage != Variant::Plain && r.Kind != Primitive::Points);
 }
 
 void vtkWideFoVShaderBuilder::WrapMain(
@@ -332,6 +213,11 @@ void vtkWideFoVShaderBuilder::Prepare(
   {
     return;
   }
+  if (wfv::quadric::Draws(r.Kind))
+  {
+    wfv::quadric::Prepare(r, geometry, fragment);
+    return;
+  }
   geometry.clear();
   if (r.Edges)
   {
@@ -346,6 +232,10 @@ void vtkWideFoVShaderBuilder::Prepare(
 void vtkWideFoVShaderBuilder::Finish(
   const Request& r, std::string& vertex, std::string& geometry, std::string& fragment)
 {
+  if (wfv::quadric::Draws(r.Kind))
+  {
+    return wfv::quadric::Finish(r, vertex, geometry, fragment);
+  }
   if (NeedsGeometryStage(r))
   {
     wfv::FlattenArrays(vertex, fragment);

@@ -23,7 +23,12 @@ public:
   {
     Points,
     Lines,
-    Triangles
+    Triangles,
+    Spheres,      // of the stock sphere mapper
+    Sticks,       // of the stock stick mapper
+    Splats,       // of the stock point gaussian mapper
+    PointSpheres, // points rendered as spheres
+    Tubes         // lines rendered as tubes
   };
 
   struct Request

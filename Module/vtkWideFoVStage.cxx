@@ -4,6 +4,7 @@
 #include "vtkWideFoVCamera.h"
 #include "vtkWideFoVEye.h"
 #include "vtkWideFoVPass.h"
+#include "vtkWideFoVQuadricKind.h"
 #include "vtkWideFoVPolyDataMapper.h"
 #include "vtkWideFoVTessellation.h"
 
@@ -65,6 +66,7 @@ public:
       actor->GetProperty()->GetEdgeVisibility() && !renderer->GetSelector();
     request.EdgeFlags =
       request.Edges && type == PrimitiveTris && !(mapper->*(&MapperAccess::EdgeValues)).empty();
+    request.Kind = wfv::quadric::KindOf(mapper, actor, request.Kind);
   }
 };
 
@@ -249,12 +251,7 @@ bool vtkWideFoVStage::SetShaderParameters(
     renderer->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
   }
   this->SetSampleParameters(program);
-  auto* polydata = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
-  auto* actor = vtkActor::SafeDownCast(prop);
-  if (polydata && actor && this->Renderer)
-  {
-    wfv::SetEye(program, polydata, actor, this->Renderer->GetActiveCamera());
-  }
+  this->SetPropParameters(program, mapper, prop);
   const float f[4] = { static_cast<float>(viewport[0]), static_cast<float>(viewport[1]),
     static_cast<float>(viewport[2]), static_cast<float>(viewport[3]) };
   program->SetUniform4f("wfvViewport", f);
@@ -262,6 +259,24 @@ bool vtkWideFoVStage::SetShaderParameters(
   const bool tessellates = this->Variant == vtkWideFoVShaderBuilder::Variant::Tessellate;
   this->NumberOfTessellateDraws += tessellates && vtkWideFoVTessellation::IsIn(program);
   return true;
+}
+
+void vtkWideFoVStage::SetPropParameters(
+  vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop) const
+{
+  using Primitive = vtkWideFoVShaderBuilder::Primitive;
+  auto* polydata = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
+  auto* actor = vtkActor::SafeDownCast(prop);
+  if (polydata && actor && this->Renderer)
+  {
+    wfv::SetEye(program, polydata, actor, this->Renderer->GetActiveCamera());
+  }
+  if (actor && program->IsUniformUsed("wfvPixels"))
+  {
+    const bool tubes = this->MakeRequest(mapper, prop).Kind == Primitive::Tubes;
+    vtkProperty* property = actor->GetProperty();
+    program->SetUniformf("wfvPixels", tubes ? property->GetLineWidth() : property->GetPointSize());
+  }
 }
 
 void vtkWideFoVStage::SetSampleParameters(vtkShaderProgram* program)

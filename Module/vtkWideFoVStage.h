@@ -74,6 +74,10 @@ private:
   vtkWideFoVStage(const vtkWideFoVStage&) = delete;
   void operator=(const vtkWideFoVStage&) = delete;
 
+  // The eye in the coordinates of the mapper; the diameter of tubes and of points drawn
+  // as spheres.
+  void SetPropParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop) const;
+
   // How the bound framebuffer is sampled, for the coverage of the pre-clip.
   static void SetSampleParameters(vtkShaderProgram* program);
 

@@ -19,6 +19,8 @@ struct Look
   std::string Representation = "surface";     // surface-with-edges, wireframe, points
   double LineWidth = 1;                       // pixels
   double PointSize = 3;                       // pixels
+  bool LinesAsTubes = false;
+  bool PointsAsSpheres = false;
   bool ScalarBar = false;
   std::string Vectors;     // array drawn as arrows instead of the surface
   std::string StreamLines; // array drawn as stream tubes instead of the surface

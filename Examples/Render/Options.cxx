@@ -213,6 +213,8 @@ void DeclareData(CLI::App& app, Options& o)
     { "surface", "surface-with-edges", "wireframe", "points" }, {}, "how surfaces are drawn");
   group.Number("--line-width", "PX", o.Look.LineWidth, { 0, 100, true }, "width of lines, pixels");
   group.Number("--point-size", "PX", o.Look.PointSize, { 0, 100, true }, "size of points, pixels");
+  group.Flag("--lines-as-tubes", o.Look.LinesAsTubes, "lines are round, --line-width wide");
+  group.Flag("--points-as-spheres", o.Look.PointsAsSpheres, "points are round, --point-size wide");
   group.Flag("--scalar-bar", o.Look.ScalarBar, "draw the colour map's bar into the picture");
   group.Add("--background", "R,G,B", "0,0,0", "colour where there is nothing, 0 to 1",
     [&o](const std::string& option, const std::string& value) {

@@ -4,6 +4,7 @@
 #include "ColorMaps.h"
 #include "Datasets.h"
 #include "Messages.h"
+#include "Molecule.h"
 #include "OptionValues.h"
 #include "Progress.h"
 #include "Readers.h"
@@ -241,6 +242,26 @@ void ReplaceByVectors(Scene& scene, const Look& look)
 }
 }
 
+namespace
+{
+// Molecules as balls and sticks; a point or a line they are where that is asked for.
+void ReplaceMolecules(Scene& scene, const Look& look)
+{
+  if (look.Representation != "surface")
+  {
+    return;
+  }
+  std::vector<SceneProp> replaced;
+  for (const SceneProp& prop : scene.Props)
+  {
+    const std::vector<SceneProp> parts =
+      IsMolecule(prop) ? BallsAndSticks(prop) : std::vector<SceneProp>{ prop };
+    replaced.insert(replaced.end(), parts.begin(), parts.end());
+  }
+  scene.Props = replaced;
+}
+}
+
 void ApplyLook(Scene& scene, const Look& look)
 {
   const bool vectors = !look.Vectors.empty() || !look.StreamLines.empty();
@@ -252,6 +273,7 @@ void ApplyLook(Scene& scene, const Look& look)
   {
     DropUnusable(prop);
   }
+  ReplaceMolecules(scene, look);
   std::string name = look.ColorBy;
   if (name.empty() && vectors)
   {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene.h"
 
+#include "Molecule.h"
+
 #include <vtkBoundingBox.h>
 #include <vtkCellArray.h>
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
-#include <vtkWideFoVPolyDataMapper.h>
 
 namespace widefov
 {
@@ -17,7 +18,12 @@ bool SceneBounds(const Scene& scene, double bounds[6])
   {
     if (prop.Surface->GetNumberOfPoints() > 0)
     {
-      box.AddBounds(prop.Surface->GetBounds());
+      vtkBoundingBox own(prop.Surface->GetBounds());
+      if (prop.Margin > 0)
+      {
+        own.Inflate(prop.Margin);
+      }
+      box.AddBox(own);
     }
   }
   box.GetBounds(bounds);
@@ -45,7 +51,9 @@ PrimitiveCount CountPrimitives(const Scene& scene)
     };
     count.Triangles += excess(data->GetPolys(), 2) + excess(data->GetStrips(), 2);
     count.Lines += excess(data->GetLines(), 1);
-    count.Points += data->GetVerts()->GetNumberOfConnectivityIds();
+    const vtkIdType points = data->GetVerts()->GetNumberOfConnectivityIds();
+    // a stick is a line from end to end
+    (prop.Kind == SceneProp::Shape::Sticks ? count.Lines : count.Points) += points;
   }
   return count;
 }
@@ -54,6 +62,13 @@ namespace
 {
 void SetColors(vtkPolyDataMapper* mapper, const SceneProp& prop)
 {
+  if (prop.Array.empty() && prop.Kind == SceneProp::Shape::Sticks)
+  {
+    mapper->SetScalarModeToUsePointFieldData();
+    mapper->SelectColorArray(StickColor);
+    mapper->SetColorModeToDirectScalars();
+    return;
+  }
   if (prop.Array.empty())
   {
     mapper->ScalarVisibilityOff();
@@ -101,7 +116,7 @@ void SetRepresentation(vtkProperty* property, const std::string& name)
 
 vtkSmartPointer<vtkActor> MakeActor(const SceneProp& prop, const Look& look)
 {
-  vtkNew<vtkWideFoVPolyDataMapper> mapper; // stock but where the technique is tessellate
+  const vtkSmartPointer<vtkPolyDataMapper> mapper = MakeMapper(prop);
   mapper->SetInputData(prop.Surface);
   SetColors(mapper, prop);
   vtkNew<vtkActor> actor;
@@ -112,6 +127,8 @@ vtkSmartPointer<vtkActor> MakeActor(const SceneProp& prop, const Look& look)
   property->SetDiffuse(prop.Diffuse);
   property->SetLineWidth(static_cast<float>(look.LineWidth));
   property->SetPointSize(static_cast<float>(look.PointSize));
+  property->SetRenderLinesAsTubes(look.LinesAsTubes);
+  property->SetRenderPointsAsSpheres(look.PointsAsSpheres);
   SetRepresentation(property, look.Representation);
   return actor;
 }

@@ -20,10 +20,19 @@ namespace widefov
 // One actor.
 struct SceneProp
 {
+  enum class Shape
+  {
+    Mesh,
+    Balls, // one a point, by Molecule.h
+    Sticks
+  };
+
   vtkSmartPointer<vtkPolyData> Surface;  // what the mapper draws
   vtkSmartPointer<vtkDataObject> Source; // what was read; vectors are looked up here
   int Index = 0;                         // of the file, in the order given; 0 for a built-in scene
   std::string Label;                     // for messages
+  Shape Kind = Shape::Mesh;
+  double Margin = 0; // how far what is drawn reaches beyond the points, scene units
 
   Vector3 Color{ { 0.9, 0.9, 0.9 } };
   std::string Array; // gives the colours; empty: Color

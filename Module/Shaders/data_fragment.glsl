@@ -10,8 +10,8 @@ vec3 wfvFlatNormal()
   return dot(n, wfvPositionVSOutput) > 0.0 ? -n : n;
 }
 
-vec4 wfvData(int primitive)
+vec4 wfvData(vec3 position, int primitive)
 {
   float id = wfvPropNumber > 0 ? float(primitive + 1) : 0.0;
-  return vec4(length(wfvPositionVSOutput), id, float(wfvPropNumber), 1.0);
+  return vec4(length(position), id, float(wfvPropNumber), 1.0);
 }

@@ -62,6 +62,18 @@ vtkPolyData* Drawing::GetMesh() const
   return this->Internal->Mapper->GetInput();
 }
 
+void Drawing::SetActor(vtkActor* actor)
+{
+  this->Internal->Renderer->RemoveAllViewProps();
+  this->Internal->Renderer->AddActor(actor);
+  this->Internal->Data->SetPropIndex(actor, 0);
+}
+
+vtkImageData* Drawing::GetData() const
+{
+  return this->Internal->Data->GetOutput();
+}
+
 void Drawing::SetTolerance(double pixels)
 {
   this->Internal->Pass->SetTolerance(pixels);

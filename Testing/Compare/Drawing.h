@@ -11,6 +11,8 @@
 #include <memory>
 #include <string>
 
+class vtkActor;
+class vtkImageData;
 class vtkPolyData;
 
 namespace wfv
@@ -43,6 +45,12 @@ public:
   void SetMesh(vtkPolyData* mesh);
 
   vtkPolyData* GetMesh() const;
+
+  // Draws this actor in place of the mesh from now on.
+  void SetActor(vtkActor* actor);
+
+  // Everything the data pass wrote of the last picture.
+  vtkImageData* GetData() const;
 
   // Of the pass, pixels (0.25).
   void SetTolerance(double pixels);

@@ -171,3 +171,48 @@ TEST(ShaderBuilder, ADebugViewReplacesTheColourNotTheLight)
     EXPECT_EQ(Has(geometry, "int wfvCoverKind("), variant == Builder::Variant::PreClip);
   }
 }
+
+TEST(ShaderBuilder, QuadricsMeetTheRayInAnyVariant)
+{
+  for (auto variant : { Builder::Variant::Plain, Builder::Variant::PreClip })
+  {
+    const Sources s = Build("hammer", variant, Builder::Primitive::Tubes);
+    EXPECT_TRUE(Has(s.GeometryStage, "layout(lines) in;"));
+    EXPECT_TRUE(Has(s.GeometryStage, "#define WFV_ANGULAR 1"));
+    EXPECT_TRUE(Has(s.FragmentStage, "wfvPrepare(0);"));
+    // interpolated along the segment; what is flat, from its last vertex
+    EXPECT_TRUE(Has(s.FragmentStage, "normalVCVSOutput = mix("));
+    EXPECT_TRUE(Has(s.FragmentStage, "vertexIDVSOutput = wfvCorner"));
+    EXPECT_FALSE(Has(s.FragmentStage, "in vec3 normalVCVSOutput"));
+  }
+}
+
+TEST(ShaderBuilder, ThePiecesOfASpanFitWhatAGeometryStageMayEmit)
+{
+  const Sources few = Build("hammer", Builder::Variant::Plain, Builder::Primitive::Sticks);
+  EXPECT_TRUE(Has(few.GeometryStage, "#define WFV_PIECES 4"));
+  Builder::Request request;
+  request.Projection = wfv::FindProjection("hammer");
+  request.Kind = Builder::Primitive::Tubes;
+  Sources many;
+  for (int i = 0; i < 8; i++)
+  {
+    const std::string name = "a" + std::to_string(i) + "VSOutput";
+    many.VertexStage.insert(0, "out vec4 " + name + ";\n");
+  }
+  Builder::Finish(request, many.VertexStage, many.GeometryStage, many.FragmentStage);
+  EXPECT_TRUE(Has(many.GeometryStage, "#define WFV_PIECES 1\n"));
+  EXPECT_TRUE(Has(many.GeometryStage, "#define WFV_SPAN_VERTICES 8\n"));
+}
+
+TEST(ShaderBuilder, AFamilyWithoutAnglesIsCoveredByTheWholeWindow)
+{
+  wfv::Projection other = *wfv::FindProjection("hammer");
+  other.Axis = wfv::Family::Planar;
+  Builder::Request request;
+  request.Projection = &other;
+  request.Kind = Builder::Primitive::Spheres;
+  Sources s;
+  Builder::Finish(request, s.VertexStage, s.GeometryStage, s.FragmentStage);
+  EXPECT_TRUE(Has(s.GeometryStage, "#define WFV_ANGULAR 0"));
+}

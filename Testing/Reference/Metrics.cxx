@@ -19,8 +19,8 @@ namespace
 constexpr int PointsPerCircle = 16;
 
 // Whether the ray caster sees the drawn cell somewhere on a circle round the pixel's centre.
-bool AgreesOnCircle(const RayCaster& caster, int width, int height, const WorstPixel& pixel,
-  double radius, int points)
+bool AgreesOnCircle(
+  const Caster& caster, int width, int height, const WorstPixel& pixel, double radius, int points)
 {
   for (int k = 0; k < points; ++k)
   {
@@ -37,8 +37,8 @@ bool AgreesOnCircle(const RayCaster& caster, int width, int height, const WorstP
 
 // The smallest of the radii b/4, b/2, b, 2b, 4b, ... at which the reference agrees. Beyond
 // b, a cell that is `seen` at no pixel centre of the reference is not looked for.
-double DistanceToAgreement(const RayCaster& caster, const DrawnPicture& p, const WorstPixel& pixel,
-  double tolerance, bool seen)
+double DistanceToAgreement(
+  const Caster& caster, const DrawnPicture& p, const WorstPixel& pixel, double tolerance, bool seen)
 {
   const double limit = seen ? std::max(tolerance, SearchLimit) : tolerance;
   for (double r = tolerance / 4; r <= limit; r *= 2)
@@ -140,13 +140,13 @@ DrawnPicture ToDrawnPicture(vtkImageData* image)
   return p;
 }
 
-Metrics Compare(const DrawnPicture& drawn, const RayCaster& caster, double tolerance)
+Metrics Compare(const DrawnPicture& drawn, const Caster& caster, double tolerance)
 {
   return Compare(drawn, caster, caster.Render(drawn.Width, drawn.Height), tolerance);
 }
 
 Metrics Compare(
-  const DrawnPicture& drawn, const RayCaster& caster, const HitPicture& reference, double tolerance)
+  const DrawnPicture& drawn, const Caster& caster, const HitPicture& reference, double tolerance)
 {
   Metrics m;
   std::vector<WorstPixel> pixels = FindMismatches(drawn, reference, m);
@@ -171,7 +171,7 @@ Metrics Compare(
 }
 
 double NearestAgreement(
-  const RayCaster& caster, int width, int height, const WorstPixel& pixel, double radius)
+  const Caster& caster, int width, int height, const WorstPixel& pixel, double radius)
 {
   constexpr int Halvings = 6;
   for (int k = Halvings; k >= 0; --k)

@@ -58,17 +58,17 @@ constexpr double SearchLimit = 64;
 
 // `tolerance` is b in pixels: a mismatched pixel is explained if the reference agrees at
 // one of 48 points, 16 on each of the circles of radius b, b/2 and b/4 round its centre.
-Metrics Compare(const DrawnPicture& drawn, const RayCaster& caster, double tolerance);
+Metrics Compare(const DrawnPicture& drawn, const Caster& caster, double tolerance);
 
 // The same with the ray caster's own picture at hand (of the drawn one's size).
-Metrics Compare(const DrawnPicture& drawn, const RayCaster& caster, const HitPicture& reference,
-  double tolerance);
+Metrics Compare(
+  const DrawnPicture& drawn, const Caster& caster, const HitPicture& reference, double tolerance);
 
 // The 48 points step over cells thinner than a quarter of b; but what is explained within a
 // smaller b is explained within b. The least of the radii b, b/2, .. b/64 at which one of
 // 16 points of its circle agrees with what was drawn at this pixel; inf where none does.
 double NearestAgreement(
-  const RayCaster& caster, int width, int height, const WorstPixel& pixel, double radius);
+  const Caster& caster, int width, int height, const WorstPixel& pixel, double radius);
 }
 }
 

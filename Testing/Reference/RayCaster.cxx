@@ -7,7 +7,6 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSMPThreadLocalObject.h>
-#include <vtkSMPTools.h>
 #include <vtkStaticCellLocator.h>
 
 namespace wfv
@@ -87,31 +86,14 @@ struct RayCaster::Locator
   }
 };
 
-vec2 PixelToNdc(double x, double y, int width, int height)
-{
-  return vec2(2 * x / width - 1, 1 - 2 * y / height);
-}
-
 RayCaster::RayCaster(vtkPolyData* polyData, const View& view, const Pose& worldToView)
-  : TheView(view)
+  : Caster(view)
   , Soup(Triangulate(polyData, worldToView))
   , Candidates(new Locator(Soup))
 {
 }
 
 RayCaster::~RayCaster() = default;
-
-Hit RayCaster::Cast(vec2 ndc) const
-{
-  const ViewRay ray = this->TheView.Ray(ndc);
-  if (!ray.Inside)
-  {
-    return {};
-  }
-  Hit hit = this->Cast(ray.Origin, ray.Direction);
-  hit.InDomain = true;
-  return hit;
-}
 
 Hit RayCaster::Cast(const vec3& origin, const vec3& direction) const
 {
@@ -140,24 +122,6 @@ Hit RayCaster::Cast(const vec3& origin, const vec3& direction) const
     }
   }
   return best;
-}
-
-HitPicture RayCaster::Render(int width, int height) const
-{
-  HitPicture picture;
-  picture.Width = width;
-  picture.Height = height;
-  picture.Hits.resize(std::size_t(width) * height);
-  vtkSMPTools::For(0, height, 1, [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType j = begin; j < end; ++j)
-    {
-      for (int i = 0; i < width; ++i)
-      {
-        picture.Hits[j * width + i] = this->Cast(PixelToNdc(i + 0.5, j + 0.5, width, height));
-      }
-    }
-  });
-  return picture;
 }
 }
 }

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A splat, by the ray of the pixel: a disc about the point, across the line from the eye
+// to it. Stock VTK draws a triangle round that disc; beyond the disc a gaussian has less
+// than a hundredth of its height, and there is no triangle that looks the same everywhere.
+
+uniform float triangleScale; // radius of the disc in units of the gaussian's, set by the mapper
+
+WfvCrossing wfvMeet(vec3 u)
+{
+  float d = length(wfvBall.xyz);
+  vec3 ahead = wfvBall.xyz / d;
+  float c = dot(u, ahead);
+  float t = d / c;
+  WfvCrossing x;
+  // from a cross product, so that nothing cancels far away
+  x.met = c > 0.0 && t * length(cross(u, ahead)) <= wfvBall.w;
+  x.distance = vec2(t);
+  x.along = vec2(0.0);
+  x.entry = -ahead;
+  x.exit = -ahead;
+  return x;
+}
+
+// Place on the disc in units of the gaussian's radius: x to the right, y upwards, with
+// the view's own up, or its right where that is behind or ahead.
+vec2 wfvSplatOffset()
+{
+  vec3 centre = wfvUntilt(wfvBall.xyz, wfvView);
+  vec3 ahead = centre / length(centre);
+  vec3 right = cross(ahead, vec3(0.0, 1.0, 0.0));
+  right = dot(right, right) > 1e-12 ? normalize(right) : vec3(1.0, 0.0, 0.0);
+  vec3 from = wfvSurface / wfvScale() - centre;
+  return vec2(dot(from, right), dot(from, cross(right, ahead))) * (triangleScale / wfvBall.w);
+}

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How far what is drawn reaches beyond the bounds that VTK knows: those of balls, sticks,
+// tubes and splats are the bounds of their points alone.
+#ifndef vtkWideFoVQuadricBounds_h
+#define vtkWideFoVQuadricBounds_h
+
+class vtkRenderer;
+
+namespace wfv
+{
+// Grows the bounds of the renderer's props, in world coordinates, by the reach of its
+// actors (not of parts of assemblies). The eye tells how large a size in pixels may be.
+void InflateForQuadrics(vtkRenderer* renderer, const double eye[3], double bounds[6]);
+}
+
+#endif

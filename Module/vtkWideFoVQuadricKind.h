@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which of a mapper's draws are balls, sticks, tubes or splats: what the stock mapper would
+// fake in the plane of the picture.
+#ifndef vtkWideFoVQuadricKind_h
+#define vtkWideFoVQuadricKind_h
+
+#include "vtkWideFoVShaderBuilder.h"
+
+class vtkActor;
+class vtkOpenGLPolyDataMapper;
+
+namespace wfv
+{
+namespace quadric
+{
+// The kind of the draw that the mapper is preparing, or the one given.
+vtkWideFoVShaderBuilder::Primitive KindOf(
+  vtkOpenGLPolyDataMapper* mapper, vtkActor* actor, vtkWideFoVShaderBuilder::Primitive kind);
+}
+}
+
+#endif

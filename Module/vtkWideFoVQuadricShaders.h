@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The part of the shader builder for what is no mesh: balls, sticks, tubes and splats.
+// A geometry stage of our own covers the picture of each, the fragment stage meets the
+// surface with the ray of each pixel. Text in, text out.
+#ifndef vtkWideFoVQuadricShaders_h
+#define vtkWideFoVQuadricShaders_h
+
+#include "vtkWideFoVShaderBuilder.h"
+
+#include <string>
+
+namespace wfv
+{
+namespace quadric
+{
+// True for the kinds that this part draws.
+bool Draws(vtkWideFoVShaderBuilder::Primitive kind);
+
+// True for the geometry stage of a stock mapper that makes a shape of each point.
+bool MakesImposters(const std::string& geometry);
+
+// As vtkWideFoVShaderBuilder::Prepare and ::Finish, for those kinds.
+void Prepare(
+  const vtkWideFoVShaderBuilder::Request& request, std::string& geometry, std::string& fragment);
+void Finish(const vtkWideFoVShaderBuilder::Request& request, std::string& vertex,
+  std::string& geometry, std::string& fragment);
+}
+}
+
+#endif

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Shader text taken apart and put together: what the parts of the shader builder share.
+#ifndef vtkWideFoVShaderText_h
+#define vtkWideFoVShaderText_h
+
+#include "vtkWideFoVShaderBuilder.h"
+
+#include <string>
+#include <vector>
+
+namespace wfv
+{
+namespace shader
+{
+using Request = vtkWideFoVShaderBuilder::Request;
+using Primitive = vtkWideFoVShaderBuilder::Primitive;
+
+// One output of the vertex stage.
+struct Varying
+{
+  bool Flat;
+  std::string Type;
+  std::string Name;
+
+  // As the geometry stage takes it in: one a vertex.
+  std::string Input() const
+  {
+    return (this->Flat ? "flat in " : "in ") + this->Type + " " + this->Name + "[];\n";
+  }
+
+  std::string Declaration(const std::string& name) const { return this->Type + " " + name + ";\n"; }
+};
+
+std::vector<Varying> FindVaryings(const std::string& vertex);
+
+// Takes the fragment stage's declarations of these inputs out.
+void RemoveInputs(std::string& fragment, const std::vector<Varying>& varyings);
+
+void ReplaceAll(std::string& text, const std::string& from, const std::string& to);
+
+std::string Define(const char* name, int value);
+
+// Name of the copy of an output at a corner of the primitive.
+std::string Corner(size_t varying, int corner);
+
+// The mathematics of the view, for any stage.
+std::string ViewSource(const Request& request);
+
+// The wide camera's view and clip coordinates are the same; both stock statements are
+// replaced, so that neighbours and attributes agree to the bit.
+void TakeFromEye(std::string& vertex);
+
+// The stock text takes normal.z for the cosine towards the eye and the view axis for
+// the direction of a headlight; both hold in front of the eye only.
+void RewriteLights(std::string& fragment);
+
+// Depth by wfvDepth instead of the rasterizer's; returns what main begins with.
+std::string RewriteDepth(std::string& fragment);
+}
+}
+
+#endif

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a drawn picture is measured against, whatever the scene is made of.
+#ifndef WideFoVCaster_h
+#define WideFoVCaster_h
+
+#include "Projection.h"
+
+#include <vtkType.h>
+
+#include <limits>
+#include <vector>
+
+namespace wfv
+{
+namespace reference
+{
+struct Hit
+{
+  vtkIdType Cell = -1;     // cell id in the polydata, -1 where nothing is hit
+  vtkIdType Triangle = -1; // index into TriangleSoup::Triangles
+  double Distance = std::numeric_limits<double>::infinity(); // along the ray, scene units
+  vec3 Barycentrics{ 0 };
+  vec3 Normal{ 0 };      // of balls, sticks and hulls: towards the eye, unit length
+  bool InDomain = false; // the map has a direction here
+};
+
+// A picture of hits, rows from the top.
+struct HitPicture
+{
+  int Width = 0;
+  int Height = 0;
+  std::vector<Hit> Hits;
+  const Hit& At(int i, int j) const { return this->Hits[std::size_t(j) * this->Width + i]; }
+};
+
+// NDC of a point of a picture of width x height pixels, x from the left and y from the
+// top; pixel (i, j) has its centre at (i + 0.5, j + 0.5).
+vec2 PixelToNdc(double x, double y, int width, int height);
+
+class Caster
+{
+public:
+  explicit Caster(const View& view)
+    : TheView(view)
+  {
+  }
+  virtual ~Caster() = default;
+
+  // The nearest hit between the clip spheres of the view, for a ray in view coordinates;
+  // the direction has unit length. Safe to call from several threads.
+  virtual Hit Cast(const vec3& origin, const vec3& direction) const = 0;
+
+  // The same for the ray of a place in the picture.
+  Hit Cast(vec2 ndc) const;
+
+  // All pixel centres, in parallel over rows.
+  HitPicture Render(int width, int height) const;
+
+  const View& GetView() const { return this->TheView; }
+
+protected:
+  View TheView;
+};
+}
+}
+
+#endif
