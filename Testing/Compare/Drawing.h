@@ -11,7 +11,9 @@
 #include <memory>
 #include <string>
 
+class vtkImageData;
 class vtkPolyData;
+class vtkWideFoVCamera;
 
 namespace wfv
 {
@@ -31,6 +33,9 @@ struct Shot
 
 // One line that says everything needed to draw the shot again.
 std::string Describe(const Shot& shot);
+
+// Sets the camera up as the shot says.
+void PlaceCamera(vtkWideFoVCamera* camera, const Shot& shot);
 
 // A window that outlives many shots, so that shaders are compiled once.
 class Drawing
@@ -52,6 +57,9 @@ public:
 
   // Draws the mesh; the picture is empty where the window failed.
   reference::DrawnPicture Draw(const Shot& shot);
+
+  // Everything that the data pass read of the last picture, rows from the bottom.
+  vtkImageData* GetImage() const;
 
   // The view and the pose that the last picture was drawn with.
   const View& GetView() const;

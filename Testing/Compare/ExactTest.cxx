@@ -63,7 +63,8 @@ protected:
 
   double Widest() const
   {
-    return std::min(360.0, std::floor(FindProjection(this->GetParam())->MaxHorizontalFov / 60) * 60);
+    return std::min(
+      360.0, std::floor(FindProjection(this->GetParam())->MaxHorizontalFov / 60) * 60);
   }
 
   // At the largest field of view only.
