@@ -191,10 +191,14 @@ bool Checker::TiesAt(vec2 ndc, vtkIdType cell) const
   const auto& t = soup.Triangles[std::size_t(at - soup.CellIds.begin())];
   const reference::RayTriangleHit hit = reference::IntersectTriangle(
     ray.Origin, ray.Direction, { { soup.Points[t[0]], soup.Points[t[1]], soup.Points[t[2]] } });
-  const vec2 radii = this->Caster->GetView().GetParameters().radii;
-  const double nearest = this->Caster->Cast(ray.Origin, ray.Direction).Distance;
+  const View& view = this->Caster->GetView();
+  const vec2 radii = view.GetParameters().radii;
+  const double nearest = std::min(this->Caster->Cast(ray.Origin, ray.Direction).Distance, radii.y);
   const double step = DepthStep * (radii.y - radii.x) + DistanceRounding * nearest;
-  return hit.Found && hit.Distance <= nearest + step;
+  // the perspective is stock VTK's, which clips by planes
+  const bool planes = view.GetProjection().Axis == Family::Planar;
+  const bool shown = planes || (hit.Distance >= radii.x - step && hit.Distance <= radii.y + step);
+  return hit.Found && shown && (planes || hit.Distance <= nearest + step);
 }
 
 bool Checker::IsDepthTie(const reference::WorstPixel& p, double b) const

@@ -37,9 +37,10 @@ Subject ToSubject(const SphereMesh& mesh, bool asDouble, const vec3& centre, dou
   return { soup.Finish(), centre, 0.1 * scale, 2000 * scale };
 }
 
+// From the octahedron to many; about so many on average.
 int CountOf(Random& random, int primitives)
 {
-  return int(random.Log(8, 2.0 * primitives));
+  return int(random.Log(8, 5.6 * primitives));
 }
 }
 

@@ -100,8 +100,8 @@ Subject MakeSeams(Random& random, int primitives)
   Soup soup;
   for (int i = 0; i < primitives; ++i)
   {
-    const double size = random.Log(0.02, 1);
-    const double far = 1 + 8 * size;
+    const double size = random.Log(0.01, 0.5);
+    const double far = 1 + 16 * size;
     const vec3 a = SeamPoint(random);
     Triangle t{ { a, Near(random, a, size), Near(random, a, size) } };
     t[1] = random.Chance(0.5) ? SeamPoint(random) : t[1];

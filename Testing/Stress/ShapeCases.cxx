@@ -115,14 +115,14 @@ Subject MakeDenormals(Random& random, int primitives)
   Soup soup;
   for (int i = 0; i < primitives; ++i)
   {
-    Triangle t =
-      TriangleAround(random, random.Direction(), random.Log(0.01, 1), random.Between(0.5, 10));
+    const double size = random.Log(0.01, 0.5);
+    Triangle t = TriangleAround(random, random.Direction(), size, 0.5 + 16 * size);
     const bool all = random.Chance(0.1); // a triangle smaller than anything, at the eye
     for (vec3& p : t)
     {
       for (double* c : { &p.x, &p.y, &p.z })
       {
-        *c = all || random.Chance(0.3) ? Denormal(random) : *c;
+        *c = all || random.Chance(0.15) ? Denormal(random) : *c;
       }
     }
     soup.Add(t);
