@@ -32,6 +32,10 @@ constexpr long MostLooks = 64;
 constexpr double DepthStep = 4.0 / 16777216;
 constexpr double DistanceRounding = 1e-6;
 
+// How far the near plane may lie beyond the near sphere, in its radii: fields of view of up
+// to 120 degrees have corners within 76 degrees of the axis.
+constexpr double PlaneOverSphere = 4.2;
+
 constexpr int PointsPerCircle = 16; // as the metric's
 
 long CountGlErrors()
@@ -193,12 +197,15 @@ bool Checker::TiesAt(vec2 ndc, vtkIdType cell) const
     ray.Origin, ray.Direction, { { soup.Points[t[0]], soup.Points[t[1]], soup.Points[t[2]] } });
   const View& view = this->Caster->GetView();
   const vec2 radii = view.GetParameters().radii;
-  const double nearest = std::min(this->Caster->Cast(ray.Origin, ray.Direction).Distance, radii.y);
-  const double step = DepthStep * (radii.y - radii.x) + DistanceRounding * nearest;
-  // the perspective is stock VTK's, which clips by planes
-  const bool planes = view.GetProjection().Axis == Family::Planar;
-  const bool shown = planes || (hit.Distance >= radii.x - step && hit.Distance <= radii.y + step);
-  return hit.Found && shown && (planes || hit.Distance <= nearest + step);
+  const double nearest = this->Caster->Cast(ray.Origin, ray.Direction).Distance;
+  const double step = DepthStep * (radii.y - radii.x) + DistanceRounding * hit.Distance;
+  if (view.GetProjection().Axis == Family::Planar)
+  {
+    // stock VTK draws it, and clips by planes: between plane and sphere both are right
+    return hit.Found && (hit.Distance <= nearest + step || nearest <= PlaneOverSphere * radii.x);
+  }
+  const bool shown = hit.Distance >= radii.x - step && hit.Distance <= radii.y + step;
+  return hit.Found && shown && hit.Distance <= nearest + step;
 }
 
 bool Checker::IsDepthTie(const reference::WorstPixel& p, double b) const
