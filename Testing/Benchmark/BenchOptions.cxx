@@ -16,23 +16,28 @@ namespace
 {
 // Of --quick and of the paper's table.
 constexpr std::array<int, 2> SmallSize{ { 1024, 512 } };
-}
 
-std::optional<int> ParseBenchOptions(int argc, char** argv, BenchOptions& o)
+void Declare(CLI::App& app, BenchOptions& o)
 {
-  CLI::App app("Run time against error of wide projections, as JSON.", "widefov-bench");
   widefov::OptionGroup group(app, "Options");
-  o.Data = WIDEFOV_DATA_FOLDER;
-  std::array<int, 2> size{ { 0, 0 } };
   group.Name("--output", "FILE.json", o.Output, "what was measured");
   group.Flag("--quick", o.Quick, "every scene at 1024x512, fewer parameters, few frames");
   group.Flag("--table1", o.Table1, "the paper's table 1 instead: cornell and atrium at 1024x512");
   group.Choices("--scenes", o.Scenes, BenchSceneNames(), "scenes");
   group.Choices("--methods", o.Methods, MethodNames(), "methods");
-  group.Size("--size", size, "pixels; 2048x1024, with --quick or --table1 1024x512");
+  group.Size("--size", o.Size, "pixels; with --quick or --table1 1024x512");
   group.Integer("--frames", o.Frames, 1, 10000, "timed frames a run; 0: as many as fit the time");
   group.Name("--data", "FOLDER", o.Data, "where office.binary.vtk is");
   group.Flag("--version", o.Version, "print the version");
+}
+}
+
+std::optional<int> ParseBenchOptions(int argc, char** argv, BenchOptions& o)
+{
+  CLI::App app("Run time against error of wide projections, as JSON.", "widefov-bench");
+  const std::array<int, 2> usual = o.Size;
+  o.Data = WIDEFOV_DATA_FOLDER;
+  Declare(app, o);
   if (const std::optional<int> done = widefov::ParseCommandLine(app, argc, argv))
   {
     return done;
@@ -51,13 +56,9 @@ std::optional<int> ParseBenchOptions(int argc, char** argv, BenchOptions& o)
   {
     widefov::FailUsage("--quick and --table1 exclude each other; give one");
   }
-  if (size[0] > 0)
+  if (app.count("--size") == 0)
   {
-    o.Size = size;
-  }
-  else if (o.Quick || o.Table1)
-  {
-    o.Size = SmallSize;
+    o.Size = o.Quick || o.Table1 ? SmallSize : usual;
   }
   return std::nullopt;
 }
