@@ -27,7 +27,7 @@ struct Counts
   long Batches = 0;
   long Pixels = 0;    // compared with the ray caster
   long DepthTies = 0; // explained by two surfaces at distances that depth cannot tell apart
-  long Thin = 0;      // of the unexplained, those that 4,096 places within b explain
+  long Thin = 0;      // of the unexplained, those that smaller circles explain
   double MaxDepthRel = 0;
 
   void Add(const Counts& other);
