@@ -24,7 +24,7 @@ constexpr int MostFrames = 25;
 
 // What the timed frames of one scene may take, all runs together, seconds; the least
 // number of frames may take longer.
-constexpr double QuickBudget = 20;
+constexpr double QuickBudget = 12;
 constexpr double FullBudget = 120;
 
 const char* const NotBuilt = "the pass does not tessellate: it drew this as preclip";

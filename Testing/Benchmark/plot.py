@@ -29,6 +29,7 @@ METHODS = {
 }
 LINES = {"perspective": "perspective 120°", "floor": "one plain pass"}
 NO_ERROR = {"max_px": 0.002, "share": 5e-7}  # where an error of zero is drawn
+LARGEST = {"max_px": 100, "share": 1.5}  # the right edges
 TITLES = {"max_px": "largest distance of a wrong pixel, pixels", "share": "share of wrong pixels"}
 
 
@@ -80,6 +81,7 @@ def draw_scene(records, path, software):
         draw_lines(axes, records)
         axes.set_xscale("log")
         axes.set_yscale("log")
+        axes.set_xlim(NO_ERROR[measure] / 1.5, LARGEST[measure])
         axes.set_xlabel(TITLES[measure])
         axes.grid(True, which="major", alpha=0.3)
     first = records[0]

@@ -45,8 +45,7 @@ void Report::Add(const BatchId& id, const Json& result)
     const bool crashed = result.contains("crash");
     if (crashed)
     {
-      // which of the techniques it was, the process cannot tell any more
-      counts.Crashes = technique == this->Options.Techniques.front();
+      counts.Crashes = technique == result["technique"].get<std::string>();
     }
     else
     {

@@ -66,11 +66,13 @@ TEST(StressReport, TotalsAreSums)
 TEST(StressReport, ACrashCountsOnce)
 {
   Report report(TwoTechniques());
-  report.Add({ "hammer", "needles", 7 }, { { "crash", "signal 11" } });
+  report.Add({ "hammer", "needles", 7 }, { { "crash", "signal 11" }, { "technique", "auto" } });
   const Json json = report.ToJson();
   EXPECT_EQ(json["crashes"], 1);
   ASSERT_EQ(json["failures"].size(), 1u);
   EXPECT_EQ(json["failures"][0]["crash"], "signal 11");
+  EXPECT_EQ(json["by_case"]["needles"]["auto"]["crashes"], 1);
+  EXPECT_EQ(json["by_case"]["needles"]["exact"]["crashes"], 0);
 }
 
 TEST(StressReport, FailuresAreBounded)

@@ -55,6 +55,7 @@ void Declare(CLI::App& app, StressOptions& o)
   group.Flag("--version", o.Version, "print the version");
   app.add_flag("--worker", o.Worker)->group("");
   app.add_option("--skip", o.Skip)->group("");
+  app.add_option("--abort-at", o.AbortAt)->group("");
 }
 }
 

@@ -27,7 +27,8 @@ struct StressOptions
 
   // Of the process that draws, which the program starts itself.
   bool Worker = false;
-  int Skip = 0; // so many batches of the plan are done already
+  int Skip = 0;     // so many batches of the plan are done already
+  int AbortAt = -1; // crash at this batch: for the test of what happens then
 };
 
 // Parses and checks. Throws a Failure with ExitUsage; returns an exit code where nothing

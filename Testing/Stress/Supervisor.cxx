@@ -138,26 +138,30 @@ std::vector<std::string> Arguments(
   {
     arguments.insert(arguments.end(), { "--batch", std::to_string(o.Batch) });
   }
+  if (o.AbortAt >= 0)
+  {
+    arguments.insert(arguments.end(), { "--abort-at", std::to_string(o.AbortAt) });
+  }
   return arguments;
 }
 
-// Reads what one worker says; returns the number of the batch that it was about when it
-// ended, or -1 where it was between two.
-long Follow(
+// Reads what one worker says; returns the technique that it was about when it ended, empty
+// where it was between two batches.
+std::string Follow(
   Child& child, const std::vector<BatchId>& plan, std::size_t& next, const Listener& listen)
 {
-  long busy = -1;
+  std::string busy;
   std::string line;
   while (child.ReadLine(line)) // to the end of file, so that the worker can say all
   {
     const Json json = Json::parse(line);
     if (json.contains("begin"))
     {
-      busy = json["begin"].get<long>();
+      busy = json["technique"].get<std::string>();
     }
     else if (json.contains("done"))
     {
-      busy = -1;
+      busy.clear();
       listen(plan[next], json);
       ++next;
     }
@@ -174,18 +178,20 @@ void Supervise(const StressOptions& o, const std::string& projection, const List
   {
     Child child(Arguments(o, projection, next));
     const std::size_t before = next;
-    const long busy = Follow(child, plan, next, listen);
+    const std::string busy = Follow(child, plan, next, listen);
     if (next == plan.size())
     {
       return;
     }
     const std::string why = child.End();
-    if (busy < 0 && next == before)
+    if (busy.empty() && next == before)
     {
       widefov::Fail(
         "the process that draws ended before it drew (" + why + "); what it says stands above");
     }
-    listen(plan[next], { { "crash", why.empty() ? "it ended" : why } });
+    listen(plan[next],
+      { { "crash", why.empty() ? "it ended" : why },
+        { "technique", busy.empty() ? o.Techniques.front() : busy } });
     ++next;
   }
 }

@@ -8,6 +8,7 @@
 #include <vtkPolyData.h>
 #include <vtkRenderWindow.h>
 
+#include <cstdlib>
 #include <iostream>
 
 namespace wfv
@@ -22,12 +23,18 @@ void Print(const Json& json)
   widefov::CheckStandardOutput();
 }
 
-Json CheckBatch(Checker& checker, const Batch& batch, const StressOptions& o)
+// `number` is that of the batch in the plan.
+Json CheckBatch(Checker& checker, const Batch& batch, const StressOptions& o, std::size_t number)
 {
   Json techniques = Json::object();
   checker.SetBatch(batch);
   for (const Technique& technique : TechniquesOf(o))
   {
+    Print({ { "begin", number }, { "technique", technique.Name } });
+    if (o.AbortAt >= 0 && std::size_t(o.AbortAt) == number)
+    {
+      std::abort();
+    }
     const Verdict verdict = checker.Check(technique);
     Json lines = Json::array();
     for (const std::string& line : verdict.Lines)
@@ -52,8 +59,7 @@ int RunWorker(const StressOptions& o)
   Checker checker;
   for (std::size_t i = std::size_t(o.Skip); i < plan.size(); ++i)
   {
-    Print({ { "begin", i } });
-    Json result = CheckBatch(checker, MakeBatch(plan[i], std::uint64_t(o.Seed)), o);
+    Json result = CheckBatch(checker, MakeBatch(plan[i], std::uint64_t(o.Seed)), o, i);
     result["done"] = i;
     Print(result);
   }
