@@ -6,6 +6,10 @@
 #include "Poses.h"
 #include "vtkWideFoVPass.h"
 
+#ifdef WIDEFOV_SCENES
+#include "Scenes.h"
+#endif
+
 #include <vtkPolyData.h>
 
 #include <iostream>
@@ -16,6 +20,10 @@ using namespace wfv::test;
 namespace
 {
 const double Tolerances[] = { 0.05, 0.25, 1 }; // pixels
+
+// Relative error of the distance for a tolerance of one pixel 512 wide: what a shift by so
+// much shows on walls seen under 74 degrees at the most.
+constexpr double DepthPerPixel = 0.03;
 
 struct Mesh
 {
@@ -40,6 +48,7 @@ void CheckShot(Drawing& drawing, Shot shot, const std::string& scene, double tol
   char text[40];
   std::snprintf(text, sizeof text, ", t %g", tolerance);
   std::cout << Row(shot, scene + text, m) << std::endl;
+  EXPECT_LE(m.MaxDepthRel, DepthPerPixel * tolerance * 512 / shot.Width) << scene << text;
   EXPECT_EQ(m.UnexplainedPixels, 0) << scene << text << "\n  " << Describe(shot) << "\n"
                                     << Details(shot, drawing.GetView(), m);
 }
@@ -72,6 +81,46 @@ TEST_P(Tessellate, KeepsTheTolerance)
       }
     }
   }
+}
+
+TEST_P(Tessellate, KeepsTheToleranceInALargePicture)
+{
+  Picture->SetMesh(MakeRoom(1));
+  for (double tolerance : { 0.25, 1.0 })
+  {
+    Shot shot = MakeShot(this->GetParam(), 360, PlainPoses()[1]);
+    shot.Width *= 4;
+    shot.Height *= 4;
+    CheckShot(*Picture, shot, "room of 12", tolerance);
+  }
+}
+
+#ifdef WIDEFOV_SCENES
+TEST_P(Tessellate, KeepsTheToleranceInACornellBox)
+{
+  const widefov::Scene scene = widefov::MakeScene("cornell");
+  ASSERT_EQ(scene.Props.size(), 1u);
+  Picture->SetMesh(scene.Props[0].Surface);
+  const widefov::Vector3 eye = widefov::SceneEye(scene);
+  for (double tolerance : Tolerances)
+  {
+    Shot shot = MakeShot(this->GetParam(), 360, PlainPoses()[1]);
+    shot.Eye = vec3(eye[0], eye[1], eye[2]);
+    shot.Options.Radii = { { 0.01, scene.Props[0].Surface->GetLength() } };
+    CheckShot(*Picture, shot, "cornell", tolerance);
+  }
+}
+#endif
+
+// The check can tell: drawn at a tolerance of 1 pixel, a picture does not keep 0.05.
+TEST_P(Tessellate, CoarserIsNotFiner)
+{
+  Picture->SetMesh(MakeGlobe(2));
+  Picture->SetTolerance(1);
+  const Shot shot = MakeShot(this->GetParam(), 360, PlainPoses()[1]);
+  const reference::DrawnPicture picture = Picture->Draw(shot);
+  const reference::RayCaster caster(Picture->GetMesh(), Picture->GetView(), Picture->GetPose());
+  EXPECT_GT(reference::Compare(picture, caster, 0.05).UnexplainedPixels, 100);
 }
 
 INSTANTIATE_TEST_SUITE_P(
