@@ -31,10 +31,10 @@ bool wfvInside(float e, vec3 plane)
 }
 
 #if !WFV_EXACT
-// This pixel, from the tile's centre as the corners are.
+// This sample, from the tile's centre as the corners are.
 vec2 wfvHere()
 {
-  return gl_FragCoord.xy - wfvViewport.xy - 0.5 * wfvViewport.zw;
+  return gl_FragCoord.xy + wfvSample - wfvViewport.xy - 0.5 * wfvViewport.zw;
 }
 
 // What to add to the function e of an edge, whose slope per pixel this is, to have that of
@@ -88,6 +88,12 @@ float wfvToChordOf(int i, vec3 plane, float e, vec2 slope, float slack, vec2 a, 
   return wfvToChord(e, slope, slack, a, b);
 }
 #endif
+
+// Pixels from each edge within which its chord counts.
+vec3 wfvChordReach()
+{
+  return step(0.0, wfvSlack) * (WFV_LENS_SAFETY * wfvSlack + WFV_LENS_PAD);
+}
 
 // What to add to the edge functions e, whose slopes per pixel are dx and dy, to have those
 // of the chords; 0 where no chord decides.
