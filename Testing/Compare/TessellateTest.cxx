@@ -117,7 +117,8 @@ TEST_P(Tessellate, KeepsTheTolerance)
     {
       for (double tolerance : Tolerances)
       {
-        Shot shot = MakeShot(this->GetParam(), 360, pose);
+        const double fov = FindProjection(this->GetParam())->MaxHorizontalFov;
+        Shot shot = MakeShot(this->GetParam(), fov, pose);
         CheckShot(*Picture, shot, std::string(mesh.Name) + ", " + pose.Name, tolerance);
       }
     }
