@@ -21,6 +21,9 @@ constexpr double AntipodeCap = 25;
 // pre-clip: 8 * 0.25 / (1024 (pi/180)^2) = 6.4.
 constexpr double PlainBend = 6;
 
+// Radians: the bound of wfv::Bend is for edges that look no longer.
+constexpr double LongestAngle = 0.09;
+
 // Range of the tilted view coordinates of a box in world coordinates.
 void ViewBounds(
   const double b[6], const double m[16], const wfv::WfvView& view, double low[3], double high[3])
@@ -93,4 +96,26 @@ bool vtkWideFoVNeedsPreClip(const wfv::Projection& projection, const wfv::WfvVie
   double high[3];
   ViewBounds(bounds, worldToView, view, low, high);
   return MeetsDiscontinuity(projection, low, high);
+}
+
+double vtkWideFoVChordError(const wfv::WfvView& view, const double bounds[6],
+  const double worldToView[16], double longestEdge)
+{
+  double low[3];
+  double high[3];
+  ViewBounds(bounds, worldToView, view, low, high);
+  const double flat = NearestInPlane(low[0], high[0], low[2], high[2]);
+  const double nearest = std::hypot(flat, std::max({ low[1], -high[1], 0.0 }));
+  double farthest2 = 0;
+  for (int i = 0; i < 3; i++)
+  {
+    farthest2 += std::pow(std::max(std::abs(low[i]), std::abs(high[i])), 2);
+  }
+  const double angle = nearest > 0 ? longestEdge / nearest : VTK_DOUBLE_MAX;
+  // no direction of the box is nearer to a pole, or to the antipode, than this
+  const double round = NearestInPlane(low[0], high[0], low[1], high[1]);
+  const bool ahead = high[2] <= 0;
+  const double sine2 = std::min(flat * flat, ahead ? farthest2 : round * round) / farthest2;
+  return angle <= LongestAngle && sine2 > 0 ? 0.125 * view.bend * angle * angle / sine2
+                                            : VTK_DOUBLE_MAX;
 }

@@ -2,7 +2,7 @@
 #include "vtkWideFoVPass.h"
 
 #include "vtkWideFoVCamera.h"
-#include "vtkWideFoVStage.h"
+#include "vtkWideFoVStages.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkProp.h"
@@ -92,7 +92,7 @@ void vtkWideFoVPass::Render(const vtkRenderState* s)
   in.Chosen.resize(count);
   for (int i = 0; i < count; i++)
   {
-    in.Chosen[i] = in.Stages.Choose(props[i]->GetBounds());
+    in.Chosen[i] = in.Stages.Choose(props[i]);
     vtkWideFoVStages::Attach(props[i], in.Chosen[i]);
   }
   this->DrawDelegate(s);

@@ -3,7 +3,7 @@
 
 #include "vtkWideFoVCamera.h"
 #include "vtkWideFoVPass.h"
-#include "vtkWideFoVStage.h"
+#include "vtkWideFoVStages.h"
 #include "vtkWideFoVTessellation.h"
 
 #include "vtkActor.h"
@@ -53,7 +53,7 @@ void vtkWideFoVPolyDataMapper::RenderPiece(vtkRenderer* renderer, vtkActor* acto
   vtkWideFoVStages& stages = this->Internal->Stages;
   stages.Begin(renderer, camera, this->Technique, this->Tolerance);
   stages.SetDebugView(this->DebugView != 0);
-  vtkWideFoVStage* stage = stages.Choose(actor->GetBounds());
+  vtkWideFoVStage* stage = stages.Choose(actor);
   vtkWideFoVStages::Attach(actor, stage);
   this->Superclass::RenderPiece(renderer, actor);
   vtkWideFoVStages::Detach(actor, stage);

@@ -130,9 +130,8 @@ void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std:
   if (triangles)
   {
     RemoveInputs(fragment, varyings);
-    const bool tessellate = r.Stage == vtkWideFoVShaderBuilder::Variant::Tessellate;
     declarations = std::string(ray_fragment_glsl) + cover_fragment_glsl + chord_fragment_glsl +
-      (tessellate ? surface_fragment_glsl : "") + TriangleInputs(varyings);
+      surface_fragment_glsl + TriangleInputs(varyings);
     before = "  wfvPrepare();\n";
     after = "  if (wfvHide) { discard; }\n";
     ReplaceAll(fragment, "gl_FrontFacing", "wfvFront");

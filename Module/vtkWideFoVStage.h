@@ -50,6 +50,9 @@ public:
   }
 
   // Of all, and those of them that were tessellated.
+  // What is seen where a chord covers a pixel: by the pixel's ray, not interpolated.
+  void SetByRay(bool byRay) { this->ByRay = byRay; }
+
   int GetNumberOfDraws() const { return this->NumberOfDraws; }
   int GetNumberOfTessellateDraws() const { return this->NumberOfTessellateDraws; }
   void ResetNumberOfDraws() { this->NumberOfDraws = this->NumberOfTessellateDraws = 0; }
@@ -91,48 +94,10 @@ private:
   float Tolerance = 0.25f;
   int Headlights = 0;
   bool Clipless = false;
+  bool ByRay = false;
   bool DebugView = false;
   int NumberOfDraws = 0;
   int NumberOfTessellateDraws = 0;
-};
-
-// The variants and the choice between them.
-class vtkWideFoVStages
-{
-public:
-  vtkWideFoVStages();
-
-  // Before the props of a frame. technique: vtkWideFoVPass::Techniques; one that this
-  // OpenGL cannot becomes AUTO, with a warning.
-  void Begin(vtkRenderer* renderer, vtkWideFoVCamera* camera, int technique, double tolerance);
-
-  // For all variants, from the next draw on.
-  void SetDebugView(bool debugView);
-
-  // The stage for a prop with these world bounds (nullptr: unknown).
-  vtkWideFoVStage* Choose(const double* bounds);
-
-  // Appends the stage to the prop's keys, and takes it away again.
-  static void Attach(vtkProp* prop, vtkWideFoVStage* stage);
-  static void Detach(vtkProp* prop, vtkWideFoVStage* stage);
-  static bool IsAttached(vtkProp* prop) { return FindAttached(prop) != nullptr; }
-
-  // The stage in the prop's keys, or nullptr.
-  static vtkWideFoVStage* FindAttached(vtkProp* prop);
-
-  vtkNew<vtkWideFoVStage> Plain;
-  vtkNew<vtkWideFoVStage> PreClip;
-  vtkNew<vtkWideFoVStage> Exact;
-  vtkNew<vtkWideFoVStage> Tessellate; // other mappers than ours: the pre-clip
-
-private:
-  bool CanTessellate();
-
-  int Technique = 0;
-  int Tessellates = -1; // -1: not asked yet
-  const wfv::Projection* Projection = nullptr;
-  wfv::WfvView View;
-  double WorldToView[16];
 };
 
 #endif

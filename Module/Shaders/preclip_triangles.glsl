@@ -125,13 +125,18 @@ void wfvEmitSides(bool seam)
 #endif
 }
 
-void main()
+void wfvReadCorners()
 {
   wfvEmitted = 0;
   for (int i = 0; i < 3; i++)
   {
     wfvP[i] = wfvTilt(gl_in[i].gl_Position.xyz, wfvView) / wfvScale();
   }
+}
+
+void main()
+{
+  wfvReadCorners();
   vec3 normal = cross(wfvP[1] - wfvP[0], wfvP[2] - wfvP[0]);
   wfvT = vec4(normal, dot(normal, wfvP[0]));
   vec3 lengths = vec3(length(wfvP[0]), length(wfvP[1]), length(wfvP[2]));

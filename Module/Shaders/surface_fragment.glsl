@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fragment side of a tessellated piece: what is shown is where the pixel's ray meets the
-// triangle, as everywhere else. A chord decides which pixels a piece covers, not what is
+// Fragment side of a triangle drawn with chords: what is shown is where the pixel's ray meets the
+// triangle, as everywhere else. A chord decides which pixels it covers, not what is
 // seen there: interpolated along it, surfaces close behind one another would change places.
 
 void wfvMeetSurface()

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWideFoVStages.h"
+
+#include "vtkWideFoVCamera.h"
+#include "vtkWideFoVDiscontinuity.h"
+#include "vtkWideFoVPass.h"
+#include "vtkWideFoVTessellation.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkProp.h"
+#include "vtkRenderer.h"
+
+#include <cmath>
+
+namespace
+{
+// Pixels: who asks for less asks for exact depth and attributes too, which the vertex
+// stage alone does not give.
+constexpr double PlainTolerance = 0.05;
+}
+
+vtkWideFoVStages::vtkWideFoVStages()
+{
+  this->PreClip->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
+  this->Exact->SetVariant(vtkWideFoVShaderBuilder::Variant::Exact);
+  this->Tessellate->SetVariant(vtkWideFoVShaderBuilder::Variant::Tessellate);
+}
+
+bool vtkWideFoVStages::CanTessellate()
+{
+  if (this->Tessellates < 0)
+  {
+    const std::string obstacle = vtkWideFoVTessellation::FindObstacle();
+    this->Tessellates = obstacle.empty();
+    if (!obstacle.empty())
+    {
+      vtkGenericWarningMacro(<< "the technique tessellate cannot be had, auto is used: "
+                             << obstacle);
+    }
+  }
+  return this->Tessellates > 0;
+}
+
+void vtkWideFoVStages::Begin(
+  vtkRenderer* renderer, vtkWideFoVCamera* camera, int technique, double tolerance)
+{
+  const bool refused = technique == vtkWideFoVPass::TESSELLATE && !this->CanTessellate();
+  this->Technique = refused ? static_cast<int>(vtkWideFoVPass::AUTO) : technique;
+  const wfv::View& view = camera->GetView(renderer->GetTiledAspectRatio());
+  this->Projection = &view.GetProjection();
+  this->Tolerance = tolerance;
+  const int* const size = renderer->GetSize();
+  this->HalfDiagonal = 0.5 * std::hypot(size[0], size[1]);
+  this->View = view.GetParameters();
+  vtkMatrix4x4::DeepCopy(this->WorldToView, camera->GetModelViewTransformMatrix());
+  for (vtkWideFoVStage* stage :
+    { this->Plain.Get(), this->PreClip.Get(), this->Exact.Get(), this->Tessellate.Get() })
+  {
+    stage->SetView(renderer, camera, tolerance);
+    stage->SetClipless(technique == vtkWideFoVPass::VERTEX);
+    stage->SetByRay(technique != vtkWideFoVPass::PRECLIP);
+    stage->ResetNumberOfDraws();
+  }
+}
+
+void vtkWideFoVStages::SetDebugView(bool debugView)
+{
+  for (vtkWideFoVStage* stage : { this->Plain.Get(), this->PreClip.Get(), this->Exact.Get() })
+  {
+    stage->SetDebugView(debugView);
+  }
+}
+
+bool vtkWideFoVStages::IsFine(vtkProp* prop, const double bounds[6])
+{
+  const bool everywhere = this->Technique == vtkWideFoVPass::PRECLIP;
+  return everywhere ||
+    (this->Tolerance >= PlainTolerance &&
+      vtkWideFoVChordError(this->View, bounds, this->WorldToView, this->Meshes.Get(prop)) *
+          this->HalfDiagonal <=
+        this->Tolerance);
+}
+
+vtkWideFoVStage* vtkWideFoVStages::Choose(vtkProp* prop)
+{
+  if (this->Technique == vtkWideFoVPass::VERTEX)
+  {
+    return this->Plain;
+  }
+  if (this->Technique == vtkWideFoVPass::EXACT)
+  {
+    return this->Exact;
+  }
+  if (this->Technique == vtkWideFoVPass::TESSELLATE)
+  {
+    return this->Tessellate;
+  }
+  const double* const bounds = prop->GetBounds();
+  if (!bounds || !vtkMath::AreBoundsInitialized(bounds))
+  {
+    return this->PreClip;
+  }
+  const bool torn =
+    vtkWideFoVNeedsPreClip(*this->Projection, this->View, bounds, this->WorldToView);
+  return torn || !this->IsFine(prop, bounds) ? this->PreClip : this->Plain;
+}
+
+void vtkWideFoVStages::Attach(vtkProp* prop, vtkWideFoVStage* stage)
+{
+  // assemblies and level-of-detail actors hand their keys on to what they draw
+  vtkInformation* info = prop->GetPropertyKeys();
+  if (!info)
+  {
+    vtkNew<vtkInformation> fresh;
+    prop->SetPropertyKeys(fresh);
+    info = fresh;
+  }
+  info->Append(vtkOpenGLRenderPass::RenderPasses(), stage);
+}
+
+void vtkWideFoVStages::Detach(vtkProp* prop, vtkWideFoVStage* stage)
+{
+  vtkInformation* info = prop->GetPropertyKeys();
+  if (info && info->Has(vtkOpenGLRenderPass::RenderPasses()))
+  {
+    info->Remove(vtkOpenGLRenderPass::RenderPasses(), stage);
+    if (info->Length(vtkOpenGLRenderPass::RenderPasses()) == 0)
+    {
+      info->Remove(vtkOpenGLRenderPass::RenderPasses());
+    }
+  }
+}
+
+vtkWideFoVStage* vtkWideFoVStages::FindAttached(vtkProp* prop)
+{
+  vtkInformation* info = prop->GetPropertyKeys();
+  const int n = info && info->Has(vtkOpenGLRenderPass::RenderPasses())
+    ? info->Length(vtkOpenGLRenderPass::RenderPasses())
+    : 0;
+  for (int i = 0; i < n; i++)
+  {
+    auto* stage = vtkWideFoVStage::SafeDownCast(info->Get(vtkOpenGLRenderPass::RenderPasses(), i));
+    if (stage)
+    {
+      return stage;
+    }
+  }
+  return nullptr;
+}

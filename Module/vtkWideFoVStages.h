@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the pass and the mapper choose from: one stage object a variant.
+#ifndef vtkWideFoVStages_h
+#define vtkWideFoVStages_h
+
+#include "vtkWideFoVMeshScale.h"
+#include "vtkWideFoVStage.h"
+
+// The variants and the choice between them.
+class vtkWideFoVStages
+{
+public:
+  vtkWideFoVStages();
+
+  // Before the props of a frame. technique: vtkWideFoVPass::Techniques; one that this
+  // OpenGL cannot becomes AUTO, with a warning.
+  void Begin(vtkRenderer* renderer, vtkWideFoVCamera* camera, int technique, double tolerance);
+
+  // For all variants, from the next draw on.
+  void SetDebugView(bool debugView);
+
+  // The stage for a prop: the cheapest that the technique allows it.
+  vtkWideFoVStage* Choose(vtkProp* prop);
+
+  // Appends the stage to the prop's keys, and takes it away again.
+  static void Attach(vtkProp* prop, vtkWideFoVStage* stage);
+  static void Detach(vtkProp* prop, vtkWideFoVStage* stage);
+  static bool IsAttached(vtkProp* prop) { return FindAttached(prop) != nullptr; }
+
+  // The stage in the prop's keys, or nullptr.
+  static vtkWideFoVStage* FindAttached(vtkProp* prop);
+
+  vtkNew<vtkWideFoVStage> Plain;
+  vtkNew<vtkWideFoVStage> PreClip;
+  vtkNew<vtkWideFoVStage> Exact;
+  vtkNew<vtkWideFoVStage> Tessellate; // other mappers than ours: the pre-clip
+
+private:
+  // True where no edge of the prop bends by more than the tolerance, seen from here.
+  bool IsFine(vtkProp* prop, const double bounds[6]);
+
+  wfv::MeshScale Meshes;
+  double Tolerance = 0.25;
+  double HalfDiagonal = 1; // of the picture, pixels
+  bool CanTessellate();
+
+  int Technique = 0;
+  int Tessellates = -1; // -1: not asked yet
+  const wfv::Projection* Projection = nullptr;
+  wfv::WfvView View;
+  double WorldToView[16];
+};
+
+#endif
