@@ -14,3 +14,9 @@ WFV_FN float wfvTheta(float r, WfvView v)
   float s = min(1.0, 0.5 * r);
   return 2.0 * wfvAtan2(s, sqrt((1.0 - s) * (1.0 + s)));
 }
+
+WFV_FN float wfvThetaAt(vec2 m, float r, WfvView v)
+{
+  vec2 half_ = vec2(0.5 * m.x, 0.5 * m.y);
+  return 2.0 * wfvAtan2(min(1.0, 0.5 * r), sqrt(wfvInsideCircle(half_)));
+}

@@ -57,3 +57,8 @@ WFV_FN float wfvTheta(float r, WfvView v)
   }
   return t;
 }
+
+WFV_FN float wfvThetaAt(vec2 m, float r, WfvView v)
+{
+  return wfvTheta(r, v);
+}

@@ -4,6 +4,7 @@
 //   float wfvRadius(float theta, WfvView v)  radius in the raw map, 0 on the axis; grows on
 //       all of [0, pi], also beyond the domain, so that what lies there stays outside
 //   float wfvTheta(float r, WfvView v)       its inverse on the domain, [0, v.maxAngle]
+//   float wfvThetaAt(vec2 m, float r, WfvView v)  the same from the point m of the radius r
 
 // Map of (azimuth, theta) in radians.
 WFV_FN vec2 wfvMap(vec2 angles, WfvView v)
@@ -28,7 +29,7 @@ WFV_FN WfvRay wfvUnproject(vec2 ndc, WfvView v)
   float r = wfvHypot(m.x, m.y);
   WfvRay ray;
   ray.inside = r <= wfvRadius(v.maxAngle, v) * WFV_BORDER;
-  float theta = min(wfvTheta(r, v), v.maxAngle);
+  float theta = min(wfvThetaAt(m, r, v), v.maxAngle);
   float s = max(sin(theta), WFV_AT_SINGULARITY);
   vec2 d = r > 0.0 ? vec2(m.x / r, m.y / r) : vec2(1.0, 0.0);
   ray.direction = vec3(s * d.x, s * d.y, -cos(theta));

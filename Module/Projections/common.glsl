@@ -46,6 +46,15 @@ WFV_FN vec2 wfvFinite(vec2 ndc)
   return vec2(max(-WFV_FAR_NDC, min(WFV_FAR_NDC, ndc.x)), max(-WFV_FAR_NDC, min(WFV_FAR_NDC, ndc.y)));
 }
 
+// 1 - x^2 - y^2 with little rounding beside the unit circle, where a map that is flat there
+// has only these digits to tell angles by. At least 0.
+WFV_FN float wfvInsideCircle(vec2 p)
+{
+  float big = max(abs(p.x), abs(p.y));
+  float small = min(abs(p.x), abs(p.y));
+  return max(0.0, (1.0 - big) * (1.0 + big) - small * small);
+}
+
 // Raises the axis of the projection by the tilt from -z towards +y.
 WFV_FN vec3 wfvTilt(vec3 p, WfvView v)
 {

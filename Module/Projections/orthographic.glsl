@@ -17,3 +17,8 @@ WFV_FN float wfvTheta(float r, WfvView v)
   float s = min(1.0, r);
   return wfvAtan2(s, sqrt((1.0 - s) * (1.0 + s)));
 }
+
+WFV_FN float wfvThetaAt(vec2 m, float r, WfvView v)
+{
+  return wfvAtan2(min(1.0, r), sqrt(wfvInsideCircle(m)));
+}

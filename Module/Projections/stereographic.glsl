@@ -20,3 +20,8 @@ WFV_FN float wfvTheta(float r, WfvView v)
 {
   return 2.0 * wfvAtan2(r, 2.0);
 }
+
+WFV_FN float wfvThetaAt(vec2 m, float r, WfvView v)
+{
+  return wfvTheta(r, v);
+}

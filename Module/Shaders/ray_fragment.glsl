@@ -9,7 +9,9 @@ uniform vec2 wfvSampleOffsets[16];
 // The ray so many pixels beside the centre of the fragment.
 WfvRay wfvRayAt(vec2 offset)
 {
-  vec2 ndc = 2.0 * (gl_FragCoord.xy + offset - wfvViewport.xy) / wfvViewport.zw - 1.0;
+  // rounded once: at a rim where a map is flat these digits are all there is
+  vec2 twice = 2.0 * (gl_FragCoord.xy + offset - wfvViewport.xy) - wfvViewport.zw;
+  vec2 ndc = twice / wfvViewport.zw;
   return wfvUnproject((ndc - wfvTile.zw) / wfvTile.xy, wfvView);
 }
 
