@@ -2,66 +2,22 @@
 #include "vtkWideFoVShaderBuilder.h"
 
 #include "WideFoVGlsl.h"
+#include "vtkWideFoVLineShaders.h"
 #include "vtkWideFoVShaderArrays.h"
 
 #include <regex>
-#include <vector>
 
 namespace
 {
 using Request = vtkWideFoVShaderBuilder::Request;
 using Primitive = vtkWideFoVShaderBuilder::Primitive;
+using wfv::FindVaryings;
+using wfv::ReplaceAll;
+using wfv::Varying;
 
 // Newton steps of the lens inverse in float32: from half the range, quadratic
 // convergence reaches float32's end in fewer.
 constexpr int NewtonSteps = 12;
-
-// One output of the vertex stage.
-struct Varying
-{
-  bool Flat;
-  std::string Type;
-  std::string Name;
-
-  // As the geometry stage takes it in: one a vertex.
-  std::string Input() const
-  {
-    return (this->Flat ? "flat in " : "in ") + this->Type + " " + this->Name + "[];\n";
-  }
-
-  std::string Declaration(const std::string& name) const { return this->Type + " " + name + ";\n"; }
-};
-
-std::vector<Varying> FindVaryings(const std::string& vertex)
-{
-  static const std::regex output(
-    R"((flat\s+|smooth\s+|noperspective\s+)?\bout\s+(\w+)\s+(\w+)\s*;)");
-  std::vector<Varying> result;
-  for (std::sregex_iterator i(vertex.begin(), vertex.end(), output), end; i != end; ++i)
-  {
-    result.push_back({ (*i)[1].str().compare(0, 4, "flat") == 0, (*i)[2], (*i)[3] });
-  }
-  return result;
-}
-
-// Takes the fragment stage's declarations of these inputs out.
-void RemoveInputs(std::string& fragment, const std::vector<Varying>& varyings)
-{
-  for (const Varying& v : varyings)
-  {
-    const std::regex input(
-      R"((flat\s+|smooth\s+|noperspective\s+)?\bin\s+)" + v.Type + R"(\s+)" + v.Name + R"(\s*;)");
-    fragment = std::regex_replace(fragment, input, "");
-  }
-}
-
-void ReplaceAll(std::string& text, const std::string& from, const std::string& to)
-{
-  for (size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-  {
-    text.replace(at, from.size(), to);
-  }
-}
 
 std::string Define(const char* name, int value)
 {
@@ -73,13 +29,15 @@ std::string ViewSource(const Request& r)
 {
   const bool meridian = r.Projection->Axis == wfv::Family::Meridian;
   return "#define WFV_FN\n" + Define("WFV_NEWTON_STEPS", NewtonSteps) +
-    Define("WFV_MERIDIAN", meridian) + Define("WFV_STRAIGHT_SEAM", r.Projection->StraightSeam) +
+    Define("WFV_MERIDIAN", meridian) +
+    Define("WFV_ROUND", r.Projection->Axis == wfv::Family::Azimuthal) +
+    Define("WFV_STRAIGHT_SEAM", r.Projection->StraightSeam) +
     Define("WFV_EXACT", r.Stage == vtkWideFoVShaderBuilder::Variant::Exact) +
     Define("WFV_TESSELLATE", r.Stage == vtkWideFoVShaderBuilder::Variant::Tessellate) +
-    Define("WFV_WIDE_LINES", r.WideLines) + Define("WFV_EDGES", r.Edges || r.DebugView) +
-    Define("WFV_EDGE_FLAGS", r.EdgeFlags) + Define("WFV_DEBUG_VIEW", r.DebugView) +
-    "#define WFV_ANGLES " + (meridian ? "wfvMeridianAngles" : "wfvAzimuthalAngles") + "\n" +
-    wfv::MathGlsl() + wfv::CommonGlsl() + wfv::DepthGlsl() + r.Projection->Glsl + interface_glsl;
+    Define("WFV_EDGES", r.Edges || r.DebugView) + Define("WFV_EDGE_FLAGS", r.EdgeFlags) +
+    Define("WFV_DEBUG_VIEW", r.DebugView) + "#define WFV_ANGLES " +
+    (meridian ? "wfvMeridianAngles" : "wfvAzimuthalAngles") + "\n" + wfv::MathGlsl() +
+    wfv::CommonGlsl() + wfv::DepthGlsl() + r.Projection->Glsl + interface_glsl;
 }
 
 // How the picture of a triangle is covered, one file a family.
@@ -88,70 +46,12 @@ std::string CoverSource(const wfv::Projection& projection)
   return projection.Axis == wfv::Family::Meridian ? cover_meridian_glsl : cover_azimuthal_glsl;
 }
 
-std::string Corner(size_t varying, int corner)
-{
-  return "wfvCorner" + std::to_string(varying) + "_" + std::to_string(corner);
-}
-
 // Copies of every vertex output at the three corners, which the fragment stage
 // weighs: exact wherever the geometry stage cuts.
-std::string TriangleOutputs(const std::vector<Varying>& varyings)
+std::string TriangleFragment(const std::vector<Varying>& varyings)
 {
-  std::string declarations;
-  std::string body;
-  for (size_t i = 0; i < varyings.size(); i++)
-  {
-    const Varying& v = varyings[i];
-    declarations += v.Input();
-    for (int c = v.Flat ? 2 : 0; c < 3; c++)
-    {
-      declarations += "flat out " + v.Declaration(Corner(i, c));
-      body += "  " + Corner(i, c) + " = " + v.Name + "[" + std::to_string(c) + "];\n";
-    }
-  }
-  return declarations + "void wfvWriteCorners()\n{\n" + body + "}\n";
-}
-
-std::string TriangleInputs(const std::vector<Varying>& varyings)
-{
-  std::string declarations;
-  std::string body;
-  for (size_t i = 0; i < varyings.size(); i++)
-  {
-    const Varying& v = varyings[i];
-    declarations += v.Declaration(v.Name);
-    for (int c = v.Flat ? 2 : 0; c < 3; c++)
-    {
-      declarations += "flat in " + v.Declaration(Corner(i, c));
-    }
-    body += "  " + v.Name + " = ";
-    body += v.Flat ? Corner(i, 2) + ";\n"
-                   : "wfvB.x * " + Corner(i, 0) + " + wfvB.y * " + Corner(i, 1) + " + wfvB.z * " +
-        Corner(i, 2) + ";\n";
-  }
-  return declarations + "void wfvInterpolate()\n{\n" + body + "}\n";
-}
-
-// Lines carry every output on, mixed between the two ends. VTK itself renames the
-// fragment stage's VSOut to GSOut.
-std::string LineOutputs(const std::vector<Varying>& varyings)
-{
-  std::string declarations;
-  std::string body;
-  for (const Varying& v : varyings)
-  {
-    std::string out = v.Name;
-    ReplaceAll(out, "VSOut", "GSOut");
-    if (out == v.Name)
-    {
-      continue;
-    }
-    declarations += v.Input();
-    declarations += (v.Flat ? "flat out " : "out ") + v.Declaration(out);
-    body += "  " + out + " = ";
-    body += v.Flat ? v.Name + "[1];\n" : "mix(" + v.Name + "[0], " + v.Name + "[1], t);\n";
-  }
-  return declarations + "void wfvWriteMix(float t)\n{\n" + body + "}\n";
+  return std::string(ray_fragment_glsl) + cover_fragment_glsl + chord_fragment_glsl +
+    wfv::CornerInputs(varyings, { "wfvB.x", "wfvB.y", "wfvB.z" });
 }
 
 // The geometry stage of lines or triangles.
@@ -159,8 +59,8 @@ std::string GeometrySource(const Request& r, const std::vector<Varying>& varying
 {
   std::string source = "//VTK::System::Dec\n" + ViewSource(r) + preclip_glsl +
     (r.DebugView ? debug_kinds_glsl : "") +
-    (r.Kind == Primitive::Lines ? LineOutputs(varyings) + preclip_lines_glsl
-                                : TriangleOutputs(varyings) + preclip_emit_glsl +
+    (r.Kind == Primitive::Lines ? wfv::LineGeometry(varyings)
+                                : wfv::CornerOutputs(varyings, 3) + preclip_emit_glsl +
           preclip_cover_glsl + CoverSource(*r.Projection) +
           (r.DebugView ? preclip_kinds_glsl : "") + preclip_triangles_glsl);
   if (r.Stage == vtkWideFoVShaderBuilder::Variant::Tessellate)
@@ -232,13 +132,14 @@ std::string DebugSource(const Request& r)
 
 void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
 {
-  const bool triangles = CoversTriangles(r);
+  const bool covered = vtkWideFoVShaderBuilder::NeedsGeometryStage(r);
   std::string declarations, before, after;
-  if (triangles)
+  if (covered)
   {
-    RemoveInputs(fragment, varyings);
-    declarations = std::string(ray_fragment_glsl) + cover_fragment_glsl + chord_fragment_glsl +
-      TriangleInputs(varyings);
+    wfv::RemoveInputs(fragment, varyings);
+    const bool exact = r.Stage == vtkWideFoVShaderBuilder::Variant::Exact;
+    declarations = CoversTriangles(r) ? TriangleFragment(varyings)
+                                      : wfv::LineFragment(varyings, exact, fragment);
     before = "  wfvPrepare();\n";
     after = "  if (wfvHide) { discard; }\n";
     ReplaceAll(fragment, "gl_FrontFacing", "wfvFront");
@@ -265,7 +166,7 @@ void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std:
     // for gl_SampleMask; without it a covered pixel is covered whole
     const std::string extension = "#extension GL_ARB_sample_shading : enable\n";
     vtkWideFoVShaderBuilder::Declare(
-      fragment, (triangles ? extension : "") + ViewSource(r) + declarations);
+      fragment, (covered ? extension : "") + ViewSource(r) + declarations);
   }
 }
 }

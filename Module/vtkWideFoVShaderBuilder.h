@@ -31,7 +31,6 @@ public:
     const wfv::Projection* Projection = nullptr;
     Variant Stage = Variant::Plain;
     Primitive Kind = Primitive::Triangles;
-    bool WideLines = false;     // lines wider than the hardware draws
     bool Edges = false;         // surface with edges
     bool EdgeFlags = false;     // some edges of the triangles are inside a cell
     bool DebugView = false;     // coloured by what happens to each primitive

@@ -16,6 +16,7 @@
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLHelper.h"
+#include "vtkOpenGLIndexBufferObject.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
@@ -37,6 +38,11 @@ namespace
 constexpr double MeridianPoleCap = 5;
 constexpr double AntipodeCap = 25;
 
+// The exact variant takes any arc, the pre-clip only as many chords of it as a geometry
+// stage may emit, but several times as fast: with the technique "auto" more lines than
+// these, which are then short ones, are drawn by the second.
+constexpr int MostExactLines = 20000;
+
 // What a pass may know of a mapper only from inside.
 class MapperAccess : public vtkOpenGLPolyDataMapper
 {
@@ -53,13 +59,23 @@ public:
       type == PrimitiveVertices || picking;
     const bool lines = representation == VTK_WIREFRAME || type == PrimitiveLines;
     request.Kind = points ? Primitive::Points : lines ? Primitive::Lines : Primitive::Triangles;
-    auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-    request.WideLines = request.Kind == Primitive::Lines && window &&
-      actor->GetProperty()->GetLineWidth() > window->GetMaximumHardwareLineWidth();
     request.Edges = request.Kind == Primitive::Triangles &&
       actor->GetProperty()->GetEdgeVisibility() && !renderer->GetSelector();
     request.EdgeFlags =
       request.Edges && type == PrimitiveTris && !(mapper->*(&MapperAccess::EdgeValues)).empty();
+  }
+
+  static bool HasFewLines(vtkOpenGLPolyDataMapper* mapper)
+  {
+    const vtkOpenGLHelper* buffer = mapper->*(&MapperAccess::LastBoundBO);
+    return buffer && buffer->IBO && buffer->IBO->IndexCount <= 2 * MostExactLines;
+  }
+
+  // Pixels. Thinner than one there would be gaps, and the hardware's lines are not either.
+  static float LineWidth(vtkOpenGLPolyDataMapper* mapper, vtkProperty* property)
+  {
+    const bool selection = mapper->*(&MapperAccess::DrawingSelection);
+    return std::max(1.0f, selection ? property->GetSelectionLineWidth() : property->GetLineWidth());
   }
 };
 
@@ -177,9 +193,11 @@ vtkWideFoVShaderBuilder::Request vtkWideFoVStage::MakeRequest(
   {
     MapperAccess::Describe(polydata, this->Renderer, actor, request);
   }
-  // stock VTK draws these with a geometry stage of its own, straight in the picture
+  // stock VTK draws surface edges with a geometry stage of its own, straight in the
+  // picture, and lines as the chords of what is seen
+  const bool lines = request.Kind == vtkWideFoVShaderBuilder::Primitive::Lines;
   const bool plain = request.Stage == vtkWideFoVShaderBuilder::Variant::Plain;
-  if ((request.Edges || request.WideLines) && plain && !this->Clipless)
+  if ((request.Edges || lines) && plain && !this->Clipless)
   {
     request.Stage = vtkWideFoVShaderBuilder::Variant::PreClip;
   }
@@ -189,6 +207,10 @@ vtkWideFoVShaderBuilder::Request vtkWideFoVStage::MakeRequest(
   if (request.Stage == vtkWideFoVShaderBuilder::Variant::Tessellate && !patches)
   {
     request.Stage = vtkWideFoVShaderBuilder::Variant::PreClip;
+  }
+  if (lines && polydata && this->ExactLines && MapperAccess::HasFewLines(polydata))
+  {
+    request.Stage = vtkWideFoVShaderBuilder::Variant::Exact;
   }
   return request;
 }
@@ -223,12 +245,7 @@ bool vtkWideFoVStage::SetShaderParameters(
     renderer->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
   }
   this->SetSampleParameters(program);
-  auto* polydata = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
-  auto* actor = vtkActor::SafeDownCast(prop);
-  if (polydata && actor && this->Renderer)
-  {
-    wfv::SetEye(program, polydata, actor, this->Renderer->GetActiveCamera());
-  }
+  this->SetPropParameters(program, mapper, prop);
   const float f[4] = { static_cast<float>(viewport[0]), static_cast<float>(viewport[1]),
     static_cast<float>(viewport[2]), static_cast<float>(viewport[3]) };
   program->SetUniform4f("wfvViewport", f);
@@ -236,6 +253,18 @@ bool vtkWideFoVStage::SetShaderParameters(
   const bool tessellates = this->Variant == vtkWideFoVShaderBuilder::Variant::Tessellate;
   this->NumberOfTessellateDraws += tessellates && vtkWideFoVTessellation::IsIn(program);
   return true;
+}
+
+void vtkWideFoVStage::SetPropParameters(
+  vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop) const
+{
+  auto* polydata = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
+  auto* actor = vtkActor::SafeDownCast(prop);
+  if (polydata && actor && this->Renderer)
+  {
+    wfv::SetEye(program, polydata, actor, this->Renderer->GetActiveCamera());
+    program->SetUniformf("wfvLineWidth", MapperAccess::LineWidth(polydata, actor->GetProperty()));
+  }
 }
 
 void vtkWideFoVStage::SetSampleParameters(vtkShaderProgram* program)
@@ -300,6 +329,7 @@ void vtkWideFoVStages::Begin(
   {
     stage->SetView(renderer, camera, tolerance);
     stage->SetClipless(technique == vtkWideFoVPass::VERTEX);
+    stage->SetExactLines(technique == vtkWideFoVPass::AUTO);
     stage->ResetNumberOfDraws();
   }
 }

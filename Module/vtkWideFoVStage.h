@@ -49,6 +49,16 @@ public:
     }
   }
 
+  // Lines by the exact variant, as long as they are few: the technique "auto".
+  void SetExactLines(bool exact)
+  {
+    if (exact != this->ExactLines)
+    {
+      this->ExactLines = exact;
+      this->SourceTime.Modified();
+    }
+  }
+
   // Of all, and those of them that were tessellated.
   int GetNumberOfDraws() const { return this->NumberOfDraws; }
   int GetNumberOfTessellateDraws() const { return this->NumberOfTessellateDraws; }
@@ -74,6 +84,9 @@ private:
   vtkWideFoVStage(const vtkWideFoVStage&) = delete;
   void operator=(const vtkWideFoVStage&) = delete;
 
+  // Where the eye is in the prop's buffers, and how wide its lines are.
+  void SetPropParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop) const;
+
   // How the bound framebuffer is sampled, for the coverage of the pre-clip.
   static void SetSampleParameters(vtkShaderProgram* program);
 
@@ -88,6 +101,7 @@ private:
   int Headlights = 0;
   bool Clipless = false;
   bool DebugView = false;
+  bool ExactLines = false;
   int NumberOfDraws = 0;
   int NumberOfTessellateDraws = 0;
 };

@@ -80,8 +80,13 @@ TEST(ShaderBuilder, PreClipCarriesEveryOutputByThreeCorners)
 TEST(ShaderBuilder, LinesMixTheirTwoEnds)
 {
   const Sources s = Build("equirectangular", Builder::Variant::PreClip, Builder::Primitive::Lines);
-  EXPECT_TRUE(Has(s.GeometryStage, "mix(normalVCVSOutput[0], normalVCVSOutput[1], t)"));
   EXPECT_TRUE(Has(s.GeometryStage, "layout(lines) in"));
+  EXPECT_TRUE(Has(s.GeometryStage, "wfvCorner0_1 = normalVCVSOutput[1];"));
+  EXPECT_TRUE(Has(s.FragmentStage,
+    "normalVCVSOutput = (1.0 - wfvAlong) * wfvCorner0_0 + wfvAlong * wfvCorner0_1;"));
+  // OpenGL 3.2: 1,024 components from one run of the stage; position, primitive number, 15
+  // of its own, and two copies of 3 + 4 + 4 and one of 1
+  EXPECT_TRUE(Has(s.GeometryStage, "#define WFV_LINE_VERTICES 20\n"));
 }
 
 TEST(ShaderBuilder, PointsNeverNeedAGeometryStage)
