@@ -39,9 +39,9 @@ constexpr double MeridianPoleCap = 5;
 constexpr double AntipodeCap = 25;
 
 // The exact variant takes any arc, the pre-clip only as many chords of it as a geometry
-// stage may emit, but several times as fast: with the technique "auto" more lines than
-// these, which are then short ones, are drawn by the second.
-constexpr int MostExactLines = 20000;
+// stage may emit, but about eight times as fast on llvmpipe (0.03 against 0.23 ms a line):
+// with the technique "auto" more lines than these are drawn by the second.
+constexpr int MostExactLines = 500;
 
 // What a pass may know of a mapper only from inside.
 class MapperAccess : public vtkOpenGLPolyDataMapper
