@@ -3,6 +3,7 @@
 
 #include "vtkWideFoVCamera.h"
 #include "vtkWideFoVEye.h"
+#include "vtkWideFoVLineMapper.h"
 #include "vtkWideFoVPass.h"
 #include "vtkWideFoVPolyDataMapper.h"
 #include "vtkWideFoVTessellation.h"
@@ -16,7 +17,6 @@
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLHelper.h"
-#include "vtkOpenGLIndexBufferObject.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
@@ -38,11 +38,6 @@ namespace
 constexpr double MeridianPoleCap = 5;
 constexpr double AntipodeCap = 25;
 
-// The exact variant takes any arc, the pre-clip only as many chords of it as a geometry
-// stage may emit, but about eight times as fast on llvmpipe (0.03 against 0.23 ms a line):
-// with the technique "auto" more lines than these are drawn by the second.
-constexpr int MostExactLines = 500;
-
 // What a pass may know of a mapper only from inside.
 class MapperAccess : public vtkOpenGLPolyDataMapper
 {
@@ -63,19 +58,6 @@ public:
       actor->GetProperty()->GetEdgeVisibility() && !renderer->GetSelector();
     request.EdgeFlags =
       request.Edges && type == PrimitiveTris && !(mapper->*(&MapperAccess::EdgeValues)).empty();
-  }
-
-  static bool HasFewLines(vtkOpenGLPolyDataMapper* mapper)
-  {
-    const vtkOpenGLHelper* buffer = mapper->*(&MapperAccess::LastBoundBO);
-    return buffer && buffer->IBO && buffer->IBO->IndexCount <= 2 * MostExactLines;
-  }
-
-  // Pixels. Thinner than one there would be gaps, and the hardware's lines are not either.
-  static float LineWidth(vtkOpenGLPolyDataMapper* mapper, vtkProperty* property)
-  {
-    const bool selection = mapper->*(&MapperAccess::DrawingSelection);
-    return std::max(1.0f, selection ? property->GetSelectionLineWidth() : property->GetLineWidth());
   }
 };
 
@@ -208,7 +190,7 @@ vtkWideFoVShaderBuilder::Request vtkWideFoVStage::MakeRequest(
   {
     request.Stage = vtkWideFoVShaderBuilder::Variant::PreClip;
   }
-  if (lines && polydata && this->ExactLines && MapperAccess::HasFewLines(polydata))
+  if (lines && polydata && this->ExactLines && wfv::HasFewLines(polydata))
   {
     request.Stage = vtkWideFoVShaderBuilder::Variant::Exact;
   }
@@ -263,7 +245,7 @@ void vtkWideFoVStage::SetPropParameters(
   if (polydata && actor && this->Renderer)
   {
     wfv::SetEye(program, polydata, actor, this->Renderer->GetActiveCamera());
-    program->SetUniformf("wfvLineWidth", MapperAccess::LineWidth(polydata, actor->GetProperty()));
+    program->SetUniformf("wfvLineWidth", wfv::LineWidth(polydata, actor));
   }
 }
 

@@ -146,7 +146,7 @@ TEST(ShaderBuilder, ADepthMappingIsWrittenInTheFragmentStage)
   }
   const Sources lines =
     Build("hammer", Builder::Variant::PreClip, Builder::Primitive::Lines, request);
-  EXPECT_TRUE(Has(lines.GeometryStage, "wfvPlaceGSOutput = mix("));
+  EXPECT_TRUE(Has(lines.FragmentStage, "wfvDepth = wfvDepthOf(rho, wfvView);"));
   EXPECT_TRUE(Has(lines.FragmentStage, "gl_FragDepth = wfvDepth;"));
   // covered triangles have their depth from the ray already
   const Sources triangles =
