@@ -2,10 +2,9 @@
 #include "Listing.h"
 
 #include "Scenes.h"
+#include "Spread.h"
 
 #include <nlohmann/json.hpp>
-
-#include <algorithm>
 
 namespace widefov
 {
@@ -65,16 +64,14 @@ Json Known(const std::optional<Value>& value)
   return value ? Json(*value) : Json(nullptr);
 }
 
-Json Times(std::vector<double> ms)
+Json Times(const std::vector<double>& ms)
 {
   if (ms.empty())
   {
     return { { "median", nullptr }, { "min", nullptr }, { "max", nullptr } };
   }
-  std::sort(ms.begin(), ms.end());
-  const std::size_t middle = ms.size() / 2;
-  const double median = ms.size() % 2 == 1 ? ms[middle] : 0.5 * (ms[middle - 1] + ms[middle]);
-  return { { "median", median }, { "min", ms.front() }, { "max", ms.back() } };
+  const Spread spread = SpreadOf(ms);
+  return { { "median", spread.Median }, { "min", spread.Least }, { "max", spread.Most } };
 }
 }
 

@@ -5,132 +5,16 @@
 #include "ColorMaps.h"
 #include "Messages.h"
 #include "OptionCheck.h"
+#include "OptionGroup.h"
 #include "OptionValues.h"
-
-#include <CLI/CLI.hpp>
-
-#include <functional>
-#include <iostream>
 
 namespace widefov
 {
 namespace
 {
-constexpr double Most = 1e18; // squares of it still fit a float32
+using Group = OptionGroup;
+
 const Range FieldOfView{ 0, 360, true };
-
-// Declares options of one group.
-class Group
-{
-public:
-  Group(CLI::App& app, const std::string& title)
-    : App(app)
-    , Title(title)
-  {
-  }
-
-  using Setter = std::function<void(const std::string& option, const std::string& text)>;
-
-  CLI::Option* Add(const std::string& name, const std::string& type, const std::string& standard,
-    const std::string& text, const Setter& set)
-  {
-    const std::string last = name.substr(name.rfind(',') + 1);
-    return this->App
-      .add_option_function<std::string>(
-        name, [last, set](const std::string& value) { set(last, value); }, text)
-      ->type_name(type)
-      ->default_str(standard)
-      ->group(this->Title);
-  }
-
-  void Number(const std::string& name, const std::string& type, double& target, const Range& range,
-    const std::string& text)
-  {
-    this->Add(name, type, Text(target), text + ", " + range.Describe(),
-      [&target, range](const std::string& option, const std::string& value) {
-        target = ParseNumber(option, value, range);
-      });
-  }
-
-  void Integer(const std::string& name, int& target, int low, int high, const std::string& text)
-  {
-    const std::string range = Range{ double(low), double(high) }.Describe();
-    this->Add(name, "N", std::to_string(target), text + ", " + range,
-      [&target, low, high](const std::string& option, const std::string& value) {
-        target = ParseInteger(option, value, low, high);
-      });
-  }
-
-  void Vector(const std::string& name, std::optional<Vector3>& target, const std::string& standard,
-    const std::string& text)
-  {
-    this->Add(name, "X,Y,Z", standard, text,
-      [&target](const std::string& option, const std::string& value) {
-        const std::vector<double> v = ParseNumbers(option, value, 3, 3);
-        for (const double component : v)
-        {
-          if (std::abs(component) > Most)
-          {
-            FailUsage(option + ": '" + value + "' is beyond 1e18");
-          }
-        }
-        target = Vector3{ { v[0], v[1], v[2] } };
-      });
-  }
-
-  void Choice(const std::string& name, std::string& target, const std::vector<std::string>& choices,
-    const std::vector<std::string>& later, const std::string& text)
-  {
-    this->Add(name, "NAME", target, text + ": " + Join(choices),
-      [&target, choices, later](const std::string& option, const std::string& value) {
-        CheckChoice(option, value, choices, later);
-        target = value;
-      });
-  }
-
-  void Name(
-    const std::string& name, const std::string& type, std::string& target, const std::string& text)
-  {
-    this->Add(
-      name, type, target, text, [&target](const std::string& option, const std::string& value) {
-        if (value.empty())
-        {
-          FailUsage(option + " needs a name, not an empty text");
-        }
-        target = value;
-      });
-  }
-
-  // Part of the contract, not built yet.
-  void Later(const std::string& name, const std::string& type, const std::string& text)
-  {
-    this->Add(name, type, "", text + " (comes with a later version)",
-      [](const std::string& option, const std::string&) {
-        FailUsage(option + " comes with a later version; leave it out");
-      });
-  }
-
-  void Flag(const std::string& name, bool& target, const std::string& text)
-  {
-    this->App.add_flag(name, target, text)->group(this->Title);
-  }
-
-private:
-  CLI::App& App;
-  std::string Title;
-};
-
-void ParseSize(const std::string& option, const std::string& text, std::array<int, 2>& size)
-{
-  constexpr int Largest = 1 << 24; // the display's own limit is asked later
-  const std::size_t cross = text.find('x');
-  if (cross == std::string::npos)
-  {
-    FailUsage(option + ": '" + text + "' is not WIDTHxHEIGHT, such as 2048x1024");
-  }
-  size[0] = ParseInteger(option, text.substr(0, cross), 1, Largest);
-  size[1] = ParseInteger(option, text.substr(cross + 1), 1, Largest);
-}
 
 void DeclareView(CLI::App& app, Options& o, FieldsOfView& fov)
 {
@@ -150,9 +34,7 @@ void DeclareView(CLI::App& app, Options& o, FieldsOfView& fov)
       fov.Lens = ParseNumbers(option, value, 1, 5);
     });
   group.Number("--tilt", "DEG", o.View.Tilt, { -180, 180 }, "how far the axis is raised");
-  group.Add("--size", "WxH", "2048x1024", "pixels",
-    [&o](
-      const std::string& option, const std::string& value) { ParseSize(option, value, o.Size); });
+  group.Size("--size", o.Size, "pixels");
   group.Vector("--eye", o.Eye, "centre of the scene", "where the camera is");
   group.Vector("--look-at", o.LookAt, "", "a point ahead of the camera");
   group.Vector("--direction", o.Direction, "0,0,-1", "the direction of view");
@@ -259,19 +141,9 @@ std::optional<int> ParseOptions(int argc, char** argv, Options& options)
   DeclareDrawing(app, options);
   DeclareStereo(app, options);
   DeclareOutput(app, options);
-  try
+  if (const std::optional<int> done = ParseCommandLine(app, argc, argv))
   {
-    app.parse(argc, argv);
-  }
-  catch (const CLI::CallForHelp&)
-  {
-    std::cout << app.help() << std::flush;
-    CheckStandardOutput();
-    return ExitDone;
-  }
-  catch (const CLI::ParseError& error)
-  {
-    FailUsage(std::string(error.what()) + "; widefov-render --help lists the options");
+    return done;
   }
   CheckTogether(options, fov);
   return std::nullopt;

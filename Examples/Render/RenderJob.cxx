@@ -4,24 +4,19 @@
 #include "CameraSetup.h"
 #include "MessageCatcher.h"
 #include "Messages.h"
+#include "Passes.h"
 #include "Progress.h"
 
-#include <vtkCameraPass.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
-#include <vtkLightsPass.h>
 #include <vtkNew.h>
-#include <vtkOpaquePass.h>
 #include <vtkPanoramicProjectionPass.h>
 #include <vtkPointData.h>
-#include <vtkRenderPassCollection.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkScalarBarActor.h>
-#include <vtkSequencePass.h>
 #include <vtkTextProperty.h>
-#include <vtkTranslucentPass.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkWideFoVCamera.h>
 #include <vtkWideFoVDataPass.h>
@@ -44,7 +39,6 @@ struct Stage
   vtkNew<vtkRenderWindow> Window;
   vtkSmartPointer<vtkRenderer> Renderer;
   vtkNew<vtkWideFoVPass> WidePass;
-  vtkNew<vtkPanoramicProjectionPass> CubeMapPass;
   std::vector<vtkSmartPointer<vtkActor>> Actors; // one a prop of the scene
   vtkSmartPointer<vtkScalarBarActor> Bar;
 };
@@ -91,59 +85,6 @@ void SetSamples(Stage& stage, const Options& o, const GlLimits& limits)
   stage.Window->SetMultiSamples(samples > 1 ? samples : 0);
 }
 
-void SetCubeMapPass(Stage& stage, const Options& o)
-{
-  vtkNew<vtkLightsPass> lights;
-  vtkNew<vtkOpaquePass> opaque;
-  vtkNew<vtkTranslucentPass> translucent;
-  vtkNew<vtkRenderPassCollection> passes;
-  passes->AddItem(lights);
-  passes->AddItem(opaque);
-  passes->AddItem(translucent);
-  vtkNew<vtkSequencePass> sequence;
-  sequence->SetPasses(passes);
-  vtkNew<vtkCameraPass> camera;
-  camera->SetDelegatePass(sequence);
-  stage.CubeMapPass->SetDelegatePass(camera);
-  stage.CubeMapPass->SetCubeResolution(static_cast<unsigned int>(o.CubeMapResolution));
-  stage.CubeMapPass->SetAngle(o.View.HorizontalFov);
-  stage.CubeMapPass->SetInterpolate(true);
-  if (o.Projection == "azimuthal-equidistant")
-  {
-    stage.CubeMapPass->SetProjectionTypeToAzimuthal();
-  }
-  else
-  {
-    stage.CubeMapPass->SetProjectionTypeToEquirectangular();
-  }
-  stage.Renderer->SetPass(stage.CubeMapPass);
-}
-
-int PassTechnique(Technique technique)
-{
-  switch (technique)
-  {
-    case Technique::Exact:
-      return vtkWideFoVPass::EXACT;
-    case Technique::Tessellate:
-      return vtkWideFoVPass::TESSELLATE;
-    case Technique::PreClip:
-      return vtkWideFoVPass::PRECLIP;
-    case Technique::Vertex:
-      return vtkWideFoVPass::VERTEX;
-    default:
-      return vtkWideFoVPass::AUTO;
-  }
-}
-
-void SetWidePass(Stage& stage, const Options& o)
-{
-  stage.WidePass->SetTechnique(PassTechnique(o.Technique));
-  stage.WidePass->SetTolerance(o.Tolerance);
-  stage.WidePass->SetDebugView(o.DebugView);
-  stage.Renderer->SetPass(stage.WidePass);
-}
-
 void AddBar(Stage& stage, const Scene& scene)
 {
   if (!scene.BarMap)
@@ -173,12 +114,13 @@ void Fill(Stage& stage, const Scene& scene, const Options& o)
   if (o.Technique == Technique::CubeMap)
   {
     stage.Renderer = vtkSmartPointer<vtkRenderer>::New();
-    SetCubeMapPass(stage, o);
+    stage.Renderer->SetPass(MakeCubeMapPass(o));
   }
   else
   {
     stage.Renderer = vtkSmartPointer<vtkWideFoVRenderer>::New();
-    SetWidePass(stage, o);
+    SetUpWidePass(stage.WidePass, o);
+    stage.Renderer->SetPass(stage.WidePass);
   }
   stage.Renderer->SetBackground(o.Background.data());
   for (const SceneProp& prop : scene.Props)

@@ -8,12 +8,12 @@
 #include "Options.h"
 #include "OutputFiles.h"
 #include "Pipeline.h"
+#include "Program.h"
 #include "Progress.h"
 #include "Readers.h"
 #include "RenderJob.h"
 #include "Scenes.h"
 
-#include <csignal>
 #include <iostream>
 
 namespace
@@ -108,26 +108,5 @@ int Run(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
-  // a full disk or a closed pipe is an error to report, not a reason to die
-  std::signal(SIGXFSZ, SIG_IGN);
-  std::signal(SIGPIPE, SIG_IGN);
-  MessageCatcher::Install();
-  try
-  {
-    return Run(argc, argv);
-  }
-  catch (const Failure& failure)
-  {
-    Say(failure.what());
-    return failure.ExitCode;
-  }
-  catch (const std::bad_alloc&)
-  {
-    Say("there is not enough memory; choose smaller data or a smaller picture");
-  }
-  catch (const std::exception& error)
-  {
-    Say(std::string("unexpected: ") + error.what() + "; please report it");
-  }
-  return ExitFailed;
+  return RunProgram("widefov-render", [=] { return Run(argc, argv); });
 }

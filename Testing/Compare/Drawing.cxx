@@ -98,11 +98,8 @@ void Drawing::SetLineWidth(double pixels)
   this->Internal->Actor->GetProperty()->SetLineWidth(static_cast<float>(pixels));
 }
 
-reference::DrawnPicture Drawing::Draw(const Shot& s)
+void PlaceCamera(vtkWideFoVCamera* camera, const Shot& s)
 {
-  Internals& in = *this->Internal;
-  in.Window->SetSize(s.Width, s.Height);
-  vtkWideFoVCamera* camera = in.Camera;
   // from one within the range of every projection, which others would be clamped to
   camera->SetFieldOfView(1);
   camera->SetVerticalFieldOfView(1);
@@ -116,9 +113,21 @@ reference::DrawnPicture Drawing::Draw(const Shot& s)
   const vec3 focus = s.Eye + s.Direction * s.Options.Radii[1];
   camera->SetFocalPoint(focus.x, focus.y, focus.z);
   camera->SetViewUp(s.Up.x, s.Up.y, s.Up.z);
+}
+
+reference::DrawnPicture Drawing::Draw(const Shot& s)
+{
+  Internals& in = *this->Internal;
+  in.Window->SetSize(s.Width, s.Height);
+  PlaceCamera(in.Camera, s);
   in.Window->Render();
-  in.LastView.reset(new View(camera->GetView(double(s.Width) / s.Height)));
+  in.LastView.reset(new View(in.Camera->GetView(double(s.Width) / s.Height)));
   return reference::ToDrawnPicture(in.Data->GetOutput());
+}
+
+vtkImageData* Drawing::GetImage() const
+{
+  return this->Internal->Data->GetOutput();
 }
 
 const View& Drawing::GetView() const

@@ -14,6 +14,7 @@
 class vtkActor;
 class vtkImageData;
 class vtkPolyData;
+class vtkWideFoVCamera;
 
 namespace wfv
 {
@@ -33,6 +34,9 @@ struct Shot
 
 // One line that says everything needed to draw the shot again.
 std::string Describe(const Shot& shot);
+
+// Sets the camera up as the shot says.
+void PlaceCamera(vtkWideFoVCamera* camera, const Shot& shot);
 
 // A window that outlives many shots, so that shaders are compiled once.
 class Drawing
@@ -66,6 +70,9 @@ public:
 
   // Draws the mesh; the picture is empty where the window failed.
   reference::DrawnPicture Draw(const Shot& shot);
+
+  // Everything that the data pass read of the last picture, rows from the bottom.
+  vtkImageData* GetImage() const;
 
   // The view and the pose (of the mesh's own coordinates) of the last picture.
   const View& GetView() const;

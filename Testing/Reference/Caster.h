@@ -53,6 +53,9 @@ public:
   // The same for the ray of a place in the picture.
   Hit Cast(vec2 ndc) const;
 
+  // Whether Cast(ndc) hits this cell (-1: nothing).
+  virtual bool Sees(vec2 ndc, vtkIdType cell) const { return this->Cast(ndc).Cell == cell; }
+
   // All pixel centres, in parallel over rows.
   HitPicture Render(int width, int height) const;
 

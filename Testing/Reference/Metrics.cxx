@@ -27,7 +27,7 @@ bool AgreesOnCircle(
     const double angle = 2 * WFV_PI * k / points;
     const double x = pixel.I + 0.5 + radius * std::cos(angle);
     const double y = pixel.J + 0.5 + radius * std::sin(angle);
-    if (caster.Cast(PixelToNdc(x, y, width, height)).Cell == pixel.Drawn)
+    if (caster.Sees(PixelToNdc(x, y, width, height), pixel.Drawn))
     {
       return true;
     }
@@ -82,11 +82,26 @@ std::vector<WorstPixel> FindMismatches(
   return pixels;
 }
 
+// At most so many of them, evenly taken.
+void Thin(std::vector<WorstPixel>& pixels, std::size_t most)
+{
+  if (pixels.size() <= most)
+  {
+    return;
+  }
+  const double step = double(pixels.size()) / double(most);
+  for (std::size_t i = 0; i < most; ++i)
+  {
+    pixels[i] = pixels[std::size_t(double(i) * step)];
+  }
+  pixels.resize(most);
+}
+
 void Summarize(std::vector<WorstPixel>& pixels, double tolerance, Metrics& m)
 {
   std::sort(pixels.begin(), pixels.end(),
     [](const WorstPixel& a, const WorstPixel& b) { return a.Pixels > b.Pixels; });
-  m.Mismatched = long(pixels.size());
+  m.Searched = long(pixels.size());
   if (pixels.empty())
   {
     return;
@@ -117,10 +132,16 @@ void Summarize(std::vector<WorstPixel>& pixels, double tolerance, Metrics& m)
 
 DrawnPicture ToDrawnPicture(vtkImageData* image)
 {
+  return ToDrawnPicture(image, { 0 });
+}
+
+DrawnPicture ToDrawnPicture(vtkImageData* image, const std::vector<vtkIdType>& firstCells)
+{
   DrawnPicture p;
   vtkDataArray* cell = image ? image->GetPointData()->GetArray("cell") : nullptr;
   vtkDataArray* distance = image ? image->GetPointData()->GetArray("distance") : nullptr;
-  if (!cell || !distance)
+  vtkDataArray* prop = image ? image->GetPointData()->GetArray("prop") : nullptr;
+  if (!cell || !distance || !prop)
   {
     return p;
   }
@@ -133,7 +154,10 @@ DrawnPicture ToDrawnPicture(vtkImageData* image)
     for (int i = 0; i < p.Width; ++i)
     {
       const vtkIdType n = vtkIdType(j) * p.Width + i;
-      p.Cell.push_back(float(cell->GetComponent(n, 0)));
+      const double id = cell->GetComponent(n, 0);
+      const vtkIdType number = vtkIdType(prop->GetComponent(n, 0)) - 1;
+      const bool known = id > 0 && number >= 0 && number < vtkIdType(firstCells.size());
+      p.Cell.push_back(float(known ? id + double(firstCells[number]) : id));
       p.Distance.push_back(float(distance->GetComponent(n, 0)));
     }
   }
@@ -145,11 +169,13 @@ Metrics Compare(const DrawnPicture& drawn, const Caster& caster, double toleranc
   return Compare(drawn, caster, caster.Render(drawn.Width, drawn.Height), tolerance);
 }
 
-Metrics Compare(
-  const DrawnPicture& drawn, const Caster& caster, const HitPicture& reference, double tolerance)
+Metrics Compare(const DrawnPicture& drawn, const Caster& caster, const HitPicture& reference,
+  double tolerance, std::size_t mostSearched)
 {
   Metrics m;
   std::vector<WorstPixel> pixels = FindMismatches(drawn, reference, m);
+  m.Mismatched = long(pixels.size());
+  Thin(pixels, mostSearched);
   std::unordered_set<vtkIdType> seen;
   for (const Hit& hit : reference.Hits)
   {
@@ -163,11 +189,25 @@ Metrics Compare(
     }
   });
   Summarize(pixels, tolerance, m);
-  const double all = double(drawn.Width) * drawn.Height;
+  const double share = m.Searched > 0 ? double(m.Searched) / double(m.Mismatched) : 1;
+  const double all = double(drawn.Width) * drawn.Height * share;
   m.Unexplained /= all;
   m.Missing /= all;
   m.Spurious /= all;
   return m;
+}
+
+bool IsExplained(
+  const Caster& caster, int width, int height, const WorstPixel& pixel, double tolerance)
+{
+  for (double r = tolerance / 4; r <= tolerance; r *= 2)
+  {
+    if (AgreesOnCircle(caster, width, height, pixel, r, PointsPerCircle))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 double NearestAgreement(

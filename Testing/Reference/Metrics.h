@@ -26,6 +26,10 @@ struct DrawnPicture
 // bottom). Empty where an array is missing.
 DrawnPicture ToDrawnPicture(vtkImageData* image);
 
+// The same of a scene of several props, whose cells are numbered through: those of the
+// prop with index i (vtkWideFoVDataPass::SetPropIndex) from firstCells[i] on.
+DrawnPicture ToDrawnPicture(vtkImageData* image, const std::vector<vtkIdType>& firstCells);
+
 // A pixel that no place near it explains.
 struct WorstPixel
 {
@@ -47,6 +51,7 @@ struct Metrics
   double P99Px = 0;
   double MaxDepthRel = 0; // relative difference of the distances where the cells agree
   long Mismatched = 0;    // pixels whose cells differ at the pixel centre
+  long Searched = 0;      // of them, those that were searched for a place of agreement
   long UnexplainedPixels = 0;
   long DomainPixels = 0;         // pixels whose centre lies in the domain of the map
   std::vector<WorstPixel> Worst; // unexplained, farthest first, at most MaxWorst
@@ -61,8 +66,14 @@ constexpr double SearchLimit = 64;
 Metrics Compare(const DrawnPicture& drawn, const Caster& caster, double tolerance);
 
 // The same with the ray caster's own picture at hand (of the drawn one's size).
-Metrics Compare(
-  const DrawnPicture& drawn, const Caster& caster, const HitPicture& reference, double tolerance);
+// Of more than `mostSearched` mismatched pixels only so many, taken evenly, are searched:
+// what is counted then is an estimate, and MaxPx no more than the true one.
+Metrics Compare(const DrawnPicture& drawn, const Caster& caster, const HitPicture& reference,
+  double tolerance, std::size_t mostSearched = std::numeric_limits<std::size_t>::max());
+
+// Whether the reference agrees with what was drawn at this pixel at one of those 48 points.
+bool IsExplained(
+  const Caster& caster, int width, int height, const WorstPixel& pixel, double tolerance);
 
 // The 48 points step over cells thinner than a quarter of b; but what is explained within a
 // smaller b is explained within b. The least of the radii b, b/2, .. b/64 at which one of

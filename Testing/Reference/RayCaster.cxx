@@ -9,6 +9,8 @@
 #include <vtkSMPThreadLocalObject.h>
 #include <vtkStaticCellLocator.h>
 
+#include <algorithm>
+
 namespace wfv
 {
 namespace reference
@@ -87,8 +89,13 @@ struct RayCaster::Locator
 };
 
 RayCaster::RayCaster(vtkPolyData* polyData, const View& view, const Pose& worldToView)
-  : Caster(view)
-  , Soup(Triangulate(polyData, worldToView))
+  : RayCaster(Triangulate(polyData, worldToView), view)
+{
+}
+
+RayCaster::RayCaster(TriangleSoup soup, const View& view)
+  : reference::Caster(view)
+  , Soup(std::move(soup))
   , Candidates(new Locator(Soup))
 {
 }
@@ -102,18 +109,14 @@ Hit RayCaster::Cast(const vec3& origin, const vec3& direction) const
   {
     return best;
   }
-  const vec2 radii = this->TheView.GetParameters().radii;
   vtkIdList* ids = this->Candidates->Find(origin, direction);
   for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
   {
     const vtkIdType id = ids->GetId(i);
-    const auto& t = this->Soup.Triangles[id];
-    const auto& p = this->Soup.Points;
-    const RayTriangleHit hit =
-      IntersectTriangle(origin, direction, { { p[t[0]], p[t[1]], p[t[2]] } });
+    const RayTriangleHit hit = this->Intersect(origin, direction, std::size_t(id));
     const bool nearer =
       hit.Distance < best.Distance || (hit.Distance == best.Distance && id < best.Triangle);
-    if (hit.Found && hit.Distance >= radii.x && hit.Distance <= radii.y && nearer)
+    if (hit.Found && nearer)
     {
       best.Cell = this->Soup.CellIds[id];
       best.Triangle = id;
@@ -123,5 +126,36 @@ Hit RayCaster::Cast(const vec3& origin, const vec3& direction) const
   }
   return best;
 }
+
+// Between the clip spheres.
+RayTriangleHit RayCaster::Intersect(
+  const vec3& origin, const vec3& direction, std::size_t triangle) const
+{
+  const auto& t = this->Soup.Triangles[triangle];
+  const auto& p = this->Soup.Points;
+  RayTriangleHit hit = IntersectTriangle(origin, direction, { { p[t[0]], p[t[1]], p[t[2]] } });
+  const vec2 radii = this->TheView.GetParameters().radii;
+  hit.Found = hit.Found && hit.Distance >= radii.x && hit.Distance <= radii.y;
+  return hit;
+}
+
+bool RayCaster::Sees(vec2 ndc, vtkIdType cell) const
+{
+  const ViewRay ray = this->TheView.Ray(ndc);
+  if (cell < 0 || !ray.Inside)
+  {
+    return this->Cast(ndc).Cell == cell;
+  }
+  const auto range = std::equal_range(this->Soup.CellIds.begin(), this->Soup.CellIds.end(), cell);
+  for (auto id = range.first; id != range.second; ++id)
+  {
+    if (this->Intersect(ray.Origin, ray.Direction, id - this->Soup.CellIds.begin()).Found)
+    {
+      return this->Cast(ray.Origin, ray.Direction).Cell == cell;
+    }
+  }
+  return false;
+}
+
 }
 }

@@ -20,6 +20,10 @@ class RayCaster : public Caster
 public:
   // The clip spheres are those of the view. The polydata may be changed afterwards.
   RayCaster(vtkPolyData* polyData, const View& view, const Pose& worldToView);
+
+  // The same of triangles that are in view coordinates already, in the order of their
+  // cell ids: a scene of several polydata.
+  RayCaster(TriangleSoup soup, const View& view);
   ~RayCaster() override;
   RayCaster(const RayCaster&) = delete;
   RayCaster& operator=(const RayCaster&) = delete;
@@ -28,10 +32,15 @@ public:
   Hit Cast(const vec3& origin, const vec3& direction) const override;
   using Caster::Cast;
 
+  // Without looking at the others where the cell's own triangles are missed already: far
+  // cheaper where that is the usual answer.
+  bool Sees(vec2 ndc, vtkIdType cell) const override;
+
   const TriangleSoup& GetTriangles() const { return this->Soup; }
 
 private:
   struct Locator;
+  RayTriangleHit Intersect(const vec3& origin, const vec3& direction, std::size_t triangle) const;
   TriangleSoup Soup;
   std::unique_ptr<Locator> Candidates;
 };

@@ -30,7 +30,8 @@ void AddTriangle(TriangleSoup& soup, vtkIdType a, vtkIdType b, vtkIdType c, vtkI
   soup.CellIds.push_back(cell);
 }
 
-void AddCells(TriangleSoup& soup, vtkCellArray* cells, bool strips, vtkIdType cell)
+void AddCells(
+  TriangleSoup& soup, vtkCellArray* cells, bool strips, vtkIdType firstPoint, vtkIdType cell)
 {
   auto it = vtk::TakeSmartPointer(cells->NewIterator());
   for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell(), ++cell)
@@ -40,7 +41,8 @@ void AddCells(TriangleSoup& soup, vtkCellArray* cells, bool strips, vtkIdType ce
     it->GetCurrentCell(size, ids);
     for (vtkIdType i = 1; i + 1 < size; ++i)
     {
-      AddTriangle(soup, ids[strips ? i - 1 : 0], ids[i], ids[i + 1], cell);
+      AddTriangle(soup, firstPoint + ids[strips ? i - 1 : 0], firstPoint + ids[i],
+        firstPoint + ids[i + 1], cell);
     }
   }
 }
@@ -54,8 +56,15 @@ Pose IdentityPose()
 TriangleSoup Triangulate(vtkPolyData* polyData, const Pose& worldToView)
 {
   TriangleSoup soup;
+  Append(soup, polyData, worldToView, 0);
+  return soup;
+}
+
+void Append(TriangleSoup& soup, vtkPolyData* polyData, const Pose& worldToView, vtkIdType firstCell)
+{
+  const vtkIdType firstPoint = vtkIdType(soup.Points.size());
   const vtkIdType count = polyData->GetNumberOfPoints();
-  soup.Points.reserve(count);
+  soup.Points.reserve(firstPoint + count);
   for (vtkIdType i = 0; i < count; ++i)
   {
     double p[3];
@@ -63,10 +72,10 @@ TriangleSoup Triangulate(vtkPolyData* polyData, const Pose& worldToView)
     soup.Points.push_back(Apply(worldToView, p));
   }
   // Cell ids count verts, lines, polys, strips, in this order.
-  const vtkIdType firstPoly = polyData->GetNumberOfVerts() + polyData->GetNumberOfLines();
-  AddCells(soup, polyData->GetPolys(), false, firstPoly);
-  AddCells(soup, polyData->GetStrips(), true, firstPoly + polyData->GetNumberOfPolys());
-  return soup;
+  const vtkIdType firstPoly =
+    firstCell + polyData->GetNumberOfVerts() + polyData->GetNumberOfLines();
+  AddCells(soup, polyData->GetPolys(), false, firstPoint, firstPoly);
+  AddCells(soup, polyData->GetStrips(), true, firstPoint, firstPoly + polyData->GetNumberOfPolys());
 }
 }
 }

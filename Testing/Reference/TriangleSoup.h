@@ -33,6 +33,11 @@ struct TriangleSoup
 // mappers draw. Verts and lines are ignored, and so are triangles two of whose points
 // coincide. The order of the triangles is that of the cell ids.
 TriangleSoup Triangulate(vtkPolyData* polyData, const Pose& worldToView);
+
+// Adds the triangles of a further polydata, for scenes of several. Its cells are numbered
+// from firstCell on: give the number of all cells before it.
+void Append(
+  TriangleSoup& soup, vtkPolyData* polyData, const Pose& worldToView, vtkIdType firstCell);
 }
 }
 

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Passes.h"
+
+#include <vtkCameraPass.h>
+#include <vtkLightsPass.h>
+#include <vtkNew.h>
+#include <vtkOpaquePass.h>
+#include <vtkPanoramicProjectionPass.h>
+#include <vtkRenderPassCollection.h>
+#include <vtkSequencePass.h>
+#include <vtkTranslucentPass.h>
+#include <vtkWideFoVPass.h>
+
+namespace widefov
+{
+namespace
+{
+int PassTechnique(Technique technique)
+{
+  switch (technique)
+  {
+    case Technique::Exact:
+      return vtkWideFoVPass::EXACT;
+    case Technique::Tessellate:
+      return vtkWideFoVPass::TESSELLATE;
+    case Technique::PreClip:
+      return vtkWideFoVPass::PRECLIP;
+    case Technique::Vertex:
+      return vtkWideFoVPass::VERTEX;
+    default:
+      return vtkWideFoVPass::AUTO;
+  }
+}
+}
+
+vtkSmartPointer<vtkPanoramicProjectionPass> MakeCubeMapPass(const Options& o)
+{
+  vtkNew<vtkLightsPass> lights;
+  vtkNew<vtkOpaquePass> opaque;
+  vtkNew<vtkTranslucentPass> translucent;
+  vtkNew<vtkRenderPassCollection> passes;
+  passes->AddItem(lights);
+  passes->AddItem(opaque);
+  passes->AddItem(translucent);
+  vtkNew<vtkSequencePass> sequence;
+  sequence->SetPasses(passes);
+  vtkNew<vtkCameraPass> camera;
+  camera->SetDelegatePass(sequence);
+  auto pass = vtkSmartPointer<vtkPanoramicProjectionPass>::New();
+  pass->SetDelegatePass(camera);
+  pass->SetCubeResolution(static_cast<unsigned int>(o.CubeMapResolution));
+  pass->SetAngle(o.View.HorizontalFov);
+  pass->SetInterpolate(true);
+  if (o.Projection == "azimuthal-equidistant")
+  {
+    pass->SetProjectionTypeToAzimuthal();
+  }
+  else
+  {
+    pass->SetProjectionTypeToEquirectangular();
+  }
+  return pass;
+}
+
+void SetUpWidePass(vtkWideFoVPass* pass, const Options& o)
+{
+  pass->SetTechnique(PassTechnique(o.Technique));
+  pass->SetTolerance(o.Tolerance);
+  pass->SetDebugView(o.DebugView);
+}
+}

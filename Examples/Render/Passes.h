@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The render passes that the options ask for.
+#ifndef WideFoVPasses_h
+#define WideFoVPasses_h
+
+#include "Options.h"
+
+#include <vtkSmartPointer.h>
+
+class vtkPanoramicProjectionPass;
+class vtkWideFoVPass;
+
+namespace widefov
+{
+// VTK's own pass over six cube faces: --technique cubemap.
+vtkSmartPointer<vtkPanoramicProjectionPass> MakeCubeMapPass(const Options& options);
+
+// Technique and tolerance; the technique is not cubemap.
+void SetUpWidePass(vtkWideFoVPass* pass, const Options& options);
+}
+
+#endif

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Program.h"
+
+#include "MessageCatcher.h"
+#include "Messages.h"
+
+#include <csignal>
+#include <new>
+
+namespace widefov
+{
+int RunProgram(const std::string& name, const std::function<int()>& work)
+{
+  // a full disk or a closed pipe is an error to report, not a reason to die
+  std::signal(SIGXFSZ, SIG_IGN);
+  std::signal(SIGPIPE, SIG_IGN);
+  SetProgramName(name);
+  MessageCatcher::Install();
+  try
+  {
+    return work();
+  }
+  catch (const Failure& failure)
+  {
+    Say(failure.what());
+    return failure.ExitCode;
+  }
+  catch (const std::bad_alloc&)
+  {
+    Say("there is not enough memory; choose smaller data or a smaller picture");
+  }
+  catch (const std::exception& error)
+  {
+    Say(std::string("unexpected: ") + error.what() + "; please report it");
+  }
+  return ExitFailed;
+}
+}

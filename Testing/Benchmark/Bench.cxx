@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Bench.h"
+
+#include "BenchStage.h"
+#include "Display.h"
+#include "Environment.h"
+#include "ErrorMeasure.h"
+#include "Messages.h"
+#include "Plan.h"
+#include "Progress.h"
+#include "Summary.h"
+
+#include <algorithm>
+
+namespace wfv
+{
+namespace bench
+{
+namespace
+{
+constexpr int WarmUpFrames = 2; // a frame that compiles shaders, and one that does not
+constexpr int LeastFrames = 3;
+constexpr int MostFrames = 25;
+
+// What the timed frames of one scene may take, all runs together, seconds; the least
+// number of frames may take longer.
+constexpr double QuickBudget = 12;
+constexpr double FullBudget = 120;
+
+const char* const NotBuilt = "the pass does not tessellate: it drew this as preclip";
+
+std::vector<Record> MakeRecords(BenchStage& stage)
+{
+  std::vector<Record> records;
+  for (const BenchEntry& entry : stage.GetEntries())
+  {
+    Record record;
+    record.Scene = stage.GetScene().Name;
+    record.Triangles = stage.GetScene().Triangles;
+    record.Run = entry.Run;
+    records.push_back(record);
+  }
+  return records;
+}
+
+bool DrawsAsPreClip(const BenchEntry& entry)
+{
+  return entry.Run.Method == "tessellate" && entry.WidePass->GetNumberOfTessellateDraws() == 0 &&
+    entry.WidePass->GetNumberOfPreClipDraws() > 0;
+}
+
+// Returns what one frame of every run takes, milliseconds.
+double WarmUp(BenchStage& stage, std::vector<Record>& records)
+{
+  double all = 0;
+  for (std::size_t i = 0; i < records.size(); ++i)
+  {
+    BenchEntry& entry = stage.GetEntries()[i];
+    double last = 0;
+    for (int frame = 0; frame < WarmUpFrames; ++frame)
+    {
+      last = stage.Draw(entry);
+    }
+    records[i].Note = DrawsAsPreClip(entry) ? NotBuilt : "";
+    all += records[i].Note.empty() ? last : 0;
+  }
+  return all;
+}
+
+// Round robin: what slows the machine down for a while slows every run.
+void Time(BenchStage& stage, std::vector<Record>& records, int frames)
+{
+  widefov::Progress progress("timing " + stage.GetScene().Name);
+  for (int frame = 0; frame < frames; ++frame)
+  {
+    for (std::size_t i = 0; i < records.size(); ++i)
+    {
+      if (records[i].Note.empty())
+      {
+        records[i].Milliseconds.push_back(stage.Draw(stage.GetEntries()[i]));
+      }
+    }
+    progress.Update(double(frame + 1) / frames);
+  }
+}
+
+std::vector<Record> MeasureScene(const BenchScene& scene, const BenchOptions& o)
+{
+  PlanRequest request{ o.Size, o.Quick, o.Methods };
+  const std::vector<Run> plan =
+    o.Table1 ? MakeTable1(request, scene.Camera) : MakePlan(request, scene.Camera);
+  BenchStage stage(scene, plan);
+  std::vector<Record> records = MakeRecords(stage);
+  ErrorMeasure measure(stage);
+  for (std::size_t i = 0; i < records.size() && !o.Table1; ++i)
+  {
+    BenchEntry& entry = stage.GetEntries()[i];
+    if (entry.Run.Method == "floor")
+    {
+      records[i].Covered = stage.FitFloor(entry, measure.CountHits(entry));
+    }
+  }
+  const double round = WarmUp(stage, records);
+  const double budget = 1000 * (o.Quick ? QuickBudget : FullBudget);
+  const int fitting = int(std::clamp(budget / round, double(LeastFrames), double(MostFrames)));
+  Time(stage, records, o.Frames > 0 ? o.Frames : fitting);
+  for (std::size_t i = 0; i < records.size() && !o.Table1; ++i)
+  {
+    BenchEntry& entry = stage.GetEntries()[i];
+    if (records[i].Note.empty())
+    {
+      records[i].Error = measure.Measure(entry);
+    }
+    if (!records[i].Covered)
+    {
+      records[i].Covered = measure.CountHits(entry);
+    }
+  }
+  return records;
+}
+
+std::vector<std::string> ScenesOf(const BenchOptions& o)
+{
+  if (!o.Scenes.empty())
+  {
+    return o.Scenes;
+  }
+  return o.Table1 ? std::vector<std::string>{ "cornell", "atrium" } : BenchSceneNames();
+}
+}
+
+Json RunBenchmark(const BenchOptions& o)
+{
+  const widefov::DisplayConnection display;
+  Json json = { { "environment", DescribeEnvironment() }, { "records", Json::array() } };
+  Json skipped = Json::array();
+  std::vector<Record> records;
+  for (const std::string& name : ScenesOf(o))
+  {
+    BenchScene scene;
+    try
+    {
+      scene = LoadBenchScene(name, o.Data);
+    }
+    catch (const widefov::Failure& failure)
+    {
+      if (!o.Scenes.empty())
+      {
+        throw;
+      }
+      widefov::Say("warning: the scene " + name + " is left out: " + failure.what());
+      skipped.push_back({ { "scene", name }, { "reason", failure.what() } });
+      continue;
+    }
+    const std::vector<Record> measured = MeasureScene(scene, o);
+    records.insert(records.end(), measured.begin(), measured.end());
+  }
+  for (const Record& record : records)
+  {
+    json["records"].push_back(ToJson(record));
+  }
+  json["summary"] = Summarize(records);
+  json["skipped"] = skipped;
+  return json;
+}
+}
+}

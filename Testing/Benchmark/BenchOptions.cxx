@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BenchOptions.h"
+
+#include "BenchScenes.h"
+#include "Messages.h"
+#include "OptionGroup.h"
+#include "Plan.h"
+
+#include <iostream>
+
+namespace wfv
+{
+namespace bench
+{
+namespace
+{
+// Of --quick and of the paper's table.
+constexpr std::array<int, 2> SmallSize{ { 1024, 512 } };
+
+void Declare(CLI::App& app, BenchOptions& o)
+{
+  widefov::OptionGroup group(app, "Options");
+  group.Name("--output", "FILE.json", o.Output, "what was measured");
+  group.Flag("--quick", o.Quick, "every scene at 1024x512, fewer parameters, few frames");
+  group.Flag("--table1", o.Table1, "the paper's table 1 instead: cornell and atrium at 1024x512");
+  group.Choices("--scenes", o.Scenes, BenchSceneNames(), "scenes");
+  group.Choices("--methods", o.Methods, MethodNames(), "methods");
+  group.Size("--size", o.Size, "pixels; with --quick or --table1 1024x512");
+  group.Integer("--frames", o.Frames, 1, 10000, "timed frames a run; 0: as many as fit the time");
+  group.Name("--data", "FOLDER", o.Data, "where office.binary.vtk is");
+  group.Flag("--version", o.Version, "print the version");
+}
+}
+
+std::optional<int> ParseBenchOptions(int argc, char** argv, BenchOptions& o)
+{
+  CLI::App app("Run time against error of wide projections, as JSON.", "widefov-bench");
+  const std::array<int, 2> usual = o.Size;
+  o.Data = WIDEFOV_DATA_FOLDER;
+  Declare(app, o);
+  if (const std::optional<int> done = widefov::ParseCommandLine(app, argc, argv))
+  {
+    return done;
+  }
+  if (o.Version)
+  {
+    std::cout << "widefov-bench " WIDEFOV_VERSION "\n" << std::flush;
+    widefov::CheckStandardOutput();
+    return widefov::ExitDone;
+  }
+  if (o.Output.empty())
+  {
+    widefov::FailUsage("nothing to write; give --output FILE.json");
+  }
+  if (o.Quick && o.Table1)
+  {
+    widefov::FailUsage("--quick and --table1 exclude each other; give one");
+  }
+  if (app.count("--size") == 0)
+  {
+    o.Size = o.Quick || o.Table1 ? SmallSize : usual;
+  }
+  return std::nullopt;
+}
+}
+}

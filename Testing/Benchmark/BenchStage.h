@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every run of one scene, side by side in one window, so that they can be drawn in turn.
+#ifndef WideFoVBenchStage_h
+#define WideFoVBenchStage_h
+
+#include "BenchScenes.h"
+#include "Record.h"
+
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+#include <vtkWideFoVPass.h>
+
+#include <map>
+#include <vector>
+
+namespace wfv
+{
+namespace bench
+{
+// One run, ready to be drawn: a renderer and actors of its own. Buffers of points are
+// VTK's to share.
+struct BenchEntry
+{
+  bench::Run Run;
+  vtkRenderWindow* Window = nullptr;
+  vtkSmartPointer<vtkRenderer> Renderer;
+  vtkSmartPointer<vtkWideFoVPass> WidePass; // none for cubemap and floor
+  std::vector<vtkSmartPointer<vtkActor>> Actors;
+};
+
+class BenchStage
+{
+public:
+  // Throws a Failure with ExitFailed where there is no display, or OpenGL too old.
+  BenchStage(const BenchScene& scene, const std::vector<Run>& runs);
+  ~BenchStage();
+  BenchStage(const BenchStage&) = delete;
+  BenchStage& operator=(const BenchStage&) = delete;
+
+  std::vector<BenchEntry>& GetEntries() { return this->Entries; }
+  const BenchScene& GetScene() const { return this->Scene; }
+
+  // Draws one frame of this run and waits until it is drawn. Milliseconds. Throws a
+  // Failure with ExitFailed where VTK reports an error.
+  double Draw(BenchEntry& entry);
+
+  // Moves the floor's camera so near that as many pixels are covered as `pixels`, or as
+  // near to it as it gets. Returns how many are.
+  long FitFloor(BenchEntry& entry, long pixels);
+
+private:
+  vtkRenderWindow* WindowOf(const widefov::Options& options);
+  void Add(const Run& run);
+
+  const BenchScene& Scene;
+  std::map<int, vtkSmartPointer<vtkRenderWindow>> Windows; // by samples
+  std::vector<BenchEntry> Entries;
+};
+}
+}
+
+#endif

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wfv
+{
+namespace bench
+{
+namespace
+{
+// Of the perspective that the wide views are compared with, degrees.
+constexpr double PerspectiveFov = 120;
+
+// Drawn with where a method has no tolerance of its own, pixels.
+constexpr double UsualTolerance = 0.25;
+
+constexpr int Table1Samples = 4;
+
+widefov::Technique TechniqueOf(const std::string& method)
+{
+  using widefov::Technique;
+  return method == "exact"   ? Technique::Exact
+    : method == "tessellate" ? Technique::Tessellate
+    : method == "preclip"    ? Technique::PreClip
+    : method == "vertex"     ? Technique::Vertex
+    : method == "cubemap"    ? Technique::CubeMap
+                             : Technique::Auto;
+}
+
+void SetView(widefov::Options& o, const std::string& projection, double hfov)
+{
+  o.Projection = projection;
+  o.View.Aspect = double(o.Size[0]) / o.Size[1];
+  o.View.HorizontalFov = hfov;
+  const bool planar = FindProjection(projection)->Axis == Family::Planar;
+  const double half = 0.5 * hfov * WFV_PI / 180;
+  const double flat = 2 * std::atan(std::tan(half) / o.View.Aspect) * 180 / WFV_PI;
+  o.View.VerticalFov = planar ? flat : 0.5 * hfov;
+}
+
+class Maker
+{
+public:
+  Maker(const PlanRequest& request, const widefov::Options& camera)
+    : Request(request)
+    , Camera(camera)
+  {
+    this->Camera.Size = request.Size;
+    this->Camera.Samples = 0;
+    this->Camera.Tolerance = UsualTolerance;
+    SetView(this->Camera, "equirectangular", 360);
+  }
+
+  Run Make(const std::string& method, std::optional<double> parameter = std::nullopt) const
+  {
+    Run run{ method, parameter, this->Camera };
+    run.Options.TechniqueName = method;
+    run.Options.Technique = TechniqueOf(method);
+    if (method == "cubemap")
+    {
+      run.Options.CubeMapResolution = int(*parameter);
+    }
+    else if (parameter)
+    {
+      run.Options.Tolerance = *parameter;
+    }
+    if (method == "perspective")
+    {
+      SetView(run.Options, "perspective", PerspectiveFov);
+    }
+    return run;
+  }
+
+  void Add(const std::string& method, const std::vector<double>& parameters = {})
+  {
+    const std::vector<std::string>& m = this->Request.Methods;
+    if (!m.empty() && std::find(m.begin(), m.end(), method) == m.end())
+    {
+      return;
+    }
+    for (const double parameter : parameters)
+    {
+      this->Runs.push_back(this->Make(method, parameter));
+    }
+    if (parameters.empty())
+    {
+      this->Runs.push_back(this->Make(method));
+    }
+  }
+
+  std::vector<Run> Runs;
+
+private:
+  PlanRequest Request;
+  widefov::Options Camera;
+};
+}
+
+std::vector<std::string> MethodNames()
+{
+  return { "auto", "exact", "tessellate", "preclip", "vertex", "cubemap", "perspective", "floor" };
+}
+
+int EqualDensity(int width)
+{
+  return int(std::ceil(width / WFV_PI));
+}
+
+std::vector<Run> MakePlan(const PlanRequest& request, const widefov::Options& camera)
+{
+  Maker maker(request, camera);
+  const double density = EqualDensity(request.Size[0]);
+  maker.Add("auto",
+    request.Quick ? std::vector<double>{ 0.02, UsualTolerance }
+                  : std::vector<double>{ 0.02, 0.05, UsualTolerance, 1 });
+  maker.Add("exact");
+  maker.Add("tessellate",
+    request.Quick ? std::vector<double>{ UsualTolerance }
+                  : std::vector<double>{ 0.02, 0.05, UsualTolerance, 1 });
+  maker.Add("preclip");
+  maker.Add("vertex");
+  maker.Add("perspective");
+  maker.Add("floor");
+  maker.Add("cubemap",
+    request.Quick ? std::vector<double>{ density }
+                  : std::vector<double>{ density, 512, 1024, 2048, 4096 });
+  return maker.Runs;
+}
+
+std::vector<Run> MakeTable1(const PlanRequest& request, const widefov::Options& camera)
+{
+  PlanRequest one = request;
+  one.Methods.clear();
+  const Maker maker(one, camera);
+  const std::vector<std::pair<std::string, double>> rows{ { "perspective", 120 },
+    { "equirectangular", 120 }, { "equirectangular", 180 }, { "equirectangular", 270 },
+    { "equirectangular", 360 }, { "hammer", 360 } };
+  std::vector<Run> runs;
+  for (const int samples : { 0, Table1Samples })
+  {
+    for (const auto& [projection, hfov] : rows)
+    {
+      const bool planar = projection == "perspective";
+      for (const std::string method : { "auto", "preclip" })
+      {
+        Run run = planar ? maker.Make("perspective") : maker.Make(method);
+        if (!planar && method == "auto")
+        {
+          run.Parameter = run.Options.Tolerance;
+        }
+        SetView(run.Options, projection, hfov);
+        run.Options.Samples = samples;
+        runs.push_back(run);
+        if (planar)
+        {
+          break; // stock VTK draws it, whatever the technique
+        }
+      }
+    }
+  }
+  return runs;
+}
+}
+}

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which runs a benchmark consists of.
+#ifndef WideFoVPlan_h
+#define WideFoVPlan_h
+
+#include "Record.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace wfv
+{
+namespace bench
+{
+struct PlanRequest
+{
+  std::array<int, 2> Size{ { 2048, 1024 } };
+  bool Quick = false;
+  std::vector<std::string> Methods; // empty: all
+};
+
+std::vector<std::string> MethodNames();
+
+// Pixels a cube face needs so that its centre is as dense as an equirectangular picture
+// of that width: the circle over pi.
+int EqualDensity(int width);
+
+// The runs of one scene. `camera` gives eye, direction and look.
+std::vector<Run> MakePlan(const PlanRequest& request, const widefov::Options& camera);
+
+// The rows of the paper's table 1: perspective 120, equirectangular 120, 180, 270 and 360,
+// hammer 360, each without and with 4 samples.
+std::vector<Run> MakeTable1(const PlanRequest& request, const widefov::Options& camera);
+}
+}
+
+#endif

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One measured run, and its JSON.
+#ifndef WideFoVRecord_h
+#define WideFoVRecord_h
+
+#include "Metrics.h"
+#include "Options.h"
+#include "Spread.h"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace wfv
+{
+namespace bench
+{
+using Json = nlohmann::ordered_json;
+
+// What to measure: a method as it is called in the JSON, and everything that draws it.
+struct Run
+{
+  std::string Method;              // auto, .., cubemap, perspective, floor
+  std::optional<double> Parameter; // tolerance in pixels, or pixels a cube face
+  widefov::Options Options;        // projection, size, technique, camera
+};
+
+struct ErrorFigures
+{
+  reference::Metrics Metrics;
+  double Tolerance = 0;  // b, pixels
+  bool HasDepth = false; // the method shows distances
+};
+
+struct Record
+{
+  std::string Scene;
+  long long Triangles = 0;
+  bench::Run Run;
+  std::vector<double> Milliseconds; // one a frame
+  std::optional<ErrorFigures> Error;
+  std::optional<long> Covered; // pixels with something in them
+  std::string Note;            // why something is missing
+};
+
+// Figures that are not known are null.
+Json ToJson(const Record& record);
+
+// The median of the frames, none where nothing was timed.
+std::optional<double> MedianOf(const Record& record);
+
+// "auto_0.25", "cubemap_652", "exact"
+std::string NameOf(const Run& run);
+}
+}
+
+#endif

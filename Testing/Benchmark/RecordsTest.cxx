@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Plans, records and ratios of widefov-bench, as the contract has them.
+#include "Plan.h"
+#include "Summary.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+using namespace wfv;
+using namespace wfv::bench;
+
+// A test has a member of that name.
+using BenchRun = wfv::bench::Run;
+
+namespace
+{
+std::vector<BenchRun> PlanOf(bool quick, const std::vector<std::string>& methods = {})
+{
+  PlanRequest request;
+  request.Quick = quick;
+  request.Methods = methods;
+  request.Size = { { 1024, 512 } };
+  return MakePlan(request, widefov::Options());
+}
+
+Record MakeRecord(const BenchRun& run, double ms, double maxPx)
+{
+  Record record;
+  record.Scene = "room";
+  record.Triangles = 12;
+  record.Run = run;
+  record.Milliseconds = { ms };
+  record.Error = ErrorFigures();
+  record.Error->Metrics.MaxPx = maxPx;
+  record.Error->Metrics.P99Px = maxPx / 2;
+  record.Error->Metrics.Mismatched = long(100 * maxPx);
+  return record;
+}
+
+const BenchRun& Find(const std::vector<BenchRun>& plan, const std::string& name)
+{
+  for (const BenchRun& run : plan)
+  {
+    if (NameOf(run) == name)
+    {
+      return run;
+    }
+  }
+  throw std::runtime_error("no run " + name);
+}
+}
+
+TEST(BenchPlan, QuickHasEveryMethodAndOneCubeMap)
+{
+  std::set<std::string> methods;
+  int cubemaps = 0;
+  for (const BenchRun& run : PlanOf(true))
+  {
+    methods.insert(run.Method);
+    cubemaps += run.Method == "cubemap";
+    EXPECT_EQ(run.Options.Samples, 0);
+  }
+  const std::vector<std::string> all = MethodNames();
+  EXPECT_EQ(methods, std::set<std::string>(all.begin(), all.end()));
+  EXPECT_EQ(cubemaps, 1);
+  EXPECT_EQ(Find(PlanOf(true), "cubemap_326").Options.CubeMapResolution, 326);
+}
+
+TEST(BenchPlan, FullHasEveryParameter)
+{
+  const std::vector<BenchRun> plan = PlanOf(false);
+  for (const char* name : { "auto_0.02", "auto_0.05", "auto_0.25", "auto_1", "tessellate_0.02",
+         "cubemap_326", "cubemap_512", "cubemap_1024", "cubemap_2048", "cubemap_4096", "exact" })
+  {
+    EXPECT_EQ(NameOf(Find(plan, name)), name);
+  }
+  EXPECT_EQ(Find(plan, "auto_1").Options.Tolerance, 1);
+  EXPECT_EQ(PlanOf(false, { "exact", "floor" }).size(), 2u);
+}
+
+TEST(BenchPlan, EqualDensityIsTheCircleOverPi)
+{
+  EXPECT_EQ(EqualDensity(1024), 326);
+  EXPECT_EQ(EqualDensity(2048), 652);
+}
+
+TEST(BenchPlan, PerspectiveHasSquarePixels)
+{
+  const widefov::Options o = Find(PlanOf(true), "perspective").Options;
+  EXPECT_EQ(o.View.HorizontalFov, 120);
+  EXPECT_NEAR(std::tan(o.View.VerticalFov * WFV_PI / 360) * 2, std::tan(WFV_PI / 3), 1e-12);
+}
+
+TEST(BenchPlan, Table1HasThePapersRows)
+{
+  PlanRequest request;
+  request.Size = { { 1024, 512 } };
+  std::multiset<std::string> rows;
+  for (const BenchRun& run : MakeTable1(request, widefov::Options()))
+  {
+    rows.insert(run.Options.Projection + " " + std::to_string(int(run.Options.View.HorizontalFov)) +
+      " " + std::to_string(run.Options.Samples));
+  }
+  for (const char* view : { "equirectangular 120", "equirectangular 180", "equirectangular 270",
+         "equirectangular 360", "hammer 360" })
+  {
+    EXPECT_EQ(rows.count(view + std::string(" 0")), 2u) << view; // auto and preclip
+    EXPECT_EQ(rows.count(view + std::string(" 4")), 2u) << view;
+  }
+  EXPECT_EQ(rows.count("perspective 120 0"), 1u);
+  EXPECT_EQ(rows.count("perspective 120 4"), 1u);
+}
+
+TEST(BenchRecord, HasTheFieldsOfTheContract)
+{
+  const Json json = ToJson(MakeRecord(Find(PlanOf(true), "auto_0.25"), 10, 0.2));
+  for (const char* name :
+    { "scene", "triangles", "projection", "hfov", "size", "method", "parameter", "ms", "frames" })
+  {
+    EXPECT_TRUE(json.contains(name)) << name;
+  }
+  for (const char* name : { "median", "min", "max" })
+  {
+    EXPECT_TRUE(json.at("ms").at(name).is_number()) << name;
+  }
+  for (const char* name :
+    { "unexplained", "missing", "spurious", "max_px", "p99_px", "max_depth_rel" })
+  {
+    EXPECT_TRUE(json.at("error").contains(name)) << name;
+  }
+  EXPECT_EQ(json["method"], "auto");
+  EXPECT_EQ(json["parameter"], 0.25);
+  EXPECT_EQ(json["hfov"], 360);
+}
+
+TEST(BenchRecord, UnknownFiguresAreNull)
+{
+  Record record;
+  record.Run = Find(PlanOf(true), "floor");
+  const Json json = ToJson(record);
+  EXPECT_TRUE(json["ms"]["median"].is_null());
+  EXPECT_TRUE(json["error"].is_null());
+  EXPECT_TRUE(json["parameter"].is_null());
+  EXPECT_TRUE(json["hfov"].is_null());
+  Record cubemap = MakeRecord(Find(PlanOf(true), "cubemap_326"), 1, INFINITY);
+  EXPECT_TRUE(ToJson(cubemap)["error"]["max_depth_rel"].is_null());
+  EXPECT_EQ(ToJson(cubemap)["error"]["max_px"], reference::SearchLimit);
+}
+
+TEST(BenchSummary, RatiosSayWhich)
+{
+  const std::vector<BenchRun> plan = PlanOf(false);
+  const Json json = Summarize({ MakeRecord(Find(plan, "auto_0.25"), 30, 0.2),
+    MakeRecord(Find(plan, "floor"), 10, 0), MakeRecord(Find(plan, "cubemap_326"), 20, 5),
+    MakeRecord(Find(plan, "cubemap_2048"), 150, 0.2),
+    MakeRecord(Find(plan, "cubemap_4096"), 600, 0.1) });
+  EXPECT_DOUBLE_EQ(json["time auto_0.25 / floor, room"], 3);
+  EXPECT_DOUBLE_EQ(json["time auto_0.25 / cubemap_326, room"], 1.5);
+  EXPECT_DOUBLE_EQ(json["time of the cubemap at the max_px of auto_0.25 / auto_0.25, room"], 5);
+  EXPECT_FALSE(json.contains("time exact / floor, room"));
+}
+
+TEST(BenchSummary, AnErrorThatIsNotReachedIsNull)
+{
+  const std::vector<BenchRun> plan = PlanOf(false);
+  const Json json = Summarize({ MakeRecord(Find(plan, "auto_0.25"), 30, 0.2),
+    MakeRecord(Find(plan, "cubemap_4096"), 600, 0.3) });
+  const std::string name = "time of the cubemap at the max_px of auto_0.25 / auto_0.25, room";
+  ASSERT_TRUE(json.contains(name));
+  EXPECT_TRUE(json[name].is_null());
+}
+
+TEST(BenchSummary, Table1ComparesWithThePerspective)
+{
+  PlanRequest request;
+  request.Size = { { 1024, 512 } };
+  std::vector<Record> records;
+  for (const BenchRun& run : MakeTable1(request, widefov::Options()))
+  {
+    const bool planar = run.Options.Projection == "perspective";
+    records.push_back(MakeRecord(run, planar ? 10 : 20, 0));
+  }
+  const Json json = Summarize(records);
+  EXPECT_DOUBLE_EQ(json["frame rate preclip hammer 360, 4 samples / perspective perspective 120, 4 "
+                        "samples, room"],
+    0.5);
+}

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The ratios that a benchmark is asked for.
+#ifndef WideFoVSummary_h
+#define WideFoVSummary_h
+
+#include "Record.h"
+
+#include <vector>
+
+namespace wfv
+{
+namespace bench
+{
+// Each under a name that says which, with the scene behind it:
+//   "time auto_0.25 / floor, room": 1.4
+// A ratio whose records are missing is left out. "time of the cubemap at the error of X / X"
+// is null where no resolution that was measured reaches the error.
+Json Summarize(const std::vector<Record>& records);
+}
+}
+
+#endif

@@ -1,0 +1,59 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Every figure of Documentation/benchmarks/README.md from one command: builds, measures,
+# draws the plots and writes the tables.
+#
+#   bash Testing/Benchmark/run.sh [--quick] [--trial] [--data FOLDER]
+#
+# --quick   every scene at 1024x512 with few parameters, under ten minutes on two cores
+# --trial   says on the page that the machine was not quiet
+# --data    where office.binary.vtk is (../shared/data beside the checkout)
+set -euo pipefail
+exec < /dev/null
+
+step="reading the command line"
+trap 'code=$?; [ "$code" -eq 0 ] || echo "Testing/Benchmark/run.sh: FAILED while $step (exit code $code)" >&2' EXIT
+
+quick=()
+trial=()
+data=()
+while [ "$#" -gt 0 ]; do
+  case "$1" in
+    --quick) quick=(--quick) ;;
+    --trial) trial=(--trial) ;;
+    --data)
+      [ "$#" -gt 1 ] || { echo "Testing/Benchmark/run.sh: --data needs a folder" >&2; exit 2; }
+      data=(--data "$(realpath "$2")")
+      shift
+      ;;
+    *)
+      echo "Testing/Benchmark/run.sh: --quick, --trial or --data FOLDER, not: $1" >&2
+      exit 2
+      ;;
+  esac
+  shift
+done
+
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+page=Documentation/benchmarks
+
+step="installing packages"
+bash Utilities/install-packages.sh build examples test
+
+step=building
+[ -f build/build.ninja ] || cmake --preset default
+cmake -DWIDEFOV_BUILD_TESTING=ON -DWIDEFOV_BUILD_EXAMPLES=ON build > /dev/null
+cmake --build build --target widefov-bench
+
+step=measuring
+mkdir -p output "$page"
+bash Utilities/with-display.sh build/bin/widefov-bench ${quick[@]+"${quick[@]}"} \
+  ${data[@]+"${data[@]}"} --output output/benchmark.json
+bash Utilities/with-display.sh build/bin/widefov-bench --table1 --output output/table1.json
+
+step=writing
+cp output/benchmark.json output/table1.json "$page/"
+/usr/bin/python3 -B Testing/Benchmark/plot.py "$page/benchmark.json" "$page"
+/usr/bin/python3 -B Testing/Benchmark/tables.py "$page/README.md" "$page/benchmark.json" \
+  "$page/table1.json" ${trial[@]+"${trial[@]}"}
+echo "Written: $page"
