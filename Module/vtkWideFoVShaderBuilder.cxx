@@ -94,9 +94,14 @@ bool Covers(const Request& r)
 std::string CoverFragment(
   const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
 {
-  return CoversTriangles(r) ? std::string(ray_fragment_glsl) + cover_fragment_glsl +
-      chord_fragment_glsl + CornerInputs(varyings, { "wfvB.x", "wfvB.y", "wfvB.z" })
-                            : wfv::line::FragmentSource(varyings, fragment);
+  if (wfv::line::Draws(r))
+  {
+    return wfv::line::FragmentSource(varyings, fragment);
+  }
+  const bool tessellate = r.Stage == vtkWideFoVShaderBuilder::Variant::Tessellate;
+  return std::string(ray_fragment_glsl) + cover_fragment_glsl + chord_fragment_glsl +
+    (tessellate ? surface_fragment_glsl : "") +
+    CornerInputs(varyings, { "wfvB.x", "wfvB.y", "wfvB.z" });
 }
 
 // What the debug view adds to the fragment stage.

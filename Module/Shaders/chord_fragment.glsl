@@ -7,6 +7,9 @@
 #if !WFV_EXACT
 flat in vec4 wfvCorners01; // corners 0 and 1 in the picture, pixels from the tile's centre
 flat in vec2 wfvCorner2;
+#if WFV_MERIDIAN && WFV_STRAIGHT_SEAM
+flat in vec4 wfvSeam; // where the edges cross the seam: three heights, and the seam's x
+#endif
 #endif
 
 // How far, in pixels, a rasterizer snaps its vertices: a chord is widened by so much.
@@ -31,10 +34,10 @@ bool wfvInside(float e, vec3 plane)
 }
 
 #if !WFV_EXACT
-// This pixel, from the tile's centre as the corners are.
+// This sample, from the tile's centre as the corners are.
 vec2 wfvHere()
 {
-  return gl_FragCoord.xy - wfvViewport.xy - 0.5 * wfvViewport.zw;
+  return gl_FragCoord.xy + wfvSample - wfvViewport.xy - 0.5 * wfvViewport.zw;
 }
 
 // What to add to the function e of an edge, whose slope per pixel this is, to have that of
@@ -59,7 +62,7 @@ const int WFV_AT_SEAM = 128;
 
 // The chord of edge i from corner a to corner b, numbers 0, 1, 2. At a straight seam it has
 // two parts, which end where the edge crosses; this pixel's side has one of them, if any.
-float wfvToChordOf(int i, vec3 plane, float e, vec2 slope, float slack, vec2 a, vec2 b)
+float wfvToChordOf(int i, float e, vec2 slope, float slack, vec2 a, vec2 b)
 {
 #if WFV_MERIDIAN && WFV_STRAIGHT_SEAM
   if ((wfvMode & WFV_AT_SEAM) != 0)
@@ -79,8 +82,7 @@ float wfvToChordOf(int i, vec3 plane, float e, vec2 slope, float slack, vec2 a, 
     {
       return 0.0;
     }
-    float latitude = wfvAtan2(plane.y > 0.0 ? -plane.z : plane.z, abs(plane.y));
-    vec2 seam = centre + half_ * wfvTile.xy * wfvMap(vec2(side * WFV_PI, latitude), wfvView);
+    vec2 seam = vec2(centre.x + side * (wfvSeam.w - centre.x), wfvSeam[i]);
     a = hereA ? a : seam;
     b = hereB ? b : seam;
   }
@@ -88,6 +90,12 @@ float wfvToChordOf(int i, vec3 plane, float e, vec2 slope, float slack, vec2 a, 
   return wfvToChord(e, slope, slack, a, b);
 }
 #endif
+
+// Pixels from each edge within which its chord counts.
+vec3 wfvChordReach()
+{
+  return step(0.0, wfvSlack) * (WFV_LENS_SAFETY * wfvSlack + WFV_LENS_PAD);
+}
 
 // What to add to the edge functions e, whose slopes per pixel are dx and dy, to have those
 // of the chords; 0 where no chord decides.
@@ -99,9 +107,9 @@ vec3 wfvToChords(vec3 e, vec3 dx, vec3 dy)
   vec2 c0 = vec2(wfvCorners01.x, wfvCorners01.y);
   vec2 c1 = vec2(wfvCorners01.z, wfvCorners01.w);
   vec2 c2 = wfvCorner2;
-  return vec3(wfvToChordOf(0, wfvEdge0, e.x, vec2(dx.x, dy.x), wfvSlack.x, c1, c2),
-    wfvToChordOf(1, wfvEdge1, e.y, vec2(dx.y, dy.y), wfvSlack.y, c2, c0),
-    wfvToChordOf(2, wfvEdge2, e.z, vec2(dx.z, dy.z), wfvSlack.z, c0, c1));
+  return vec3(wfvToChordOf(0, e.x, vec2(dx.x, dy.x), wfvSlack.x, c1, c2),
+    wfvToChordOf(1, e.y, vec2(dx.y, dy.y), wfvSlack.y, c2, c0),
+    wfvToChordOf(2, e.z, vec2(dx.z, dy.z), wfvSlack.z, c0, c1));
 #endif
 }
 

@@ -22,7 +22,10 @@ vec3 wfvEdgePixels; // distance in pixels to the edge opposite to corner 0, 1, 2
 
 void wfvInterpolate(); // generated: sets the stock shader's inputs from wfvB
 
+vec2 wfvSample = vec2(0.0); // looked at, pixels from the centre
+
 // chord_fragment.glsl
+vec3 wfvChordReach();
 vec3 wfvToChords(vec3 e, vec3 dx, vec3 dy);
 bool wfvAllInside(vec3 e, vec3 toChords);
 
@@ -50,13 +53,15 @@ bool wfvCoverage(WfvRay ray, vec3 e, mat2x3 pixel, bool rim)
   {
     return wfvAllInside(e, toChords) && ray.inside;
   }
-  vec3 reach = WFV_PIXEL_SAFETY * WFV_SAMPLE_REACH * (abs(x) + abs(y)) + abs(toChords);
+  vec3 reach = WFV_PIXEL_SAFETY * (WFV_SAMPLE_REACH + wfvChordReach()) * (abs(x) + abs(y));
   bool certain = !rim && all(greaterThan(abs(e), reach));
   int mask = certain && all(greaterThan(e, vec3(0.0))) ? -1 : 0;
   for (int i = 0; i < wfvSamples && !certain; i++)
   {
     WfvRay at = wfvRayAt(wfvSampleOffsets[i]);
-    mask |= at.inside && wfvAllInside(wfvEdgesAt(at.direction), toChords) ? 1 << i : 0;
+    wfvSample = wfvSampleOffsets[i];
+    vec3 there = wfvEdgesAt(at.direction);
+    mask |= at.inside && wfvAllInside(there, wfvToChords(there, x, y)) ? 1 << i : 0;
   }
 #ifdef GL_ARB_sample_shading
   gl_SampleMask[0] = mask;
@@ -84,6 +89,10 @@ bool wfvCovered()
   return wfvCoverage(ray, e, pixel, rim) && sum > 0.0;
 }
 
+#if WFV_TESSELLATE
+void wfvMeetSurface(); // surface_fragment.glsl
+#endif
+
 void wfvPrepare()
 {
 #ifdef GL_ARB_sample_shading
@@ -91,6 +100,9 @@ void wfvPrepare()
 #endif
   wfvB = wfvBary / (wfvBary.x + wfvBary.y + wfvBary.z);
   wfvDepth = wfvWindowDepth(length(wfvPosition));
+#if WFV_TESSELLATE
+  wfvMeetSurface();
+#endif
   wfvFront = (wfvMode & 1) == 0 ? gl_FrontFacing : wfvPlane.w < 0.0;
   bool covered = (wfvMode & 1) == 0 || wfvCovered();
   covered = covered && wfvDepth >= 0.0 && wfvDepth <= 1.0;

@@ -179,7 +179,9 @@ vec2 wfvChordError(vec3 p, vec3 q)
   unknown = unknown ||
     (min(a.x, b.x) <= 0.0 && max(a.x, b.x) >= 0.0 && (a.z > 0.0 || b.z > 0.0));
 #endif
-#if !WFV_MERIDIAN && !WFV_FACES
+#if WFV_FACES
+  unknown = unknown || wfvFaceOf(da) != wfvFaceOf(db);
+#elif !WFV_MERIDIAN
   unknown = unknown || -max(da.z, db.z) < wfvChordEnd();
 #endif
   if (unknown)

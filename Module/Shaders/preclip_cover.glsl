@@ -119,13 +119,20 @@ vec2 wfvPixel(vec3 p)
 // edges cross it (bits 16, 32, 64 of the mode) and which corners are on it (256, 512, 1024).
 void wfvPlaceCorners(bool seam)
 {
+  wfvSeamPlaces = vec4(0.0);
   for (int i = 0; i < 3; i++)
   {
     wfvC[i] = wfvPixel(wfvP[i]);
     vec3 p = wfvP[i == 2 ? 0 : i + 1];
     vec3 q = wfvP[i == 0 ? 2 : i - 1];
-    bool crosses = (p.x < 0.0 && q.x > 0.0) || (p.x > 0.0 && q.x < 0.0);
-    wfvVertexMode += seam && crosses && wfvSeamPoint(p, q).z > 0.0 ? 16 << i : 0;
+    bool crosses = seam && ((p.x < 0.0 && q.x > 0.0) || (p.x > 0.0 && q.x < 0.0));
+    vec3 at = crosses ? wfvSeamPoint(p, q) : vec3(0.0, 0.0, -1.0);
+    wfvVertexMode += at.z > 0.0 ? 16 << i : 0;
+#if WFV_MERIDIAN && WFV_STRAIGHT_SEAM
+    vec4 c = at.z > 0.0 ? wfvClipOnSide(at, 1.0) : vec4(0.0, 0.0, 0.0, 1.0);
+    wfvSeamPlaces[i] = 0.5 * wfvViewport.w * c.y / c.w;
+    wfvSeamPlaces.w = at.z > 0.0 ? 0.5 * wfvViewport.z * c.x / c.w : wfvSeamPlaces.w;
+#endif
     wfvVertexMode += seam && wfvP[i].x == 0.0 && wfvP[i].z > 0.0 ? 256 << i : 0;
   }
   wfvVertexMode += seam ? 128 : 0;

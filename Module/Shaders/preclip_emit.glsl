@@ -21,6 +21,9 @@ flat out vec3 wfvSlack;  // pixels by which edge i is widened to meet its chord;
 #if !WFV_EXACT
 flat out vec4 wfvCorners01; // corners in the picture, see chord_fragment.glsl
 flat out vec2 wfvCorner2;
+#if WFV_MERIDIAN && WFV_STRAIGHT_SEAM
+flat out vec4 wfvSeam; // where the edges cross the seam: three heights, and the seam's x
+#endif
 #endif
 flat out int wfvMode;    // bits: 1 covered, more in wfvPlaceCorners
 
@@ -41,6 +44,7 @@ vec3 wfvN[3];
 vec4 wfvT;
 vec3 wfvS;
 vec2 wfvC[3]; // corners in the picture
+vec4 wfvSeamPlaces;
 float wfvReach; // pixels: how far the edges surely stay from their chords
 int wfvEmitted;
 
@@ -60,6 +64,9 @@ void wfvEmit(vec4 position, vec3 bary)
 #if !WFV_EXACT
     wfvCorners01 = vec4(wfvC[0], wfvC[1]);
     wfvCorner2 = wfvC[2];
+#if WFV_MERIDIAN && WFV_STRAIGHT_SEAM
+    wfvSeam = wfvSeamPlaces;
+#endif
 #endif
     wfvMode = wfvVertexMode;
     wfvWriteCorners();

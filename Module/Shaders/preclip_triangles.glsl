@@ -90,9 +90,6 @@ bool wfvOutside(vec3 lengths)
 // True where the triangle holds a pole or an edge of it bends too much; sets wfvS.
 bool wfvMustCover(float facing)
 {
-  wfvN[0] = wfvEdgePlane(wfvP[1], wfvP[2]);
-  wfvN[1] = wfvEdgePlane(wfvP[2], wfvP[0]);
-  wfvN[2] = wfvEdgePlane(wfvP[0], wfvP[1]);
   vec2 e0 = wfvChordError(wfvP[1], wfvP[2]);
   vec2 e1 = wfvChordError(wfvP[2], wfvP[0]);
   vec2 e2 = wfvChordError(wfvP[0], wfvP[1]);
@@ -144,6 +141,9 @@ void main()
     return;
   }
   float facing = wfvT.w > 0.0 ? 1.0 : -1.0;
+  wfvN[0] = wfvEdgePlane(wfvP[1], wfvP[2]);
+  wfvN[1] = wfvEdgePlane(wfvP[2], wfvP[0]);
+  wfvN[2] = wfvEdgePlane(wfvP[0], wfvP[1]);
   bool seam = wfvReachesSeam();
   bool easy = wfvEasy(lengths);
   bool tear = seam && WFV_STRAIGHT_SEAM == 0;

@@ -13,23 +13,39 @@ WfvRay wfvRayAt(vec2 offset)
   return wfvUnproject((ndc - wfvTile.zw) / wfvTile.xy, wfvView);
 }
 
+#if WFV_FACES
+// The face of a cube that the picture shows so many pixels beside the centre.
+int wfvFaceBeside(vec2 offset)
+{
+  vec2 ndc = 2.0 * (gl_FragCoord.xy + offset - wfvViewport.xy) / wfvViewport.zw - 1.0;
+  return wfvFaceAt((ndc - wfvTile.zw) / wfvTile.xy / wfvView.scale);
+}
+#endif
+
 // The change of direction per pixel along one axis, by the ray of the next pixel or, where
-// that is outside the map, of the one before.
+// that is outside the map or on another face, of the one before.
 vec3 wfvRayStep(WfvRay ray, vec2 axis)
 {
   WfvRay next = wfvRayAt(axis);
   WfvRay before = wfvRayAt(-axis);
+#if WFV_FACES
+  next.inside = next.inside && wfvFaceBeside(axis) == wfvFaceBeside(vec2(0.0));
+#endif
   return next.inside ? next.direction - ray.direction : ray.direction - before.direction;
 }
 
 // The change of direction per pixel along x and y. rim: the four pixels of this quad are
-// not all inside the map, so the differences between them say nothing.
+// not all inside the map, or on one face, so the differences between them say nothing.
 mat2x3 wfvRaySteps(WfvRay ray, out bool rim)
 {
   float inside = ray.inside ? 0.0 : 1.0;
   vec3 x = dFdx(ray.direction);
   vec3 y = dFdy(ray.direction);
   rim = inside + abs(dFdx(inside)) + abs(dFdy(inside)) > 0.0;
+#if WFV_FACES
+  float face = float(wfvFaceBeside(vec2(0.0)));
+  rim = rim || abs(dFdx(face)) + abs(dFdy(face)) > 0.0;
+#endif
   if (rim)
   {
     x = wfvRayStep(ray, vec2(1.0, 0.0));

@@ -3,11 +3,9 @@
 //
 // An edge is measured in WFV_INTERVALS intervals, from its lexicographically first end to
 // its second, so that both triangles at an edge find the same numbers: how far, in pixels,
-// the picture of the middle of an interval lies from the middle of its chord. That holds
-// the bend and the shift along the chord, hence the error of attributes and depth too. An
-// interval counts with the square root of its error, and the pieces are shared out by that
-// count: short ones where an edge passes a pole or the antipode, long ones where the map is
-// nearly flat.
+// the picture of the middle of an interval lies from its chord. An interval counts with the
+// square root of its error, and the pieces are shared out by that count: short ones where an
+// edge passes a pole or the antipode, long ones where the map is nearly flat.
 
 layout(vertices = 3) out;
 
@@ -21,6 +19,9 @@ uniform float wfvMaxLevel; // 64, which every OpenGL has, or less
 // Share of the tolerance that a piece may use up: the pre-clip measures it again, with
 // its own safety, and covers by rays what exceeds the tolerance.
 const float WFV_PIECE_SHARE = 0.6;
+
+// How much of a shift along the chord counts.
+const float WFV_ALONG = 0.2;
 
 // Most pieces that one interval may ask for: past that its pieces go exact.
 const float WFV_INTERVAL_PIECES = 16.0;
@@ -50,23 +51,17 @@ vec2 wfvPlace(vec3 p)
 #endif
 }
 
-// Angle of one pixel near the centre of the picture, radians.
-float wfvPixelAngle()
-{
-  vec2 pixels = 0.5 * wfvViewport.zw * wfvTile.xy;
-  return min(wfvView.halfFov.x / pixels.x, wfvView.halfFov.y / pixels.y);
-}
-
-// Pieces that the chord from a to b asks for: m is the picture of the middle, fall the
-// relative difference of the distances of its ends. A shift along the chord shows a wrong
-// distance; where the surface runs away from the eye it counts as much as a shift across
-// a surface at 45 degrees would.
-float wfvPieces(vec2 a, vec2 m, vec2 b, float fall)
+// Pieces that the chord from a to b asks for; m is the picture of the middle. Across the
+// chord its whole distance counts. What is seen there is found by the ray of the pixel, but
+// for the narrow lens between an edge and its chord; there a shift along the chord shows a
+// wrong depth and wrong attributes, so it counts for a part.
+float wfvPieces(vec2 a, vec2 m, vec2 b)
 {
   vec2 error = m - 0.5 * (a + b);
   vec2 chord = b - a;
-  float along = abs(dot(error, chord)) / max(dot(chord, chord), 1e-12);
-  float pixels = max(length(error), along * fall / wfvPixelAngle());
+  float l = length(chord);
+  float across = abs(chord.x * error.y - chord.y * error.x) / max(l, 1e-6);
+  float pixels = max(l > 0.01 ? across : 0.0, WFV_ALONG * length(error));
   return sqrt(pixels / (WFV_PIECE_SHARE * wfvTolerance));
 }
 
@@ -79,13 +74,13 @@ bool wfvUnseen(vec2 a, vec2 b)
 
 // How many pieces the interval from a to b (unit vectors; la and lb from the eye) asks for;
 // at and to are the pictures of its ends.
-float wfvCount(vec3 a, vec3 b, vec2 at, vec2 middle, vec2 to, float fall)
+float wfvCount(vec3 a, vec3 b, vec2 at, vec2 middle, vec2 to)
 {
   if (wfvUnseen(at, to))
   {
     return 0.0;
   }
-  float pieces = wfvPieces(at, middle, to, fall);
+  float pieces = wfvPieces(at, middle, to);
   float most = wfvNearsSingularity(a, b) ? WFV_SINGULAR_PIECES : WFV_INTERVAL_PIECES;
   return pieces >= 0.0 ? min(pieces, most) : most; // not a number: as many as may be
 }
@@ -106,7 +101,6 @@ float wfvMeasure(vec3 p, vec3 q, out float steps[WFV_INTERVALS])
   wfvAzimuth = 0.0;
   vec3 here = a;
   vec2 at = wfvPlace(a);
-  float rho = la;
   for (int k = 0; k < WFV_INTERVALS; k++)
   {
     float middle = (float(k) + 0.5) / float(WFV_INTERVALS);
@@ -114,13 +108,10 @@ float wfvMeasure(vec3 p, vec3 q, out float steps[WFV_INTERVALS])
     vec2 m = wfvPlace(mix(a, b, middle));
     vec3 next = mix(a, b, end);
     vec2 to = wfvPlace(next);
-    float further = length(next) / ((1.0 - end) / la + end / lb);
-    float fall = abs(further - rho) / max(min(further, rho), 1e-30);
-    counts[k] = wfvCount(normalize(here), normalize(next), at, m, to, fall);
+    counts[k] = wfvCount(normalize(here), normalize(next), at, m, to);
     sum += counts[k];
     here = next;
     at = to;
-    rho = further;
   }
   float least = WFV_LEAST_SHARE * sum / float(WFV_INTERVALS) + 1e-6;
   float total = sum + least * float(WFV_INTERVALS);

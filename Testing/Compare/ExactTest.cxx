@@ -21,7 +21,7 @@ constexpr double Tolerance = 0.02;
 // Relative error of the distance along the pixel's ray.
 constexpr double DepthTolerance = 1e-5;
 
-const double Fovs[] = { 60, 180, 270, 360 };
+const std::vector<double> Fovs{ 60, 180, 270, 360 };
 }
 
 class CompareExact : public DrawingTest
@@ -49,14 +49,11 @@ protected:
   void CheckAll(const std::vector<NamedPose>& poses, const std::string& mesh)
   {
     const Projection& p = *FindProjection(this->GetParam());
-    for (double fov : Fovs)
+    for (double fov : FovsOf(p, Fovs))
     {
       for (const NamedPose& pose : poses)
       {
-        if (fov <= p.MaxHorizontalFov)
-        {
-          Check(MakeShot(p.Name, fov, pose), mesh + ", " + pose.Name);
-        }
+        Check(MakeShot(p.Name, fov, pose), mesh + ", " + pose.Name);
       }
     }
   }
@@ -82,7 +79,8 @@ protected:
   {
     constexpr int Density = 8192;
     constexpr int Strip = 256;
-    const bool round = FindProjection(this->GetParam())->Axis == Family::Azimuthal;
+    const Projection& p = *FindProjection(this->GetParam());
+    const bool round = p.Axis == Family::Azimuthal || p.Axis == Family::Faces;
     for (const NamedPose& pose : PlainPoses())
     {
       Shot shot = MakeShot(this->GetParam(), this->Widest(), pose);
@@ -94,7 +92,7 @@ protected:
       if (!round)
       {
         shot.Options.HorizontalFov = degrees * Strip;
-        shot.Options.VerticalFov = std::min(180.0, this->Widest());
+        shot.Options.VerticalFov = std::min({ 180.0, this->Widest(), p.MaxVerticalFov });
         shot.Width = Strip;
         shot.Height = int(shot.Options.VerticalFov / degrees);
         Check(shot, mesh + ", from pole to pole, " + pose.Name);

@@ -112,6 +112,19 @@ TEST_P(Watertight, Room)
   this->CheckEverywhere(MakeRoom, 16, "room of 16");
 }
 
+TEST_P(Watertight, Tessellated)
+{
+  Picture->SetTechnique(vtkWideFoVPass::TESSELLATE);
+  for (double tolerance : { 0.25, 1.0 })
+  {
+    Picture->SetTolerance(tolerance);
+    this->CheckEverywhere(MakeRoom, 1, "tessellated room of 12");
+    this->CheckEverywhere(MakeGlobe, 2, "tessellated globe of 32");
+  }
+  Picture->SetTolerance(0.25);
+  Picture->SetTechnique(vtkWideFoVPass::PRECLIP);
+}
+
 // The count can tell: projected per vertex alone, the room of 12 has holes and strays.
 TEST_P(Watertight, VerticesAloneAreNot)
 {

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Fragment side of a tessellated piece: what is shown is where the pixel's ray meets the
+// triangle, as everywhere else. A chord decides which pixels a piece covers, not what is
+// seen there: interpolated along it, surfaces close behind one another would change places.
+
+void wfvMeetSurface()
+{
+  WfvRay ray = wfvRayAt(vec2(0.0));
+  vec3 e = wfvEdgesAt(ray.direction);
+  float facing = wfvPlane.w > 0.0 ? 1.0 : -1.0;
+  float sum = facing * dot(ray.direction, wfvPlane.xyz);
+  // between an edge and its chord the ray misses: the interpolated place stays
+  if (ray.inside && sum > 0.0 && all(greaterThanEqual(e, vec3(0.0))))
+  {
+    wfvB = e / (e.x + e.y + e.z);
+    wfvDepth = wfvWindowDepth(facing * wfvPlane.w / sum);
+  }
+}

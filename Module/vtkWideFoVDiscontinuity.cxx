@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWideFoVDiscontinuity.h"
+
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkType.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+// Angle about a pole or the antipode, degrees, inside which edges of one degree bend
+// by more than the default tolerance at the sizes a window has (2048 x 1024): a prop
+// that reaches in gets the pre-clip too.
+constexpr double MeridianPoleCap = 5;
+constexpr double AntipodeCap = 25;
+
+// NDC per squared radian: where a view bends more (wfv::Bend), edges of one degree may be
+// off by more than the default tolerance at these sizes anywhere, and every prop gets the
+// pre-clip: 8 * 0.25 / (1024 (pi/180)^2) = 6.4.
+constexpr double PlainBend = 6;
+
+// Range of the tilted view coordinates of a box in world coordinates.
+void ViewBounds(
+  const double b[6], const double m[16], const wfv::WfvView& view, double low[3], double high[3])
+{
+  std::fill_n(low, 3, VTK_DOUBLE_MAX);
+  std::fill_n(high, 3, -VTK_DOUBLE_MAX);
+  for (int c = 0; c < 8; c++)
+  {
+    double p[4] = { b[c & 1], b[2 + ((c >> 1) & 1)], b[4 + ((c >> 2) & 1)], 1 };
+    vtkMatrix4x4::MultiplyPoint(m, p, p);
+    const wfv::vec3 q = wfv::wfvTilt(wfv::vec3(p[0], p[1], p[2]), view);
+    for (int i = 0; i < 3; i++)
+    {
+      low[i] = std::min(low[i], q[i]);
+      high[i] = std::max(high[i], q[i]);
+    }
+  }
+}
+
+// Smallest distance of a rectangle from the origin of its plane.
+double NearestInPlane(double low0, double high0, double low1, double high1)
+{
+  return std::hypot(std::max({ low0, -high0, 0.0 }), std::max({ low1, -high1, 0.0 }));
+}
+
+// True unless the box lies on one face of the cube round the eye.
+bool MeetsFaceBorder(const double low[3], const double high[3])
+{
+  for (int axis = 0; axis < 3; axis++)
+  {
+    const int i = (axis + 1) % 3;
+    const int j = (axis + 2) % 3;
+    const double ahead = std::max(low[axis], -high[axis]);
+    if (ahead > std::max({ -low[i], high[i], -low[j], high[j] }))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+// True where a box of tilted view coordinates meets a discontinuity of the projection.
+bool MeetsDiscontinuity(
+  const wfv::Projection& projection, const double low[3], const double high[3])
+{
+  if (projection.Axis == wfv::Family::Faces)
+  {
+    return MeetsFaceBorder(low, high);
+  }
+  if (projection.Axis == wfv::Family::Meridian)
+  {
+    const bool seam = low[0] <= 0 && high[0] >= 0 && high[2] >= 0;
+    const double height = std::max(std::abs(low[1]), std::abs(high[1]));
+    const double cap = std::tan(vtkMath::RadiansFromDegrees(MeridianPoleCap));
+    return seam || NearestInPlane(low[0], high[0], low[2], high[2]) <= cap * height;
+  }
+  const double cap = std::tan(vtkMath::RadiansFromDegrees(AntipodeCap));
+  return NearestInPlane(low[0], high[0], low[1], high[1]) <= cap * std::max(high[2], 0.0);
+}
+}
+
+bool vtkWideFoVNeedsPreClip(const wfv::Projection& projection, const wfv::WfvView& view,
+  const double bounds[6], const double worldToView[16])
+{
+  if (view.bend > PlainBend)
+  {
+    return true;
+  }
+  double low[3];
+  double high[3];
+  ViewBounds(bounds, worldToView, view, low, high);
+  return MeetsDiscontinuity(projection, low, high);
+}
