@@ -3,6 +3,7 @@
 
 #include "WideFoVGlsl.h"
 #include "vtkWideFoVShaderArrays.h"
+#include "vtkWideFoVLineShaders.h"
 #include "vtkWideFoVQuadricShaders.h"
 #include "vtkWideFoVShaderText.h"
 
@@ -27,45 +28,6 @@ std::string CoverSource(const wfv::Projection& projection)
   }
 }
 
-// Copies of every vertex output at the three corners, which the fragment stage
-// weighs: exact wherever the geometry stage cuts.
-std::string TriangleOutputs(const std::vector<Varying>& varyings)
-{
-  std::string declarations;
-  std::string body;
-  for (size_t i = 0; i < varyings.size(); i++)
-  {
-    const Varying& v = varyings[i];
-    declarations += v.Input();
-    for (int c = v.Flat ? 2 : 0; c < 3; c++)
-    {
-      declarations += "flat out " + v.Declaration(Corner(i, c));
-      body += "  " + Corner(i, c) + " = " + v.Name + "[" + std::to_string(c) + "];\n";
-    }
-  }
-  return declarations + "void wfvWriteCorners()\n{\n" + body + "}\n";
-}
-
-std::string TriangleInputs(const std::vector<Varying>& varyings)
-{
-  std::string declarations;
-  std::string body;
-  for (size_t i = 0; i < varyings.size(); i++)
-  {
-    const Varying& v = varyings[i];
-    declarations += v.Declaration(v.Name);
-    for (int c = v.Flat ? 2 : 0; c < 3; c++)
-    {
-      declarations += "flat in " + v.Declaration(Corner(i, c));
-    }
-    body += "  " + v.Name + " = ";
-    body += v.Flat ? Corner(i, 2) + ";\n"
-                   : "wfvB.x * " + Corner(i, 0) + " + wfvB.y * " + Corner(i, 1) + " + wfvB.z * " +
-        Corner(i, 2) + ";\n";
-  }
-  return declarations + "void wfvInterpolate()\n{\n" + body + "}\n";
-}
-
 // Lines carry every output on, mixed between the two ends. VTK itself renames the
 // fragment stage's VSOut to GSOut.
 std::string LineOutputs(const std::vector<Varying>& varyings)
@@ -88,16 +50,28 @@ std::string LineOutputs(const std::vector<Varying>& varyings)
   return declarations + "void wfvWriteMix(float t)\n{\n" + body + "}\n";
 }
 
-// The geometry stage of lines or triangles.
+// The geometry stage of lines or triangles, behind what all have.
+std::string PrimitiveSource(const Request& r, const std::vector<Varying>& varyings)
+{
+  if (wfv::line::Draws(r))
+  {
+    return wfv::line::GeometrySource(varyings);
+  }
+  if (r.Kind == Primitive::Lines)
+  {
+    return LineOutputs(varyings) + preclip_lines_glsl +
+      (r.Projection->Axis == wfv::Family::Faces ? lines_faces_glsl : "");
+  }
+  // copies of every vertex output at the three corners, which the fragment stage weighs:
+  // exact wherever the geometry stage cuts
+  return CornerOutputs(varyings, 3) + preclip_emit_glsl + preclip_cover_glsl +
+    CoverSource(*r.Projection) + (r.DebugView ? preclip_kinds_glsl : "") + preclip_triangles_glsl;
+}
+
 std::string GeometrySource(const Request& r, const std::vector<Varying>& varyings)
 {
   std::string source = "//VTK::System::Dec\n" + ViewSource(r) + preclip_glsl +
-    (r.DebugView ? debug_kinds_glsl : "") +
-    (r.Kind == Primitive::Lines ? LineOutputs(varyings) + preclip_lines_glsl +
-          (r.Projection->Axis == wfv::Family::Faces ? lines_faces_glsl : "")
-                                : TriangleOutputs(varyings) + preclip_emit_glsl +
-          preclip_cover_glsl + CoverSource(*r.Projection) +
-          (r.DebugView ? preclip_kinds_glsl : "") + preclip_triangles_glsl);
+    (r.DebugView ? debug_kinds_glsl : "") + PrimitiveSource(r, varyings);
   if (r.Stage == vtkWideFoVShaderBuilder::Variant::Tessellate)
   {
     ReplaceAll(source, "gl_PrimitiveIDIn", "wfvPrimitive[0]");
@@ -108,6 +82,24 @@ std::string GeometrySource(const Request& r, const std::vector<Varying>& varying
 bool CoversTriangles(const Request& r)
 {
   return vtkWideFoVShaderBuilder::NeedsGeometryStage(r) && r.Kind == Primitive::Triangles;
+}
+
+// True where the fragment stage finds what of the primitive a pixel sees.
+bool Covers(const Request& r)
+{
+  return CoversTriangles(r) || wfv::line::Draws(r);
+}
+
+// What the fragment stage needs for that.
+std::string CoverFragment(
+  const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
+{
+  if (wfv::line::Draws(r))
+  {
+    return wfv::line::FragmentSource(varyings, fragment);
+  }
+  return std::string(ray_fragment_glsl) + cover_fragment_glsl + chord_fragment_glsl +
+    surface_fragment_glsl + CornerInputs(varyings, { "wfvB.x", "wfvB.y", "wfvB.z" });
 }
 
 // What the debug view adds to the fragment stage.
@@ -125,13 +117,12 @@ std::string DebugSource(const Request& r)
 
 void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
 {
-  const bool triangles = CoversTriangles(r);
+  const bool covers = Covers(r);
   std::string declarations, before, after;
-  if (triangles)
+  if (covers)
   {
     RemoveInputs(fragment, varyings);
-    declarations = std::string(ray_fragment_glsl) + cover_fragment_glsl + chord_fragment_glsl +
-      surface_fragment_glsl + TriangleInputs(varyings);
+    declarations = CoverFragment(r, varyings, fragment);
     before = "  wfvPrepare();\n";
     after = "  if (wfvHide) { discard; }\n";
     ReplaceAll(fragment, "gl_FrontFacing", "wfvFront");
@@ -158,7 +149,7 @@ void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std:
     // for gl_SampleMask; without it a covered pixel is covered whole
     const std::string extension = "#extension GL_ARB_sample_shading : enable\n";
     vtkWideFoVShaderBuilder::Declare(
-      fragment, (triangles ? extension : "") + ViewSource(r) + declarations);
+      fragment, (covers ? extension : "") + ViewSource(r) + declarations);
   }
 }
 }
@@ -241,7 +232,7 @@ void vtkWideFoVShaderBuilder::Finish(
     wfv::FlattenArrays(vertex, fragment);
   }
   TakeFromEye(vertex);
-  if (r.FragmentDepth && !CoversTriangles(r))
+  if (r.FragmentDepth && !Covers(r))
   {
     WrapMain(vertex, "", "  wfvPlaceVSOutput = gl_Position.xyz;\n");
     Declare(vertex, depth_vertex_glsl);

@@ -15,7 +15,7 @@ public:
   {
     Plain,     // the vertex stage projects
     PreClip,   // a geometry stage clips, then projects
-    Exact,     // the same stage, every triangle by the ray of each pixel
+    Exact,     // the same, every triangle by the ray of each pixel, lines as exact strips
     Tessellate // triangles cut finer before the pre-clip (vtkWideFoVTessellation)
   };
 

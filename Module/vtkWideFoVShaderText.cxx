@@ -16,6 +16,13 @@ namespace
 constexpr int NewtonSteps = 12;
 }
 
+int Varying::Components() const
+{
+  const char last = this->Type.back();
+  const int size = last >= '2' && last <= '4' ? last - '0' : 1;
+  return this->Type.compare(0, 3, "mat") == 0 ? size * size : size;
+}
+
 std::vector<Varying> FindVaryings(const std::string& vertex)
 {
   static const std::regex output(
@@ -70,6 +77,54 @@ std::string ViewSource(const Request& r)
 std::string Corner(size_t varying, int corner)
 {
   return "wfvCorner" + std::to_string(varying) + "_" + std::to_string(corner);
+}
+
+std::string CornerOutputs(const std::vector<Varying>& varyings, int corners)
+{
+  std::string declarations;
+  std::string body;
+  for (size_t i = 0; i < varyings.size(); i++)
+  {
+    const Varying& v = varyings[i];
+    declarations += v.Input();
+    for (int c = v.Flat ? corners - 1 : 0; c < corners; c++)
+    {
+      declarations += "flat out " + v.Declaration(Corner(i, c));
+      body += "  " + Corner(i, c) + " = " + v.Name + "[" + std::to_string(c) + "];\n";
+    }
+  }
+  return declarations + "void wfvWriteCorners()\n{\n" + body + "}\n";
+}
+
+std::string CornerInputs(
+  const std::vector<Varying>& varyings, const std::vector<std::string>& weights)
+{
+  const int corners = static_cast<int>(weights.size());
+  std::string declarations;
+  std::string body;
+  for (size_t i = 0; i < varyings.size(); i++)
+  {
+    const Varying& v = varyings[i];
+    declarations += v.Declaration(v.Name);
+    std::string sum;
+    for (int c = v.Flat ? corners - 1 : 0; c < corners; c++)
+    {
+      declarations += "flat in " + v.Declaration(Corner(i, c));
+      sum += (sum.empty() ? "" : " + ") + (v.Flat ? "" : weights[c] + " * ") + Corner(i, c);
+    }
+    body += "  " + v.Name + " = " + sum + ";\n";
+  }
+  return declarations + "void wfvInterpolate()\n{\n" + body + "}\n";
+}
+
+int CornerComponents(const std::vector<Varying>& varyings, int corners)
+{
+  int count = 0;
+  for (const Varying& v : varyings)
+  {
+    count += v.Components() * (v.Flat ? 1 : corners);
+  }
+  return count;
 }
 
 void RewriteLights(std::string& fragment)

@@ -29,6 +29,9 @@ struct Varying
   }
 
   std::string Declaration(const std::string& name) const { return this->Type + " " + name + ";\n"; }
+
+  // Floats or integers in it: what OpenGL counts.
+  int Components() const;
 };
 
 std::vector<Varying> FindVaryings(const std::string& vertex);
@@ -42,6 +45,19 @@ std::string Define(const char* name, int value);
 
 // Name of the copy of an output at a corner of the primitive.
 std::string Corner(size_t varying, int corner);
+
+// For the geometry stage: declares the copies for primitives of so many corners, and
+// wfvWriteCorners(), which sets them.
+std::string CornerOutputs(const std::vector<Varying>& varyings, int corners);
+
+// For the fragment stage: declares the outputs as plain variables, and wfvInterpolate(),
+// which sets them from the copies and one weight a corner, an expression in GLSL. What is
+// flat has the value of the last corner.
+std::string CornerInputs(
+  const std::vector<Varying>& varyings, const std::vector<std::string>& weights);
+
+// Components of all copies.
+int CornerComponents(const std::vector<Varying>& varyings, int corners);
 
 // The mathematics of the view, for any stage.
 std::string ViewSource(const Request& request);

@@ -4,6 +4,7 @@
 #include "vtkWideFoVCamera.h"
 #include "vtkWideFoVDiscontinuity.h"
 #include "vtkWideFoVEye.h"
+#include "vtkWideFoVLineMapper.h"
 #include "vtkWideFoVPass.h"
 #include "vtkWideFoVQuadricKind.h"
 #include "vtkWideFoVPolyDataMapper.h"
@@ -141,6 +142,11 @@ vtkWideFoVShaderBuilder::Request vtkWideFoVStage::MakeRequest(
   {
     request.Stage = vtkWideFoVShaderBuilder::Variant::PreClip;
   }
+  const bool lines = request.Kind == vtkWideFoVShaderBuilder::Primitive::Lines;
+  if (lines && polydata && this->ExactLines && wfv::HasFewLines(polydata))
+  {
+    request.Stage = vtkWideFoVShaderBuilder::Variant::Exact;
+  }
   // only our own mapper draws patches; the pieces' edges must not show as the cell's
   const bool patches = vtkWideFoVPolyDataMapper::SafeDownCast(mapper) &&
     request.Kind == vtkWideFoVShaderBuilder::Primitive::Triangles && !request.Edges;
@@ -201,6 +207,10 @@ void vtkWideFoVStage::SetPropParameters(
   if (polydata && actor && this->Renderer)
   {
     wfv::SetEye(program, polydata, actor, this->Renderer->GetActiveCamera());
+  }
+  if (polydata && actor && program->IsUniformUsed("wfvLineWidth"))
+  {
+    program->SetUniformf("wfvLineWidth", wfv::LineWidth(polydata, actor));
   }
   if (actor && program->IsUniformUsed("wfvPixels"))
   {

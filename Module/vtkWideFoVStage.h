@@ -39,6 +39,16 @@ public:
     }
   }
 
+  // Lines by the exact variant, as long as they are few: the technique "auto".
+  void SetExactLines(bool exact)
+  {
+    if (exact != this->ExactLines)
+    {
+      this->ExactLines = exact;
+      this->SourceTime.Modified();
+    }
+  }
+
   // Colours by what happens to each primitive.
   void SetDebugView(bool debugView)
   {
@@ -78,7 +88,7 @@ private:
   void operator=(const vtkWideFoVStage&) = delete;
 
   // The eye in the coordinates of the mapper; the diameter of tubes and of points drawn
-  // as spheres.
+  // as spheres; the width of lines.
   void SetPropParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop) const;
 
   // How the bound framebuffer is sampled, for the coverage of the pre-clip.
@@ -95,6 +105,7 @@ private:
   int Headlights = 0;
   bool Clipless = false;
   bool ByRay = false;
+  bool ExactLines = false;
   bool DebugView = false;
   int NumberOfDraws = 0;
   int NumberOfTessellateDraws = 0;

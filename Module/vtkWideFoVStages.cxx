@@ -62,6 +62,7 @@ void vtkWideFoVStages::Begin(
     stage->SetView(renderer, camera, tolerance);
     stage->SetClipless(technique == vtkWideFoVPass::VERTEX);
     stage->SetByRay(technique != vtkWideFoVPass::PRECLIP);
+    stage->SetExactLines(this->Technique == vtkWideFoVPass::AUTO);
     stage->ResetNumberOfDraws();
   }
 }

@@ -54,9 +54,7 @@ std::vector<Varying> FindInputs(const std::string& geometry)
 
 std::string Head(const Request& request)
 {
-  return "#version 150\n"
-         "#extension GL_ARB_tessellation_shader : require\n" +
-    vtkWideFoVShaderBuilder::MakeViewSource(request) + preclip_glsl;
+  return tess_head_glsl + vtkWideFoVShaderBuilder::MakeViewSource(request) + preclip_glsl;
 }
 
 // The map's own functions are protected in vtkShaderProgram.

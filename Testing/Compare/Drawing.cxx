@@ -12,6 +12,7 @@
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 
 #include <cstdio>
@@ -90,6 +91,11 @@ void Drawing::SetTechnique(int technique)
   in.Pass->SetTechnique(technique);
   const bool wide = technique == vtkWideFoVPass::TESSELLATE;
   in.Actor->SetMapper(wide ? in.WideMapper.Get() : in.Mapper.Get());
+}
+
+void Drawing::SetLineWidth(double pixels)
+{
+  this->Internal->Actor->GetProperty()->SetLineWidth(static_cast<float>(pixels));
 }
 
 void PlaceCamera(vtkWideFoVCamera* camera, const Shot& s)

@@ -65,6 +65,9 @@ public:
   // vtkWideFoVPass::Techniques (default PRECLIP).
   void SetTechnique(int technique);
 
+  // Of lines, pixels (1).
+  void SetLineWidth(double pixels);
+
   // Draws the mesh; the picture is empty where the window failed.
   reference::DrawnPicture Draw(const Shot& shot);
 

@@ -84,6 +84,23 @@ TEST(ShaderBuilder, LinesMixTheirTwoEnds)
   EXPECT_TRUE(Has(s.GeometryStage, "layout(lines) in"));
 }
 
+TEST(ShaderBuilder, ExactLinesAreWeighedByTheirNearestPoint)
+{
+  const Sources s = Build("equirectangular", Builder::Variant::Exact, Builder::Primitive::Lines);
+  EXPECT_TRUE(Has(s.GeometryStage, "wfvCorner0_1 = normalVCVSOutput[1];"));
+  EXPECT_TRUE(Has(s.FragmentStage,
+    "normalVCVSOutput = (1.0 - wfvAlong) * wfvCorner0_0 + wfvAlong * wfvCorner0_1;"));
+  EXPECT_TRUE(Has(s.FragmentStage, "wfvDepth = wfvDepthOf(rho, wfvView);"));
+  EXPECT_TRUE(Has(s.FragmentStage, "gl_FragDepth = wfvDepth;"));
+  // OpenGL 3.2: 1,024 components from one run of the stage; position, primitive number, 15
+  // of its own, and two copies of 3 + 4 + 4 and one of 1
+  EXPECT_TRUE(Has(s.GeometryStage, "#define WFV_LINE_VERTICES 20\n"));
+  // the faces of a cube have no pole to start from
+  const Sources cube =
+    Build("equi-angular-cubemap", Builder::Variant::Exact, Builder::Primitive::Lines);
+  EXPECT_TRUE(Has(cube.GeometryStage, "wfvWriteMix(t)"));
+}
+
 TEST(ShaderBuilder, PointsNeverNeedAGeometryStage)
 {
   const Sources s = Build("equirectangular", Builder::Variant::PreClip, Builder::Primitive::Points);

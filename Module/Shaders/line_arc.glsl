@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Lines, what both stages share: the arc of a great circle that a line is seen as, and
+// its image in the map.
+//
+// The arc is the directions cos(a) top + sin(a) side, a between two angles: the frame of
+// its plane. For an arc that comes near a pole or the antipode `top` is the point of its
+// great circle nearest to the axis, so that float32 resolves angles best where the map
+// stretches most; otherwise it is the middle of the arc.
+
+uniform float wfvLineWidth; // pixels
+
+vec3 wfvArcTop;
+vec3 wfvArcSide;
+vec4 wfvArcEnds;   // angles of the two ends, a0 <= a1, and their distances from the eye
+float wfvArcDelta; // scale of the angles at which the image bends, radians
+float wfvArcCut;   // angle at which the image jumps, or WFV_NO_CUT
+bool wfvArcJump;   // it jumps because the arc runs through a pole: azimuths stay constant
+
+const float WFV_NO_CUT = 1e9;
+
+// Knots a quarter of a great circle, four quarters.
+const int WFV_KNOTS = 14;
+
+// The scale of the bends counts at least so much: the sine of WFV_AT_POLE.
+const float WFV_LEAST_DELTA = 1e-6;
+
+vec3 wfvArcAt(float a)
+{
+  return cos(a) * wfvArcTop + sin(a) * wfvArcSide;
+}
+
+// The angle so many turns away that is nearest to `ref`.
+float wfvNearestTurn(float angle, float ref)
+{
+  return angle - 2.0 * WFV_PI * floor((angle - ref) / (2.0 * WFV_PI) + 0.5);
+}
+
+// Angles of a direction; the azimuth continued from `ref`, which it is where the arc runs
+// through the pole.
+vec2 wfvArcAngles(vec3 d, float ref)
+{
+  vec2 angles = WFV_ANGLES(d);
+  return vec2(wfvArcJump ? ref : wfvNearestTurn(angles.x, ref), angles.y);
+}
+
+// Pixels from the centre of the tile, of a place in the map.
+vec2 wfvTilePixel(vec2 ndc)
+{
+  return 0.5 * wfvViewport.zw * (ndc * wfvTile.xy + wfvTile.zw);
+}
+
+// Image of the arc at the angle a, pixels from the centre of the tile.
+vec2 wfvArcPixel(float a, float ref)
+{
+  vec3 d = wfvArcAt(a);
+#if WFV_MERIDIAN
+  return wfvTilePixel(wfvMap(wfvArcAngles(d, ref), wfvView));
+#else
+  return wfvTilePixel(wfvArcJump ? wfvMap(wfvArcAngles(d, ref), wfvView) : wfvProject(d, wfvView));
+#endif
+}
+
+// Radians: a stretch whose middle is so near the seam counts as on it.
+const float WFV_ON_SEAM = 2e-6;
+
+// The azimuth that a stretch of the arc is continued from: that of its middle. On the seam
+// the sign is noise: longitudes end at +pi.
+float wfvArcRef(float lo, float hi)
+{
+  float azimuth = WFV_ANGLES(wfvArcAt(0.5 * (lo + hi))).x;
+  return azimuth < -WFV_PI + WFV_ON_SEAM ? WFV_PI : azimuth;
+}
+
+// Pixels from border to border of a map that closes across a straight seam, or 0.
+float wfvPeriod()
+{
+#if WFV_MERIDIAN && WFV_STRAIGHT_SEAM
+  return wfvViewport.z * wfvTile.x * wfvMap(vec2(WFV_PI, 0.0), wfvView).x;
+#else
+  return 0.0;
+#endif
+}
+
+// From one place of the picture to another, the short way round.
+vec2 wfvAcrossSeam(vec2 d)
+{
+#if WFV_MERIDIAN && WFV_STRAIGHT_SEAM
+  float period = wfvPeriod();
+  d.x -= period * floor(d.x / period + 0.5);
+#endif
+  return d;
+}
+
+// Angle of knot i, 0 to 4 WFV_KNOTS, from half a turn before top to half a turn behind it.
+// They are dense where the image may bend: near top, and opposite to it.
+float wfvKnot(int i)
+{
+  int k = i <= WFV_KNOTS ? i
+                         : (i <= 3 * WFV_KNOTS ? abs(i - 2 * WFV_KNOTS) : 4 * WFV_KNOTS - i);
+  float x = 0.5 * WFV_PI / wfvArcDelta;
+  float step_ = log(x + sqrt(x * x + 1.0)) / float(WFV_KNOTS);
+  float e = exp(step_ * float(k));
+  float g = k == WFV_KNOTS ? 0.5 * WFV_PI : 0.5 * wfvArcDelta * (e - 1.0 / e);
+  float turned = i < 2 * WFV_KNOTS ? -1.0 : 1.0;
+  bool far = i < WFV_KNOTS || i > 3 * WFV_KNOTS;
+  return turned * (far ? WFV_PI - g : g);
+}
+
+// Angle a pixel takes up in the middle of the map, radians.
+float wfvPixelAngle()
+{
+#if WFV_MERIDIAN
+  return 2.0 * wfvView.halfFov.y / (wfvViewport.w * wfvTile.y);
+#else
+  return 2.0 * wfvView.halfFov.x / (wfvViewport.z * wfvTile.x);
+#endif
+}

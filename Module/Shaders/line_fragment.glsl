@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Fragment side of lines: what the picture of a line is.
+//
+// A sample is inside where its distance in the map, in pixels, from the image of the
+// line's great-circle arc is at most half the width; across a straight seam the distance
+// is taken the short way round. So every end is a round cap of that radius, joints of
+// polylines have no notches, and the strip shows on both sides of a seam. Where the arc
+// runs through a pole its image jumps: each side has its own cap. Outside the domain of
+// the map nothing is drawn.
+//
+// Depth and attributes are those of the nearest point, mixed between the two ends as
+// space does; where that point lies outside the clip spheres nothing is drawn. A line
+// that points at the eye is a dot, shown at its nearest visible point; one through the
+// eye is two.
+
+flat in vec3 wfvLineTop;
+flat in vec3 wfvLineSide;
+flat in vec4 wfvLineEnds;
+flat in vec4 wfvLineMap;
+flat in int wfvLineMode;
+
+float wfvAlong;   // parameter of the nearest point, from the first end to the second
+float wfvDepth;   // window depth there, 0 to 1
+bool wfvHide;     // not covered: discarded once the stock shader has run
+const bool wfvFront = true; // as lines are
+
+void wfvInterpolate(); // generated: sets the stock shader's inputs from wfvAlong
+
+// Where a sample lies inside a pixel, from its centre, pixels; one sample: the centre.
+uniform int wfvSamples;
+uniform vec2 wfvSampleOffsets[16];
+
+// Pixels by which all samples are moved where their distance is judged: lines along the
+// borders between pixels, which a graticule is full of, then fall on one side of them
+// whatever the rounding.
+const vec2 WFV_LINE_TIE = vec2(0.007, 0.011);
+
+// Pixels: more than a sample lies from its pixel's centre.
+const float WFV_LINE_SAMPLE = 0.8;
+
+// The nearest point found so far.
+float wfvBestAngle;
+float wfvBestDistance;
+vec2 wfvBestOffset; // from it, pixels
+
+// Parameter, 0 to 1, of the point of a chord nearest to p, both from its first end.
+float wfvOnChord(vec2 p, vec2 chord)
+{
+  float l2 = dot(chord, chord);
+  return l2 > 0.0 ? clamp(dot(p, chord) / l2, 0.0, 1.0) : 0.0;
+}
+
+// Distance of p from the chord that stands for the arc; the angle of the nearest point is
+// that of the direction seen there.
+float wfvChordDistance(vec2 p)
+{
+  vec2 chord = wfvLineMap.zw - wfvLineMap.xy;
+  vec2 r = wfvAcrossSeam(p - 0.5 * (wfvLineMap.xy + wfvLineMap.zw)) + 0.5 * chord;
+  float t = wfvOnChord(r, chord);
+  vec2 ndc = wfvLineMap.xy + t * chord - wfvTilePixel(vec2(0.0));
+  ndc = wfvAcrossSeam(ndc) * 2.0 / (wfvViewport.zw * wfvTile.xy);
+  vec3 d = wfvUnproject(ndc, wfvView).direction;
+  float a = wfvAtan2(dot(d, wfvArcSide), dot(d, wfvArcTop));
+  a = wfvNearestTurn(a, 0.5 * (wfvLineEnds.x + wfvLineEnds.y));
+  wfvBestAngle = clamp(a, wfvLineEnds.x, wfvLineEnds.y);
+  wfvBestOffset = r - t * chord;
+  return length(wfvBestOffset);
+}
+
+// line_nearest.glsl
+float wfvFindNearest(vec2 p);
+float wfvSampleDistance(vec2 p);
+
+// True where the strip holds a sample so far from it.
+bool wfvInside(float d)
+{
+  vec2 away = d > 0.0 ? wfvBestOffset / d : vec2(0.0);
+  return d + dot(away, WFV_LINE_TIE) <= 0.5 * wfvLineWidth;
+}
+
+// Coverage of the pixel, or of each of its samples, by the strip.
+bool wfvCoverage(vec2 p, float d)
+{
+  float half_ = 0.5 * wfvLineWidth;
+  if (wfvSamples <= 1)
+  {
+    return wfvInside(d);
+  }
+  int mask = wfvInside(d) ? -1 : 0;
+  if (abs(d - half_) < WFV_LINE_SAMPLE)
+  {
+    mask = 0;
+    for (int i = 0; i < wfvSamples; i++)
+    {
+      mask |= wfvInside(wfvSampleDistance(p + wfvSampleOffsets[i])) ? 1 << i : 0;
+    }
+  }
+#ifdef GL_ARB_sample_shading
+  gl_SampleMask[0] = mask;
+#endif
+  return mask != 0;
+}
+
+// Parameter of the point of the line that is seen at the angle a.
+float wfvLineParameter(float a)
+{
+  vec4 e = wfvLineEnds;
+  if (e.y - e.x <= 0.0)
+  {
+    // it points at the eye: its nearest end, or where it enters the near sphere
+    float near = (1.0 + 1e-6) * wfvView.radii.x / wfvScale();
+    float t = e.z < e.w ? 0.0 : 1.0;
+    return min(e.z, e.w) < near && max(e.z, e.w) > near ? (near - e.z) / (e.w - e.z) : t;
+  }
+  float first = sin(max(a - e.x, 0.0)) * e.z;
+  float second = sin(max(e.y - a, 0.0)) * e.w;
+  return a <= e.x ? 0.0 : (a >= e.y ? 1.0 : first / (first + second));
+}
+
+void wfvUnpack()
+{
+  wfvArcTop = wfvLineTop;
+  wfvArcSide = wfvLineSide;
+  wfvArcEnds = wfvLineEnds;
+  wfvArcCut = wfvLineMode < 2 ? WFV_NO_CUT : wfvLineMap.x;
+  wfvArcDelta = wfvLineMode < 2 ? 1.0 : abs(wfvLineMap.y);
+  wfvArcJump = wfvLineMode >= 2 && wfvLineMap.y < 0.0;
+}
+
+void wfvPrepare()
+{
+#ifdef GL_ARB_sample_shading
+  gl_SampleMask[0] = -1;
+#endif
+  wfvUnpack();
+  vec2 ndc = 2.0 * (gl_FragCoord.xy - wfvViewport.xy) / wfvViewport.zw - 1.0;
+  bool inside = wfvUnproject((ndc - wfvTile.zw) / wfvTile.xy, wfvView).inside;
+  vec2 p = gl_FragCoord.xy - wfvViewport.xy - 0.5 * wfvViewport.zw;
+  float d = wfvFindNearest(p);
+  wfvAlong = wfvLineParameter(wfvBestAngle);
+  vec3 at = mix(wfvLineEnds.z * wfvArcAt(wfvLineEnds.x), wfvLineEnds.w * wfvArcAt(wfvLineEnds.y),
+    wfvAlong);
+  float rho = length(at) * wfvScale();
+  wfvDepth = wfvDepthOf(rho, wfvView);
+  wfvInterpolate();
+  // a pixel that the other part of a line draws has no sample inside
+  inside = inside && d < 1e8 && wfvCoverage(p, d);
+  wfvHide = !inside || !(wfvDepth >= 0.0 && wfvDepth <= 1.0);
+}
+
+// Normal of a line for its light: across it, and towards the eye.
+vec3 wfvLineNormal(vec3 direction, vec3 position)
+{
+  vec3 n = cross(cross(direction, -position), direction);
+  float l = length(n);
+  return l > 0.0 ? n / l : normalize(-position);
+}

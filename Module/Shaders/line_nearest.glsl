@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Fragment side of lines, technique exact: the point of an arc of any kind that is nearest in
+// the map, by Newton's method from the chords between its knots.
+
+// A place on the arc to start from: angle and the range in which the image is in one
+// piece; the azimuth this is continued from.
+struct WfvStart
+{
+  float a;
+  float lo;
+  float hi;
+  float ref;
+};
+
+WfvStart wfvStarts[2];
+int wfvStartCount;
+
+// Radians by which the part in front of a jump ends before it: a nearest point at the jump
+// then belongs to one part, whose shape is on the right side.
+const float WFV_CUT_GAP = 1e-6;
+float wfvBeforeCut;
+
+// Newton's steps: from a chord, and from the centre of the pixel to a sample of it.
+const int WFV_LINE_STEPS = 5;
+const int WFV_LINE_SAMPLE_STEPS = 2;
+
+// Pixels that the differences reach, each way, by which slopes are measured.
+const float WFV_LINE_DIFFERENCE = 2.0;
+
+// Smallest share of the squared speed that stays of it where the image bends away.
+const float WFV_LINE_DAMPING = 0.3;
+
+// Largest step, in turns of wfvStepped.
+const float WFV_LINE_LONGEST_STEP = 0.7;
+
+// The angle `turn` farther on, in units that grow with the distance from where the image
+// bends: the far from top, the larger.
+float wfvStepped(float a, float turn)
+{
+  float base = abs(a) > 0.5 * WFV_PI ? (a < 0.0 ? -WFV_PI : WFV_PI) : 0.0;
+  float b = a - base;
+  return base + b * cosh(turn) + sqrt(b * b + wfvArcDelta * wfvArcDelta) * sinh(turn);
+}
+
+// Newton's step on the squared distance of p, from the angle c; in turns of wfvStepped.
+float wfvNewtonTurn(vec2 p, float c, float ref)
+{
+  float h = WFV_LINE_DIFFERENCE * wfvPixelAngle();
+  vec2 before = wfvArcPixel(wfvStepped(c, -h), ref);
+  vec2 here = wfvArcPixel(c, ref);
+  vec2 behind = wfvArcPixel(wfvStepped(c, h), ref);
+  vec2 slope = (behind - before) / (2.0 * h);
+  vec2 bend = (behind - 2.0 * here + before) / (h * h);
+  vec2 r = wfvAcrossSeam(p - here);
+  float speed = dot(slope, slope);
+  float m = max(speed - dot(r, bend), WFV_LINE_DAMPING * speed);
+  float turn = m > 0.0 ? dot(r, slope) / m : 0.0;
+  return clamp(turn, -WFV_LINE_LONGEST_STEP, WFV_LINE_LONGEST_STEP);
+}
+
+// Newton's method from a start, which it leaves at the result; a step that leads away is
+// halved.
+void wfvRefine(vec2 p, int which, int steps)
+{
+  WfvStart s = wfvStarts[which];
+  float h = WFV_LINE_DIFFERENCE * wfvPixelAngle();
+  float nearest = 1e9;
+  float a = s.a;
+  for (int i = 0; i <= steps; i++)
+  {
+    vec2 r = wfvAcrossSeam(p - wfvArcPixel(s.a, s.ref));
+    float d = length(r);
+    if (d < wfvBestDistance)
+    {
+      wfvBestDistance = d;
+      wfvBestOffset = r;
+      wfvBestAngle = s.a;
+    }
+    if (d >= nearest)
+    {
+      s.a = 0.5 * (a + s.a);
+      continue;
+    }
+    nearest = d;
+    a = s.a;
+    // no slopes across a jump
+    float c = s.lo == wfvArcCut ? max(a, wfvStepped(s.lo, h)) : a;
+    c = s.hi == wfvBeforeCut ? min(c, wfvStepped(s.hi, -h)) : c;
+    s.a = clamp(wfvStepped(c, wfvNewtonTurn(p, c, s.ref)), s.lo, s.hi);
+  }
+  wfvStarts[which].a = a;
+}
+
+float wfvScanned[2]; // distances of the starts from their chords
+
+// Puts the two nearest chords between knots, not side by side, into the starts.
+void wfvScan(vec2 p, float lo, float hi, float ref)
+{
+  float a = lo;
+  vec2 from = wfvArcPixel(lo, ref);
+  int last = -2;
+  for (int i = 1; i <= 4 * WFV_KNOTS; i++)
+  {
+    float b = i == 4 * WFV_KNOTS ? hi : clamp(wfvKnot(i), lo, hi);
+    if (!(b > a))
+    {
+      continue;
+    }
+    vec2 to = wfvArcPixel(b, ref);
+    vec2 r = wfvAcrossSeam(p - 0.5 * (from + to)) + 0.5 * (to - from);
+    float t = wfvOnChord(r, to - from);
+    float d = length(r - t * (to - from));
+    WfvStart s = WfvStart(mix(a, b, t), lo, hi, ref);
+    if (d < wfvScanned[0])
+    {
+      bool beside = last == i - 1;
+      wfvStarts[1] = beside ? wfvStarts[1] : wfvStarts[0];
+      wfvScanned[1] = beside ? wfvScanned[1] : wfvScanned[0];
+      wfvStarts[0] = s;
+      wfvScanned[0] = d;
+      last = i;
+    }
+    else if (d < wfvScanned[1] && last != i - 1)
+    {
+      wfvStarts[1] = s;
+      wfvScanned[1] = d;
+    }
+    a = b;
+    from = to;
+  }
+}
+
+// The starts for an arc of any kind.
+void wfvStartAnywhere(vec2 p)
+{
+  wfvScanned[0] = wfvScanned[1] = 1e9;
+  float lo = wfvLineEnds.x;
+  float hi = wfvLineEnds.y;
+  if (wfvArcCut < WFV_NO_CUT)
+  {
+    wfvScan(p, lo, wfvBeforeCut, wfvArcRef(lo, wfvArcCut));
+    lo = wfvArcCut;
+  }
+  wfvScan(p, lo, hi, wfvArcRef(lo, hi));
+  wfvStartCount = wfvScanned[1] < 1e9 ? 2 : 1;
+}
+
+void wfvStartDots()
+{
+  for (int i = 0; i < 2; i++)
+  {
+    float a = wfvLineEnds[i];
+    wfvStarts[i] = WfvStart(a, a, a, wfvArcRef(a, a));
+  }
+  wfvStartCount = 2;
+}
+
+void wfvStartOnChord(vec2 p)
+{
+  vec2 chord = wfvLineMap.zw - wfvLineMap.xy;
+  vec2 r = wfvAcrossSeam(p - 0.5 * (wfvLineMap.xy + wfvLineMap.zw)) + 0.5 * chord;
+  float t = wfvOnChord(r, chord);
+  wfvStarts[0] = WfvStart(mix(wfvLineEnds.x, wfvLineEnds.y, t), wfvLineEnds.x, wfvLineEnds.y,
+    wfvArcRef(wfvLineEnds.x, wfvLineEnds.y));
+  wfvStartCount = 1;
+}
+
+// Distance of p from the image of the arc, pixels.
+float wfvDistance(vec2 p, int steps)
+{
+  wfvBestDistance = 1e9;
+  for (int i = 0; i < wfvStartCount; i++)
+  {
+    wfvRefine(p, i, steps);
+  }
+  return wfvBestDistance;
+}
+
+// Finds the point of the line nearest to p; its distance from p, or what is more than any
+// width where another part of the line's shape draws it.
+float wfvFindNearest(vec2 p)
+{
+  wfvBeforeCut = wfvArcCut - WFV_CUT_GAP;
+  if (wfvLineMode == 0)
+  {
+    return wfvChordDistance(p);
+  }
+  if (wfvLineMode == 1)
+  {
+    wfvStartOnChord(p);
+  }
+  else if (wfvLineMode == 2)
+  {
+    wfvStartAnywhere(p);
+  }
+  else
+  {
+    wfvStartDots();
+  }
+  float d = wfvDistance(p, WFV_LINE_STEPS);
+  bool own = wfvLineMode == 1 || (wfvBestAngle >= wfvLineMap.z && wfvBestAngle < wfvLineMap.w);
+  return own ? d : 1e9;
+}
+
+float wfvSampleDistance(vec2 p)
+{
+  return wfvLineMode == 0 ? wfvChordDistance(p) : wfvDistance(p, WFV_LINE_SAMPLE_STEPS);
+}

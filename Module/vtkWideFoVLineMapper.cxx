@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWideFoVLineMapper.h"
+
+#include "vtkActor.h"
+#include "vtkOpenGLHelper.h"
+#include "vtkOpenGLIndexBufferObject.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkProperty.h"
+
+#include <algorithm>
+
+namespace
+{
+// The exact variant takes any arc, but about 26 times as long as hardware lines on
+// llvmpipe: with the technique "auto" more lines than these are drawn as chords.
+constexpr int MostExactLines = 500;
+
+// What another class may know of a mapper only from inside.
+class LineAccess : public vtkOpenGLPolyDataMapper
+{
+public:
+  static bool DrawsSelection(vtkOpenGLPolyDataMapper* mapper)
+  {
+    return mapper->*(&LineAccess::DrawingSelection);
+  }
+
+  static const vtkOpenGLHelper* Buffer(vtkOpenGLPolyDataMapper* mapper)
+  {
+    return mapper->*(&LineAccess::LastBoundBO);
+  }
+};
+}
+
+namespace wfv
+{
+float LineWidth(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor)
+{
+  vtkProperty* property = actor->GetProperty();
+  const bool selection = LineAccess::DrawsSelection(mapper);
+  return std::max(1.0f, selection ? property->GetSelectionLineWidth() : property->GetLineWidth());
+}
+
+bool HasFewLines(vtkOpenGLPolyDataMapper* mapper)
+{
+  const vtkOpenGLHelper* buffer = LineAccess::Buffer(mapper);
+  return buffer && buffer->IBO && buffer->IBO->IndexCount <= 2 * MostExactLines;
+}
+}

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the stage asks a mapper about the lines that it is about to draw.
+#ifndef vtkWideFoVLineMapper_h
+#define vtkWideFoVLineMapper_h
+
+class vtkActor;
+class vtkOpenGLPolyDataMapper;
+
+namespace wfv
+{
+// Pixels. Thinner than one there would be gaps, and the hardware's lines are not either.
+float LineWidth(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor);
+
+// True where the technique "auto" draws them by the exact variant.
+bool HasFewLines(vtkOpenGLPolyDataMapper* mapper);
+}
+
+#endif

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWideFoVLineShaders.h"
+
+#include "WideFoVGlsl.h"
+
+#include <algorithm>
+
+namespace wfv
+{
+namespace line
+{
+using namespace shader;
+
+namespace
+{
+// OpenGL 3.2 lets a geometry stage write so many components, over all its vertices.
+constexpr int MaxComponents = 1024;
+
+// Of one vertex, beside the varyings: position, primitive number, and what
+// line_geometry.glsl writes (3 + 3 + 4 + 4 + 1).
+constexpr int OwnComponents = 4 + 1 + 15;
+
+// Rectangles that the stage may emit: more than these it never needs; with fewer than
+// these a window is too small a price.
+constexpr int MostQuads = 12;
+constexpr int FewestQuads = 3;
+
+// Where the stock mapper has found the normal of a line.
+const char* const StockNormal =
+  "  else { normalVCVSOutput = normalize(cross(vec3(fdy.y, -fdy.x, 0.0), fdy));}\n";
+
+int LineVertices(const std::vector<Varying>& varyings)
+{
+  const int quads = MaxComponents / (4 * (OwnComponents + CornerComponents(varyings, 2)));
+  return 4 * std::min(std::max(quads, FewestQuads), MostQuads);
+}
+
+// The stock normal lies across the line and towards the viewer, by derivatives, which a
+// strip has none of along its width: from the ends of the line and the pixel's own
+// direction instead.
+void RewriteNormal(const std::vector<Varying>& varyings, std::string& fragment)
+{
+  for (size_t i = 0; i < varyings.size(); i++)
+  {
+    if (varyings[i].Name == "vertexVCVSOutput")
+    {
+      const std::string direction = Corner(i, 1) + ".xyz - " + Corner(i, 0) + ".xyz";
+      ReplaceAll(fragment, StockNormal,
+        "  normalVCVSOutput = wfvLineNormal(" + direction + ", vertexVC.xyz);\n");
+    }
+  }
+}
+}
+
+bool Draws(const Request& r)
+{
+  const Family axis = r.Projection->Axis;
+  return r.Kind == Primitive::Lines && r.Stage == vtkWideFoVShaderBuilder::Variant::Exact &&
+    (axis == Family::Meridian || axis == Family::Azimuthal) && !r.Projection->FlatRim;
+}
+
+std::string GeometrySource(const std::vector<Varying>& varyings)
+{
+  return Define("WFV_LINE_VERTICES", LineVertices(varyings)) + line_arc_glsl + line_frame_glsl +
+    CornerOutputs(varyings, 2) + line_geometry_glsl;
+}
+
+std::string FragmentSource(const std::vector<Varying>& varyings, std::string& fragment)
+{
+  RewriteNormal(varyings, fragment);
+  return std::string(line_arc_glsl) + line_fragment_glsl + line_nearest_glsl +
+    CornerInputs(varyings, { "(1.0 - wfvAlong)", "wfvAlong" });
+}
+}
+}
