@@ -61,7 +61,8 @@ void vtkWideFoVStages::Begin(
   {
     stage->SetView(renderer, camera, tolerance);
     stage->SetClipless(technique == vtkWideFoVPass::VERTEX);
-    stage->SetByRay(technique != vtkWideFoVPass::PRECLIP);
+    stage->SetByRay(technique == vtkWideFoVPass::TESSELLATE ||
+      (technique == vtkWideFoVPass::AUTO && tolerance < PlainTolerance));
     stage->SetExactLines(this->Technique == vtkWideFoVPass::AUTO);
     stage->ResetNumberOfDraws();
   }
