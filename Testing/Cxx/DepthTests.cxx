@@ -133,11 +133,43 @@ TEST(Depth, ThePictureIsTheSameInEveryMappingAndInTheDebugView)
   }
 }
 
+namespace
+{
+// Of the depth buffer from the mapping of the distances, over the pixels with a surface.
+struct DepthErrors
+{
+  int Seen = 0;
+  int Above = 0; // those farther off than `rounding`
+  double Worst = 0;
+};
+
+DepthErrors Compare(
+  const std::vector<float>& distance, vtkFloatArray* z, const wfv::WfvView& view, double rounding)
+{
+  DepthErrors errors;
+  for (size_t i = 0; i < distance.size(); i++)
+  {
+    if (std::isfinite(distance[i]))
+    {
+      const double error = std::abs(z->GetValue(i) - wfv::wfvDepthOf(distance[i], view));
+      errors.Seen++;
+      errors.Above += error >= rounding;
+      errors.Worst = std::max(errors.Worst, error);
+    }
+  }
+  return errors;
+}
+}
+
 // What the buffer holds is the mapping of the distance that the data pass shows.
 TEST(Depth, TheBufferHoldsTheMappingOfTheDistance)
 {
   // of float32 depth and of the distance that it comes from, by a float32 logarithm
   constexpr double Rounding = 2e-6;
+  // where a surface is seen nearly edge-on, its plane and its corners give distances apart
+  // by that rounding over the sine of the angle; in a few pixels only
+  constexpr double Grazing = 2e-5;
+  constexpr int FewPixels = 8;
   for (const char* projection : Wide)
   {
     for (int mapping : { vtkWideFoVCamera::LOGARITHMIC, vtkWideFoVCamera::REVERSED })
@@ -155,18 +187,10 @@ TEST(Depth, TheBufferHoldsTheMappingOfTheDistance)
       test.Window->Render();
       const std::vector<float> distance = Values(data->GetOutput(), "distance");
       const wfv::WfvView view = test.Camera->GetView(2).GetParameters();
-      int seen = 0;
-      double worst = 0;
-      for (size_t i = 0; i < distance.size(); i++)
-      {
-        if (std::isfinite(distance[i]))
-        {
-          seen++;
-          worst = std::max(worst, std::abs(z->GetValue(i) - wfv::wfvDepthOf(distance[i], view)));
-        }
-      }
-      EXPECT_GT(seen, 128 * 100) << projection;
-      EXPECT_LT(worst, Rounding) << projection << " " << Names[mapping];
+      const DepthErrors errors = Compare(distance, z, view, Rounding);
+      EXPECT_GT(errors.Seen, 128 * 100) << projection;
+      EXPECT_LE(errors.Above, FewPixels) << projection << " " << Names[mapping];
+      EXPECT_LT(errors.Worst, Grazing) << projection << " " << Names[mapping];
     }
   }
 }
