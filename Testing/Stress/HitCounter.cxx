@@ -3,6 +3,7 @@
 
 #include "vtkWideFoVCamera.h"
 #include "vtkWideFoVPass.h"
+#include "vtkWideFoVPolyDataMapper.h"
 #include "vtkWideFoVRenderer.h"
 
 #include <vtkActor.h>
@@ -57,6 +58,7 @@ struct HitCounter::Internals
   vtkNew<vtkCameraPass> CameraPass;
   vtkNew<AddingPass> Adding;
   vtkNew<vtkPolyDataMapper> Mapper;
+  vtkNew<vtkWideFoVPolyDataMapper> WideMapper; // what tessellates needs it
   vtkNew<vtkActor> Actor;
 };
 
@@ -69,7 +71,7 @@ HitCounter::HitCounter()
   in.Window->AddRenderer(in.Renderer);
   in.Renderer->SetActiveCamera(in.Camera);
   in.Mapper->ScalarVisibilityOff();
-  in.Actor->SetMapper(in.Mapper);
+  in.WideMapper->ScalarVisibilityOff();
   in.Actor->GetProperty()->LightingOff();
   in.Actor->GetProperty()->SetColor(1. / 255, 1. / 255, 1. / 255);
   in.Renderer->AddActor(in.Actor);
@@ -84,7 +86,13 @@ std::vector<unsigned char> HitCounter::Count(
   vtkPolyData* mesh, const test::Shot& shot, int technique, double tolerance)
 {
   Internals& in = *this->Internal;
-  in.Mapper->SetInputData(mesh);
+  vtkPolyDataMapper* mapper = in.Mapper;
+  if (technique == vtkWideFoVPass::TESSELLATE)
+  {
+    mapper = in.WideMapper;
+  }
+  mapper->SetInputData(mesh);
+  in.Actor->SetMapper(mapper);
   in.Pass->SetTechnique(technique);
   in.Pass->SetTolerance(tolerance);
   in.Window->SetSize(shot.Width, shot.Height);

@@ -43,8 +43,8 @@ void SetFieldOfView(test::Shot& shot, Random& random, const Projection& p)
   const double fov =
     random.Chance(0.5) ? widest : random.Choose(std::vector<double>{ 30, 60, 120, 180, 270, 350 });
   ViewOptions& o = shot.Options;
-  o.HorizontalFov = std::min(fov, widest);
-  o.VerticalFov = std::min(o.HorizontalFov / 2, p.MaxVerticalFov);
+  o.HorizontalFov = std::clamp(fov, p.MinHorizontalFov, widest);
+  o.VerticalFov = std::clamp(o.HorizontalFov / 2, p.MinVerticalFov, p.MaxVerticalFov);
   if (p.Axis == Family::Azimuthal)
   {
     o.VerticalFov = std::min(o.HorizontalFov, p.MaxVerticalFov);
