@@ -43,6 +43,42 @@ void ViewBounds(
   }
 }
 
+// Square of the distance of its farthest corner.
+double Farthest2(const double low[3], const double high[3])
+{
+  double sum = 0;
+  for (int i = 0; i < 3; i++)
+  {
+    sum += std::pow(std::max(std::abs(low[i]), std::abs(high[i])), 2);
+  }
+  return sum;
+}
+
+// Makes it so much larger that it holds all that looks no farther from it than `reach`.
+void Grow(double low[3], double high[3], double reach)
+{
+  const double by = reach * std::sqrt(Farthest2(low, high));
+  for (int i = 0; i < 3; i++)
+  {
+    low[i] -= by;
+    high[i] += by;
+  }
+}
+
+// True where the borders of the picture are those of the whole sphere: its discontinuities.
+bool ShowsAll(const wfv::Projection& projection, const wfv::WfvView& view)
+{
+  switch (projection.Axis)
+  {
+    case wfv::Family::Meridian:
+      return view.halfFov.x >= vtkMath::Pi() && view.halfFov.y >= 0.5 * vtkMath::Pi();
+    case wfv::Family::Azimuthal:
+      return view.maxAngle >= vtkMath::Pi();
+    default:
+      return projection.Axis == wfv::Family::Faces;
+  }
+}
+
 // Smallest distance of a rectangle from the origin of its plane.
 double NearestInPlane(double low0, double high0, double low1, double high1)
 {
@@ -86,15 +122,16 @@ bool MeetsDiscontinuity(
 }
 
 bool vtkWideFoVNeedsPreClip(const wfv::Projection& projection, const wfv::WfvView& view,
-  const double bounds[6], const double worldToView[16])
+  const double bounds[6], const double worldToView[16], double reach)
 {
-  if (view.bend > PlainBend)
+  if (view.bend > PlainBend || (reach > 0 && !ShowsAll(projection, view)))
   {
     return true;
   }
   double low[3];
   double high[3];
   ViewBounds(bounds, worldToView, view, low, high);
+  Grow(low, high, reach);
   return MeetsDiscontinuity(projection, low, high);
 }
 
@@ -106,11 +143,7 @@ double vtkWideFoVChordError(const wfv::WfvView& view, const double bounds[6],
   ViewBounds(bounds, worldToView, view, low, high);
   const double flat = NearestInPlane(low[0], high[0], low[2], high[2]);
   const double nearest = std::hypot(flat, std::max({ low[1], -high[1], 0.0 }));
-  double farthest2 = 0;
-  for (int i = 0; i < 3; i++)
-  {
-    farthest2 += std::pow(std::max(std::abs(low[i]), std::abs(high[i])), 2);
-  }
+  const double farthest2 = Farthest2(low, high);
   const double angle = nearest > 0 ? longestEdge / nearest : VTK_DOUBLE_MAX;
   // no direction of the box is nearer to a pole, or to the antipode, than this
   const double round = NearestInPlane(low[0], high[0], low[1], high[1]);

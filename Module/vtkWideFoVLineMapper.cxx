@@ -24,6 +24,16 @@ public:
     return mapper->*(&LineAccess::DrawingSelection);
   }
 
+  // Of the points that are drawn to pick points, or 0.
+  static int PickingSize(vtkOpenGLPolyDataMapper* mapper)
+  {
+    const vtkOpenGLHelper* buffer = Buffer(mapper);
+    const int type = buffer ? buffer->PrimitiveType : static_cast<int>(PrimitivePoints);
+    return mapper->*(&LineAccess::PointPicking)
+      ? (mapper->*(&LineAccess::GetPointPickingPrimitiveSize))(type)
+      : 0;
+  }
+
   static const vtkOpenGLHelper* Buffer(vtkOpenGLPolyDataMapper* mapper)
   {
     return mapper->*(&LineAccess::LastBoundBO);
@@ -38,6 +48,15 @@ float LineWidth(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor)
   vtkProperty* property = actor->GetProperty();
   const bool selection = LineAccess::DrawsSelection(mapper);
   return std::max(1.0f, selection ? property->GetSelectionLineWidth() : property->GetLineWidth());
+}
+
+float PointSize(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor)
+{
+  const int picking = LineAccess::PickingSize(mapper);
+  vtkProperty* property = actor->GetProperty();
+  const bool selection = LineAccess::DrawsSelection(mapper);
+  const float size = selection ? property->GetSelectionPointSize() : property->GetPointSize();
+  return picking > 0 ? static_cast<float>(picking) : std::max(1.0f, size);
 }
 
 bool HasFewLines(vtkOpenGLPolyDataMapper* mapper)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the stage asks a mapper about the lines that it is about to draw.
+// What the stage asks a mapper about the lines or points that it is about to draw.
 #ifndef vtkWideFoVLineMapper_h
 #define vtkWideFoVLineMapper_h
 
@@ -10,6 +10,9 @@ namespace wfv
 {
 // Pixels. Thinner than one there would be gaps, and the hardware's lines are not either.
 float LineWidth(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor);
+
+// Pixels. Those that are drawn to pick points have a size of their own.
+float PointSize(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor);
 
 // True where the technique "auto" draws them by the exact variant.
 bool HasFewLines(vtkOpenGLPolyDataMapper* mapper);

@@ -20,6 +20,9 @@ constexpr int MaxComponents = 1024;
 // line_geometry.glsl writes (3 + 3 + 4 + 4 + 1).
 constexpr int OwnComponents = 4 + 1 + 15;
 
+// And where the map does not show the whole of an arc.
+constexpr int RangeComponents = 2;
+
 // Rectangles that the stage may emit: more than these it never needs; with fewer than
 // these a window is too small a price.
 constexpr int MostQuads = 12;
@@ -29,9 +32,11 @@ constexpr int FewestQuads = 3;
 const char* const StockNormal =
   "  else { normalVCVSOutput = normalize(cross(vec3(fdy.y, -fdy.x, 0.0), fdy));}\n";
 
-int LineVertices(const std::vector<Varying>& varyings)
+int LineVertices(const Request& r, const std::vector<Varying>& varyings)
 {
-  const int quads = MaxComponents / (4 * (OwnComponents + CornerComponents(varyings, 2)));
+  const bool cut = r.Projection->Axis == Family::Faces || r.Projection->FlatRim;
+  const int own = OwnComponents + (cut ? RangeComponents : 0);
+  const int quads = MaxComponents / (4 * (own + CornerComponents(varyings, 2)));
   return 4 * std::min(std::max(quads, FewestQuads), MostQuads);
 }
 
@@ -54,15 +59,15 @@ void RewriteNormal(const std::vector<Varying>& varyings, std::string& fragment)
 
 bool Draws(const Request& r)
 {
-  const Family axis = r.Projection->Axis;
   return r.Kind == Primitive::Lines && r.Stage == vtkWideFoVShaderBuilder::Variant::Exact &&
-    (axis == Family::Meridian || axis == Family::Azimuthal) && !r.Projection->FlatRim;
+    r.Projection->Axis != Family::Planar;
 }
 
-std::string GeometrySource(const std::vector<Varying>& varyings)
+std::string GeometrySource(const Request& r, const std::vector<Varying>& varyings)
 {
-  return Define("WFV_LINE_VERTICES", LineVertices(varyings)) + line_arc_glsl + line_frame_glsl +
-    CornerOutputs(varyings, 2) + line_geometry_glsl;
+  return Define("WFV_LINE_VERTICES", LineVertices(r, varyings)) + line_arc_glsl + line_frame_glsl +
+    CornerOutputs(varyings, 2) + line_geometry_glsl +
+    (r.Projection->Axis == Family::Faces ? line_on_faces_glsl : "");
 }
 
 std::string FragmentSource(const std::vector<Varying>& varyings, std::string& fragment)

@@ -10,12 +10,12 @@ namespace wfv
 {
 namespace line
 {
-// True where lines are drawn so: the exact variant, in projections that have a pole or an
-// antipode to start from.
+// True where lines are drawn so: the exact variant, but where they are straight anyway.
 bool Draws(const shader::Request& request);
 
 // The geometry stage, behind the mathematics of the view and the pre-clip's own.
-std::string GeometrySource(const std::vector<shader::Varying>& varyings);
+std::string GeometrySource(
+  const shader::Request& request, const std::vector<shader::Varying>& varyings);
 
 // Declarations of the fragment stage, behind the mathematics of the view. The stock text
 // is changed where it finds a line's normal from derivatives across the picture.

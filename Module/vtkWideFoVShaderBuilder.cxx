@@ -4,6 +4,7 @@
 #include "WideFoVGlsl.h"
 #include "vtkWideFoVShaderArrays.h"
 #include "vtkWideFoVLineShaders.h"
+#include "vtkWideFoVPointShaders.h"
 #include "vtkWideFoVQuadricShaders.h"
 #include "vtkWideFoVShaderText.h"
 
@@ -50,12 +51,16 @@ std::string LineOutputs(const std::vector<Varying>& varyings)
   return declarations + "void wfvWriteMix(float t)\n{\n" + body + "}\n";
 }
 
-// The geometry stage of lines or triangles, behind what all have.
+// The geometry stage of points, lines or triangles, behind what all have.
 std::string PrimitiveSource(const Request& r, const std::vector<Varying>& varyings)
 {
+  if (wfv::point::Draws(r))
+  {
+    return wfv::point::GeometrySource(varyings);
+  }
   if (wfv::line::Draws(r))
   {
-    return wfv::line::GeometrySource(varyings);
+    return wfv::line::GeometrySource(r, varyings);
   }
   if (r.Kind == Primitive::Lines)
   {
@@ -70,8 +75,9 @@ std::string PrimitiveSource(const Request& r, const std::vector<Varying>& varyin
 
 std::string GeometrySource(const Request& r, const std::vector<Varying>& varyings)
 {
-  std::string source = "//VTK::System::Dec\n" + ViewSource(r) + preclip_glsl +
-    (r.DebugView ? debug_kinds_glsl : "") + PrimitiveSource(r, varyings);
+  std::string source = "//VTK::System::Dec\n" + ViewSource(r) +
+    (r.Kind == Primitive::Points ? "" : preclip_glsl) + (r.DebugView ? debug_kinds_glsl : "") +
+    PrimitiveSource(r, varyings);
   if (r.Stage == vtkWideFoVShaderBuilder::Variant::Tessellate)
   {
     ReplaceAll(source, "gl_PrimitiveIDIn", "wfvPrimitive[0]");
@@ -87,7 +93,7 @@ bool CoversTriangles(const Request& r)
 // True where the fragment stage finds what of the primitive a pixel sees.
 bool Covers(const Request& r)
 {
-  return CoversTriangles(r) || wfv::line::Draws(r);
+  return CoversTriangles(r) || wfv::line::Draws(r) || wfv::point::Draws(r);
 }
 
 // What the fragment stage needs for that.
@@ -98,8 +104,13 @@ std::string CoverFragment(
   {
     return wfv::line::FragmentSource(varyings, fragment);
   }
+  if (wfv::point::Draws(r))
+  {
+    return wfv::point::FragmentSource(varyings, fragment);
+  }
   return std::string(ray_fragment_glsl) + cover_fragment_glsl + chord_fragment_glsl +
-    surface_fragment_glsl + CornerInputs(varyings, { "wfvB.x", "wfvB.y", "wfvB.z" });
+    surface_fragment_glsl + (r.Edges || r.DebugView ? edge_distance_glsl : "") +
+    CornerInputs(varyings, { "wfvB.x", "wfvB.y", "wfvB.z" });
 }
 
 // What the debug view adds to the fragment stage.
@@ -113,6 +124,13 @@ std::string DebugSource(const Request& r)
   return Define("WFV_DEBUG_TRIANGLES", CoversTriangles(r)) + "#define WFV_DEBUG_KIND " +
     (triangles ? "WFV_KIND_VERTEX" : "WFV_KIND_OTHER") + "\n" + debug_kinds_glsl +
     debug_fragment_glsl;
+}
+
+// True where points reach across the curved seam of a map.
+bool EndsAtSeam(const Request& r)
+{
+  return r.Kind == Primitive::Points && r.Projection->Axis == wfv::Family::Meridian &&
+    !r.Projection->StraightSeam;
 }
 
 void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
@@ -133,9 +151,10 @@ void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std:
     declarations = depth_fragment_glsl;
     before = "  wfvPrepareDepth();\n" + RewriteDepth(fragment);
   }
-  if (r.Projection->Axis == wfv::Family::Azimuthal)
+  const bool round = r.Projection->Axis == wfv::Family::Azimuthal;
+  if (round || EndsAtSeam(r))
   {
-    declarations += domain_fragment_glsl;
+    declarations += round ? domain_fragment_glsl : seam_fragment_glsl;
     after += "  if (wfvOutsideDomain()) { discard; }\n";
   }
   declarations += DebugSource(r);
@@ -161,7 +180,8 @@ std::string vtkWideFoVShaderBuilder::MakeViewSource(const Request& r)
 
 bool vtkWideFoVShaderBuilder::NeedsGeometryStage(const Request& r)
 {
-  return wfv::quadric::Draws(r.Kind) || (r.Stage != Variant::Plain && r.Kind != Primitive::Points);
+  return wfv::quadric::Draws(r.Kind) || wfv::point::Draws(r) ||
+    (r.Stage != Variant::Plain && r.Kind != Primitive::Points);
 }
 
 void vtkWideFoVShaderBuilder::WrapMain(

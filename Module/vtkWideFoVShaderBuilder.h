@@ -36,6 +36,7 @@ public:
     const wfv::Projection* Projection = nullptr;
     Variant Stage = Variant::Plain;
     Primitive Kind = Primitive::Triangles;
+    bool WidePoints = false;    // points wider than a pixel
     bool WideLines = false;     // lines wider than the hardware draws
     bool Edges = false;         // surface with edges
     bool EdgeFlags = false;     // some edges of the triangles are inside a cell

@@ -51,6 +51,8 @@ public:
     const bool lines = representation == VTK_WIREFRAME || type == PrimitiveLines;
     request.Kind = points ? Primitive::Points : lines ? Primitive::Lines : Primitive::Triangles;
     auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+    request.WidePoints =
+      request.Kind == Primitive::Points && wfv::PointSize(mapper, actor) > 1.0f;
     request.WideLines = request.Kind == Primitive::Lines && window &&
       actor->GetProperty()->GetLineWidth() > window->GetMaximumHardwareLineWidth();
     request.Edges = request.Kind == Primitive::Triangles &&
@@ -211,6 +213,10 @@ void vtkWideFoVStage::SetPropParameters(
   if (polydata && actor && program->IsUniformUsed("wfvLineWidth"))
   {
     program->SetUniformf("wfvLineWidth", wfv::LineWidth(polydata, actor));
+  }
+  if (polydata && actor && program->IsUniformUsed("wfvPointSize"))
+  {
+    program->SetUniformf("wfvPointSize", wfv::PointSize(polydata, actor));
   }
   if (actor && program->IsUniformUsed("wfvPixels"))
   {

@@ -6,13 +6,16 @@
 #include "vtkWideFoVPass.h"
 #include "vtkWideFoVTessellation.h"
 
+#include "vtkActor.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkProp.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -20,6 +23,9 @@ namespace
 // Pixels: who asks for less asks for exact depth and attributes too, which the vertex
 // stage alone does not give.
 constexpr double PlainTolerance = 0.05;
+
+// Factor: how much larger than the mean a pixel's angle may be somewhere in a map.
+constexpr double PixelSafety = 8;
 }
 
 vtkWideFoVStages::vtkWideFoVStages()
@@ -55,6 +61,8 @@ void vtkWideFoVStages::Begin(
   const int* const size = renderer->GetSize();
   this->HalfDiagonal = 0.5 * std::hypot(size[0], size[1]);
   this->View = view.GetParameters();
+  this->PixelAngle = 2 * std::max(this->View.halfFov.x, this->View.halfFov.y) /
+    std::max(1, std::min(size[0], size[1]));
   vtkMatrix4x4::DeepCopy(this->WorldToView, camera->GetModelViewTransformMatrix());
   for (vtkWideFoVStage* stage :
     { this->Plain.Get(), this->PreClip.Get(), this->Exact.Get(), this->Tessellate.Get() })
@@ -86,6 +94,13 @@ bool vtkWideFoVStages::IsFine(vtkProp* prop, const double bounds[6])
         this->Tolerance);
 }
 
+double vtkWideFoVStages::GetPointReach(vtkProp* prop) const
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  const double pixels = actor ? actor->GetProperty()->GetPointSize() : 1;
+  return pixels > 1 ? 0.5 * pixels * PixelSafety * this->PixelAngle : 0;
+}
+
 vtkWideFoVStage* vtkWideFoVStages::Choose(vtkProp* prop)
 {
   if (this->Technique == vtkWideFoVPass::VERTEX)
@@ -105,8 +120,8 @@ vtkWideFoVStage* vtkWideFoVStages::Choose(vtkProp* prop)
   {
     return this->PreClip;
   }
-  const bool torn =
-    vtkWideFoVNeedsPreClip(*this->Projection, this->View, bounds, this->WorldToView);
+  const bool torn = vtkWideFoVNeedsPreClip(
+    *this->Projection, this->View, bounds, this->WorldToView, this->GetPointReach(prop));
   return torn || !this->IsFine(prop, bounds) ? this->PreClip : this->Plain;
 }
 

@@ -39,8 +39,13 @@ private:
   // True where no edge of the prop bends by more than the tolerance, seen from here.
   bool IsFine(vtkProp* prop, const double bounds[6]);
 
+  // Radians: how far beyond their centres the points of a prop may reach; 0 where they are no
+  // larger than a pixel.
+  double GetPointReach(vtkProp* prop) const;
+
   wfv::MeshScale Meshes;
   double Tolerance = 0.25;
+  double PixelAngle = 0; // radians, of a pixel at the most if all were alike
   double HalfDiagonal = 1; // of the picture, pixels
   bool CanTessellate();
 

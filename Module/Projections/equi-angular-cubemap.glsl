@@ -82,6 +82,24 @@ WFV_FN int wfvFaceAt(vec2 m)
   return m.y < 0.0 ? column + 3 : column;
 }
 
+// Direction of a point of a face, from its centre: at most 1 on both axes, or more where its
+// map is carried on beyond its borders.
+WFV_FN vec3 wfvFaceDirection(vec2 onFace, int face)
+{
+  float quarter = 0.25 * WFV_PI;
+  float a = quarter * onFace.x;
+  float b = quarter * onFace.y;
+  vec3 q = vec3(sin(a) * cos(b), sin(b) * cos(a), cos(a) * cos(b));
+  return wfvFromFace(q / wfvHypot(wfvHypot(q.x, q.y), q.z), face);
+}
+
+// From the centre of a face, as wfvFaceDirection takes it.
+WFV_FN vec2 wfvOnFace(vec2 m, int face)
+{
+  vec2 centre = wfvFaceCentre(face);
+  return vec2(3.0 * (m.x - centre.x), 2.0 * (m.y - centre.y));
+}
+
 WFV_FN WfvRay wfvUnproject(vec2 ndc, WfvView v)
 {
   vec2 m = wfvFinite(ndc);
@@ -89,12 +107,9 @@ WFV_FN WfvRay wfvUnproject(vec2 ndc, WfvView v)
   WfvRay ray;
   ray.inside = abs(m.x) <= WFV_BORDER && abs(m.y) <= WFV_BORDER;
   int face = wfvFaceAt(m);
-  vec2 centre = wfvFaceCentre(face);
-  float quarter = 0.25 * WFV_PI;
-  float a = quarter * max(-1.0, min(1.0, 3.0 * (m.x - centre.x)));
-  float b = quarter * max(-1.0, min(1.0, 2.0 * (m.y - centre.y)));
-  vec3 q = vec3(sin(a) * cos(b), sin(b) * cos(a), cos(a) * cos(b));
-  ray.direction = wfvFromFace(q / wfvHypot(wfvHypot(q.x, q.y), q.z), face);
+  vec2 at = wfvOnFace(m, face);
+  at = vec2(max(-1.0, min(1.0, at.x)), max(-1.0, min(1.0, at.y)));
+  ray.direction = wfvFaceDirection(at, face);
   return ray;
 }
 

@@ -18,6 +18,7 @@ bool wfvFront;   // seen from its front
 
 #if WFV_EDGES
 vec3 wfvEdgePixels; // distance in pixels to the edge opposite to corner 0, 1, 2
+vec3 wfvEdgeDistances(); // edge_distance.glsl
 #endif
 
 void wfvInterpolate(); // generated: sets the stock shader's inputs from wfvB
@@ -107,9 +108,7 @@ void wfvPrepare()
   bool covered = (wfvMode & 1) == 0 || wfvCovered();
   covered = covered && wfvDepth >= 0.0 && wfvDepth <= 1.0;
 #if WFV_EDGES
-  vec3 slope = vec3(length(vec2(dFdx(wfvB.x), dFdy(wfvB.x))),
-    length(vec2(dFdx(wfvB.y), dFdy(wfvB.y))), length(vec2(dFdx(wfvB.z), dFdy(wfvB.z))));
-  wfvEdgePixels = abs(wfvB) / max(slope, vec3(1e-12));
+  wfvEdgePixels = wfvEdgeDistances();
 #endif
   wfvInterpolate();
   wfvHide = !covered;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Surface with edges: distance in pixels from the edges of the original triangle, so
-// that what the pre-clip cuts shows no new edge.
+// Surface with edges: those of the original triangle, so that what the pre-clip cuts shows no
+// new edge.
 uniform float lineWidth; // pixels, set by the stock mapper
 uniform vec3 edgeColor;  // set by the stock mapper
 #if WFV_EDGE_FLAGS

@@ -12,8 +12,12 @@ uniform float wfvLineWidth; // pixels
 vec3 wfvArcTop;
 vec3 wfvArcSide;
 vec4 wfvArcEnds;   // angles of the two ends, a0 <= a1, and their distances from the eye
+vec2 wfvArcRange;  // of these angles, those that the map shows
 float wfvArcDelta; // scale of the angles at which the image bends, radians
 float wfvArcCut;   // angle at which the image jumps, or WFV_NO_CUT
+#if WFV_FACES
+int wfvArcFace;    // the face of the cube whose map this is
+#endif
 bool wfvArcJump;   // it jumps because the arc runs through a pole: azimuths stay constant
 
 const float WFV_NO_CUT = 1e9;
@@ -35,6 +39,16 @@ float wfvNearestTurn(float angle, float ref)
   return angle - 2.0 * WFV_PI * floor((angle - ref) / (2.0 * WFV_PI) + 0.5);
 }
 
+// Keeps, of the angles that the map shows, those where cos(a) atTop + sin(a) atSide is not
+// negative: half a turn of them. None: the first is larger than the last.
+void wfvKeepHalf(float atTop, float atSide)
+{
+  float middle = wfvAtan2(atSide, atTop);
+  middle = wfvNearestTurn(middle, 0.5 * (wfvArcRange.x + wfvArcRange.y));
+  wfvArcRange = vec2(max(wfvArcRange.x, middle - 0.5 * WFV_PI),
+    min(wfvArcRange.y, middle + 0.5 * WFV_PI));
+}
+
 // Angles of a direction; the azimuth continued from `ref`, which it is where the arc runs
 // through the pole.
 vec2 wfvArcAngles(vec3 d, float ref)
@@ -53,7 +67,9 @@ vec2 wfvTilePixel(vec2 ndc)
 vec2 wfvArcPixel(float a, float ref)
 {
   vec3 d = wfvArcAt(a);
-#if WFV_MERIDIAN
+#if WFV_FACES
+  return wfvTilePixel(wfvProjectOnFace(d, wfvArcFace, wfvView));
+#elif WFV_MERIDIAN
   return wfvTilePixel(wfvMap(wfvArcAngles(d, ref), wfvView));
 #else
   return wfvTilePixel(wfvArcJump ? wfvMap(wfvArcAngles(d, ref), wfvView) : wfvProject(d, wfvView));
@@ -115,3 +131,33 @@ float wfvPixelAngle()
   return 2.0 * wfvView.halfFov.x / (wfvViewport.z * wfvTile.x);
 #endif
 }
+
+#if WFV_FACES
+// wfvLineMode: the mode and, in this unit, the face.
+const int WFV_FACE_UNIT = 8;
+
+// Pixels round a face within which the line still counts, beside half its width: cuts and
+// rounding.
+const float WFV_FACE_PAD = 2.0;
+
+// Radians: the map of a face is carried on no farther.
+const float WFV_FACE_BEYOND = 0.6;
+
+// Leaves, of the arc, what a face shows with its map carried on beyond its borders by as much
+// as the strip is wide: it is continued there as it is on the face.
+void wfvKeepFace(int face)
+{
+  wfvArcFace = face;
+  wfvArcRange = wfvArcEnds.xy;
+  vec2 pixel = 0.5 * WFV_PI * vec2(3.0, 2.0) / (wfvViewport.zw * wfvTile.xy);
+  float more = (0.5 * wfvLineWidth + WFV_FACE_PAD) * max(pixel.x, pixel.y);
+  float angle = 0.25 * WFV_PI + min(more, WFV_FACE_BEYOND);
+  float t = sin(angle) / cos(angle);
+  vec3 top = wfvInFace(wfvArcTop, face);
+  vec3 side = wfvInFace(wfvArcSide, face);
+  wfvKeepHalf(t * top.z - top.x, t * side.z - side.x);
+  wfvKeepHalf(t * top.z + top.x, t * side.z + side.x);
+  wfvKeepHalf(t * top.z - top.y, t * side.z - side.y);
+  wfvKeepHalf(t * top.z + top.y, t * side.z + side.y);
+}
+#endif

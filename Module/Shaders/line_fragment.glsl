@@ -6,7 +6,9 @@
 // is taken the short way round. So every end is a round cap of that radius, joints of
 // polylines have no notches, and the strip shows on both sides of a seam. Where the arc
 // runs through a pole its image jumps: each side has its own cap. Outside the domain of
-// the map nothing is drawn.
+// the map nothing is drawn. On the faces of a cube each shows the strip as its own map would
+// if it went on beyond the face; a map that ends at a flat rim, where nothing behind it has a
+// place, shows the arc up to there.
 //
 // Depth and attributes are those of the nearest point, mixed between the two ends as
 // space does; where that point lies outside the clip spheres nothing is drawn. A line
@@ -18,7 +20,11 @@ flat in vec3 wfvLineSide;
 flat in vec4 wfvLineEnds;
 flat in vec4 wfvLineMap;
 flat in int wfvLineMode;
+#if WFV_FACES || WFV_FLAT_RIM
+flat in vec2 wfvLineRange;
+#endif
 
+int wfvLineKind;  // of wfvLineMode, the mode alone
 float wfvAlong;   // parameter of the nearest point, from the first end to the second
 float wfvDepth;   // window depth there, 0 to 1
 bool wfvHide;     // not covered: discarded once the stock shader has run
@@ -59,10 +65,14 @@ float wfvChordDistance(vec2 p)
   float t = wfvOnChord(r, chord);
   vec2 ndc = wfvLineMap.xy + t * chord - wfvTilePixel(vec2(0.0));
   ndc = wfvAcrossSeam(ndc) * 2.0 / (wfvViewport.zw * wfvTile.xy);
+#if WFV_FACES
+  vec3 d = wfvFaceDirection(wfvOnFace(ndc / wfvView.scale, wfvArcFace), wfvArcFace);
+#else
   vec3 d = wfvUnproject(ndc, wfvView).direction;
+#endif
   float a = wfvAtan2(dot(d, wfvArcSide), dot(d, wfvArcTop));
-  a = wfvNearestTurn(a, 0.5 * (wfvLineEnds.x + wfvLineEnds.y));
-  wfvBestAngle = clamp(a, wfvLineEnds.x, wfvLineEnds.y);
+  a = wfvNearestTurn(a, 0.5 * (wfvArcRange.x + wfvArcRange.y));
+  wfvBestAngle = clamp(a, wfvArcRange.x, wfvArcRange.y);
   wfvBestOffset = r - t * chord;
   return length(wfvBestOffset);
 }
@@ -78,21 +88,44 @@ bool wfvInside(float d)
   return d + dot(away, WFV_LINE_TIE) <= 0.5 * wfvLineWidth;
 }
 
+// The face that shows a place so many pixels from the centre of the tile; 0 in other maps.
+int wfvShownFace(vec2 p)
+{
+#if WFV_FACES
+  vec2 ndc = 2.0 * p / wfvViewport.zw;
+  return wfvFaceAt((ndc - wfvTile.zw) / wfvTile.xy / wfvView.scale);
+#else
+  return 0;
+#endif
+}
+
+// True where the face drawn here shows that place.
+bool wfvOwns(vec2 p)
+{
+#if WFV_FACES
+  return wfvShownFace(p) == wfvArcFace;
+#else
+  return true;
+#endif
+}
+
 // Coverage of the pixel, or of each of its samples, by the strip.
 bool wfvCoverage(vec2 p, float d)
 {
   float half_ = 0.5 * wfvLineWidth;
   if (wfvSamples <= 1)
   {
-    return wfvInside(d);
+    return wfvInside(d) && wfvOwns(p);
   }
   int mask = wfvInside(d) ? -1 : 0;
-  if (abs(d - half_) < WFV_LINE_SAMPLE)
+  bool whole = wfvOwns(p - 0.5) && wfvOwns(p + 0.5);
+  if (abs(d - half_) < WFV_LINE_SAMPLE || !whole)
   {
     mask = 0;
     for (int i = 0; i < wfvSamples; i++)
     {
-      mask |= wfvInside(wfvSampleDistance(p + wfvSampleOffsets[i])) ? 1 << i : 0;
+      vec2 at = p + wfvSampleOffsets[i];
+      mask |= wfvOwns(at) && wfvInside(wfvSampleDistance(at)) ? 1 << i : 0;
     }
   }
 #ifdef GL_ARB_sample_shading
@@ -117,14 +150,30 @@ float wfvLineParameter(float a)
   return a <= e.x ? 0.0 : (a >= e.y ? 1.0 : first / (first + second));
 }
 
-void wfvUnpack()
+void wfvUnpack(vec2 p)
 {
   wfvArcTop = wfvLineTop;
   wfvArcSide = wfvLineSide;
   wfvArcEnds = wfvLineEnds;
-  wfvArcCut = wfvLineMode < 2 ? WFV_NO_CUT : wfvLineMap.x;
-  wfvArcDelta = wfvLineMode < 2 ? 1.0 : abs(wfvLineMap.y);
-  wfvArcJump = wfvLineMode >= 2 && wfvLineMap.y < 0.0;
+#if WFV_FACES || WFV_FLAT_RIM
+  wfvArcRange = wfvLineRange;
+#else
+  wfvArcRange = wfvLineEnds.xy;
+#endif
+#if WFV_FACES
+  wfvArcFace = wfvLineMode / WFV_FACE_UNIT;
+  wfvLineKind = wfvLineMode - WFV_FACE_UNIT * wfvArcFace;
+  if (wfvLineKind == 5)
+  {
+    wfvKeepFace(wfvShownFace(p));
+  }
+#else
+  wfvLineKind = wfvLineMode;
+#endif
+  bool parts = wfvLineKind == 2 || wfvLineKind == 3;
+  wfvArcCut = parts ? wfvLineMap.x : WFV_NO_CUT;
+  wfvArcDelta = parts ? abs(wfvLineMap.y) : 1.0;
+  wfvArcJump = parts && wfvLineMap.y < 0.0;
 }
 
 void wfvPrepare()
@@ -132,10 +181,10 @@ void wfvPrepare()
 #ifdef GL_ARB_sample_shading
   gl_SampleMask[0] = -1;
 #endif
-  wfvUnpack();
+  vec2 p = gl_FragCoord.xy - wfvViewport.xy - 0.5 * wfvViewport.zw;
+  wfvUnpack(p);
   vec2 ndc = 2.0 * (gl_FragCoord.xy - wfvViewport.xy) / wfvViewport.zw - 1.0;
   bool inside = wfvUnproject((ndc - wfvTile.zw) / wfvTile.xy, wfvView).inside;
-  vec2 p = gl_FragCoord.xy - wfvViewport.xy - 0.5 * wfvViewport.zw;
   float d = wfvFindNearest(p);
   wfvAlong = wfvLineParameter(wfvBestAngle);
   vec3 at = mix(wfvLineEnds.z * wfvArcAt(wfvLineEnds.x), wfvLineEnds.w * wfvArcAt(wfvLineEnds.y),

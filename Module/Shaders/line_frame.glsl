@@ -21,8 +21,8 @@ float wfvSeamAngle()
   {
     // where x is 0: one of the two lies behind the eye
     float a = wfvAtan2(-s * wfvArcTop.x, s * wfvArcSide.x);
-    a = wfvNearestTurn(a, 0.5 * (wfvArcEnds.x + wfvArcEnds.y));
-    if (a > wfvArcEnds.x && a < wfvArcEnds.y && wfvArcAt(a).z > 0.0)
+    a = wfvNearestTurn(a, 0.5 * (wfvArcRange.x + wfvArcRange.y));
+    if (a > wfvArcRange.x && a < wfvArcRange.y && wfvArcAt(a).z > 0.0)
     {
       return a;
     }
@@ -50,6 +50,7 @@ bool wfvFrameArc(vec3 p, vec3 q)
   wfvArcTop = cos(0.5 * span) * u + sin(0.5 * span) * v;
   wfvArcSide = cos(0.5 * span) * v - sin(0.5 * span) * u;
   wfvArcEnds = vec4(-0.5 * span, 0.5 * span, l0, l1);
+  wfvArcRange = wfvArcEnds.xy;
   wfvArcDelta = 1.0;
   wfvArcCut = WFV_NO_CUT;
   wfvArcJump = false;
@@ -77,8 +78,9 @@ void wfvFrameTop()
     wfvArcTop = top;
     wfvArcSide = side;
     wfvArcEnds = vec4(wfvArcEnds.xy + turn, wfvArcEnds.zw);
+    wfvArcRange += turn;
   }
-  bool inside = wfvArcEnds.x < 0.0 && wfvArcEnds.y > 0.0;
+  bool inside = wfvArcRange.x < 0.0 && wfvArcRange.y > 0.0;
   wfvLevel = abs(s) >= WFV_LEVEL;
   wfvArcJump = abs(s) <= WFV_LEAST_DELTA;
 #if !WFV_MERIDIAN

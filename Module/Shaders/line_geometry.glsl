@@ -11,7 +11,10 @@ flat out vec3 wfvLineTop;  // the frame of the arc and
 flat out vec3 wfvLineSide;
 flat out vec4 wfvLineEnds; // its ends, as in line_arc.glsl
 flat out vec4 wfvLineMap;  // modes 0, 1: the chord, pixels; 2, 3: cut, bend, own range
-flat out int wfvLineMode;  // 0 chord, 1 gently bent, 2 anything, 3 two dots
+flat out int wfvLineMode;  // 0 chord, 1 gently bent, 2 anything, 3 two dots; on a face: 4, 5
+#if WFV_FACES || WFV_FLAT_RIM
+flat out vec2 wfvLineRange; // the angles that the map, or this face, shows
+#endif
 
 // Pixels added round a shape: where parts share a line, half a pixel's diagonal and the
 // rounding of the shape; where one holds it, the rounding alone.
@@ -65,6 +68,12 @@ void wfvEmitPixels(vec2 corner, vec2 right, vec2 up)
       wfvLineEnds = wfvArcEnds;
       wfvLineMap = wfvMapOut;
       wfvLineMode = wfvModeOut;
+#if WFV_FACES
+      wfvLineMode += WFV_FACE_UNIT * wfvArcFace;
+#endif
+#if WFV_FACES || WFV_FLAT_RIM
+      wfvLineRange = wfvArcRange;
+#endif
       wfvWriteCorners();
       gl_PrimitiveID = gl_PrimitiveIDIn;
     }
@@ -148,6 +157,9 @@ float wfvLineSingularSine()
 
 bool wfvLineSingular(vec3 a, vec3 b)
 {
+#if WFV_FACES
+  return false;
+#endif
   float s = wfvLineSingularSine();
 #if WFV_MERIDIAN
   return wfvNears(a, b, vec3(0.0, 1.0, 0.0), s) || wfvNears(a, b, vec3(0.0, -1.0, 0.0), s);
@@ -202,11 +214,11 @@ void wfvEmitParts(float from, float to, float ref)
     {
       continue;
     }
-    bool room = wfvQuadsLeft > 4 || (wfvQuadsLeft > 1 && hi == wfvArcEnds.y);
-    hi = room ? hi : wfvArcEnds.y;
-    float first = lo == wfvArcEnds.x ? -WFV_NO_CUT : lo;
+    bool room = wfvQuadsLeft > 4 || (wfvQuadsLeft > 1 && hi == wfvArcRange.y);
+    hi = room ? hi : wfvArcRange.y;
+    float first = lo == wfvArcRange.x ? -WFV_NO_CUT : lo;
     wfvMapOut = vec4(wfvArcCut, wfvArcJump ? -wfvArcDelta : wfvArcDelta, first,
-      hi == wfvArcEnds.y ? WFV_NO_CUT : hi);
+      hi == wfvArcRange.y ? WFV_NO_CUT : hi);
     if (!room)
     {
       wfvEmitWindow();
@@ -231,8 +243,8 @@ void wfvEmitHard()
   wfvModeOut = 2;
   wfvFrameTop();
   wfvArcCut = wfvArcJump ? wfvArcCut : wfvSeamAngle();
-  float a0 = wfvArcEnds.x;
-  float a1 = wfvArcEnds.y;
+  float a0 = wfvArcRange.x;
+  float a1 = wfvArcRange.y;
   if (wfvArcCut < WFV_NO_CUT)
   {
     wfvEmitParts(a0, wfvArcCut, wfvArcRef(a0, wfvArcCut));
@@ -248,33 +260,65 @@ void wfvEmitDots()
   for (int i = 0; i < 2; i++)
   {
     float a = wfvArcEnds[i];
+    if (a < wfvArcRange.x || a > wfvArcRange.y)
+    {
+      continue;
+    }
     wfvMapOut = vec4(WFV_NO_CUT, 1.0, i == 0 ? -WFV_NO_CUT : 0.0, i == 0 ? 0.0 : WFV_NO_CUT);
     vec2 p = wfvArcPixel(a, wfvArcRef(a, a));
     wfvEmitAlong(p, p, wfvLineGrow());
   }
 }
 
+// The mode of a stretch whose chord, grown, holds it; 2 where neither of the first two will do.
+int wfvModeOf(WfvStretch s)
+{
+  float l = length(s.to - s.from);
+  bool gentle = s.bend <= WFV_LINE_FLAT ||
+    (s.bend <= WFV_LINE_BULGE * l && 4.0 * s.bend * wfvLineWidth <= WFV_LINE_BEND * l * l);
+  return s.bend <= WFV_LINE_STRAIGHT ? 0 : (gentle ? 1 : 2);
+}
+
+void wfvEmitStretch(WfvStretch s)
+{
+  wfvMapOut = vec4(s.from, s.to);
+  wfvEmitAlong(s.from, s.to, wfvLineGrow() + (wfvModeOut == 0 ? 0.0 : WFV_LINE_REACH * s.bend));
+}
+
+#if WFV_FACES
+void wfvEmitOnFaces(bool dots); // line_on_faces.glsl
+#else
 // Emits the one rectangle of an arc that bends little; false where it does not.
 bool wfvEmitGentle()
 {
-  WfvStretch s = wfvMeasure(wfvArcEnds.x, wfvArcEnds.y, wfvArcRef(wfvArcEnds.x, wfvArcEnds.y));
-  if (!wfvChordHolds(s, wfvArcEnds.x, wfvArcEnds.y) || wfvSeamAngle() < WFV_NO_CUT)
+  float lo = wfvArcRange.x;
+  float hi = wfvArcRange.y;
+  WfvStretch s = wfvMeasure(lo, hi, wfvArcRef(lo, hi));
+  wfvModeOut = wfvModeOf(s);
+  if (wfvModeOut == 2 || !wfvChordHolds(s, lo, hi) || wfvSeamAngle() < WFV_NO_CUT)
   {
     return false;
   }
-  float l = length(s.to - s.from);
-  bool chord = s.bend <= WFV_LINE_STRAIGHT;
-  bool gentle = s.bend <= WFV_LINE_FLAT ||
-    (s.bend <= WFV_LINE_BULGE * l && 4.0 * s.bend * wfvLineWidth <= WFV_LINE_BEND * l * l);
-  if (!chord && !gentle)
-  {
-    return false;
-  }
-  wfvModeOut = chord ? 0 : 1;
-  wfvMapOut = vec4(s.from, s.to);
-  wfvEmitAlong(s.from, s.to, wfvLineGrow() + (chord ? 0.0 : WFV_LINE_REACH * s.bend));
+  wfvEmitStretch(s);
   return true;
 }
+
+void wfvEmitArc(bool dots)
+{
+#if WFV_FLAT_RIM
+  // behind the rim there is no place in the map
+  wfvKeepHalf(-wfvArcTop.z, -wfvArcSide.z);
+#endif
+  if (dots)
+  {
+    wfvEmitDots();
+  }
+  else if (wfvArcRange.x <= wfvArcRange.y && !wfvEmitGentle())
+  {
+    wfvEmitHard();
+  }
+}
+#endif
 
 void main()
 {
@@ -289,12 +333,10 @@ void main()
   wfvLevel = false;
   wfvQuadsLeft = WFV_LINE_VERTICES / 4;
   bool plane = wfvFrameArc(p, q);
-  if (!plane && wfvArcEnds.y > wfvArcEnds.x)
-  {
-    wfvEmitDots();
-  }
-  else if (!wfvEmitGentle())
-  {
-    wfvEmitHard();
-  }
+  bool dots = !plane && wfvArcEnds.y > wfvArcEnds.x;
+#if WFV_FACES
+  wfvEmitOnFaces(dots);
+#else
+  wfvEmitArc(dots);
+#endif
 }

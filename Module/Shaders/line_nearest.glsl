@@ -134,8 +134,8 @@ void wfvScan(vec2 p, float lo, float hi, float ref)
 void wfvStartAnywhere(vec2 p)
 {
   wfvScanned[0] = wfvScanned[1] = 1e9;
-  float lo = wfvLineEnds.x;
-  float hi = wfvLineEnds.y;
+  float lo = wfvArcRange.x;
+  float hi = wfvArcRange.y;
   if (wfvArcCut < WFV_NO_CUT)
   {
     wfvScan(p, lo, wfvBeforeCut, wfvArcRef(lo, wfvArcCut));
@@ -160,9 +160,35 @@ void wfvStartOnChord(vec2 p)
   vec2 chord = wfvLineMap.zw - wfvLineMap.xy;
   vec2 r = wfvAcrossSeam(p - 0.5 * (wfvLineMap.xy + wfvLineMap.zw)) + 0.5 * chord;
   float t = wfvOnChord(r, chord);
-  wfvStarts[0] = WfvStart(mix(wfvLineEnds.x, wfvLineEnds.y, t), wfvLineEnds.x, wfvLineEnds.y,
-    wfvArcRef(wfvLineEnds.x, wfvLineEnds.y));
+  float lo = wfvArcRange.x;
+  float hi = wfvArcRange.y;
+  wfvStarts[0] = WfvStart(mix(lo, hi, t), lo, hi, wfvArcRef(lo, hi));
   wfvStartCount = 1;
+}
+
+// Chords from which the nearest point of what a face of a cube shows is looked for.
+const int WFV_FACE_CHORDS = 4;
+
+// The start on a face, where one chord is not enough.
+void wfvStartOnFace(vec2 p)
+{
+  float lo = wfvArcRange.x;
+  float hi = wfvArcRange.y;
+  float nearest = 1e9;
+  vec2 from = wfvArcPixel(lo, 0.0);
+  for (int i = 0; i < WFV_FACE_CHORDS; i++)
+  {
+    vec2 to = wfvArcPixel(mix(lo, hi, float(i + 1) / float(WFV_FACE_CHORDS)), 0.0);
+    float t = wfvOnChord(p - from, to - from);
+    float d = length(p - mix(from, to, t));
+    if (d < nearest)
+    {
+      nearest = d;
+      wfvStarts[0] = WfvStart(mix(lo, hi, (float(i) + t) / float(WFV_FACE_CHORDS)), lo, hi, 0.0);
+    }
+    from = to;
+  }
+  wfvStartCount = lo <= hi ? 1 : 0;
 }
 
 // Distance of p from the image of the arc, pixels.
@@ -181,28 +207,33 @@ float wfvDistance(vec2 p, int steps)
 float wfvFindNearest(vec2 p)
 {
   wfvBeforeCut = wfvArcCut - WFV_CUT_GAP;
-  if (wfvLineMode == 0)
+  if (wfvLineKind == 0)
   {
     return wfvChordDistance(p);
   }
-  if (wfvLineMode == 1)
+  if (wfvLineKind == 1)
   {
     wfvStartOnChord(p);
   }
-  else if (wfvLineMode == 2)
+  else if (wfvLineKind == 2)
   {
     wfvStartAnywhere(p);
+  }
+  else if (wfvLineKind > 3)
+  {
+    wfvStartOnFace(p);
   }
   else
   {
     wfvStartDots();
   }
   float d = wfvDistance(p, WFV_LINE_STEPS);
-  bool own = wfvLineMode == 1 || (wfvBestAngle >= wfvLineMap.z && wfvBestAngle < wfvLineMap.w);
+  bool whole = wfvLineKind == 1 || wfvLineKind > 3;
+  bool own = whole || (wfvBestAngle >= wfvLineMap.z && wfvBestAngle < wfvLineMap.w);
   return own ? d : 1e9;
 }
 
 float wfvSampleDistance(vec2 p)
 {
-  return wfvLineMode == 0 ? wfvChordDistance(p) : wfvDistance(p, WFV_LINE_SAMPLE_STEPS);
+  return wfvLineKind == 0 ? wfvChordDistance(p) : wfvDistance(p, WFV_LINE_SAMPLE_STEPS);
 }

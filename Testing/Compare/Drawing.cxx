@@ -98,6 +98,11 @@ void Drawing::SetLineWidth(double pixels)
   this->Internal->Actor->GetProperty()->SetLineWidth(static_cast<float>(pixels));
 }
 
+void Drawing::SetPointSize(double pixels)
+{
+  this->Internal->Actor->GetProperty()->SetPointSize(static_cast<float>(pixels));
+}
+
 void PlaceCamera(vtkWideFoVCamera* camera, const Shot& s)
 {
   // from one within the range of every projection, which others would be clamped to
@@ -177,6 +182,20 @@ std::string DescribePixel(const View& view, int width, int height, const referen
     p.I, p.J, ndc.x, ndc.y, a.x, a.y, ray.Inside ? "" : " OUTSIDE THE MAP", (long long)p.Drawn,
     p.DrawnDistance, (long long)p.Reference, p.ReferenceDistance, p.Pixels);
   return text;
+}
+
+bool IsClear(const View& view, int i, int j, int w, int h, double slack, bool& inside)
+{
+  inside = view.Ray(reference::PixelToNdc(i + 0.5, j + 0.5, w, h)).Inside;
+  for (double d : { -slack, slack })
+  {
+    if (view.Ray(reference::PixelToNdc(i + 0.5 + d, j + 0.5, w, h)).Inside != inside ||
+      view.Ray(reference::PixelToNdc(i + 0.5, j + 0.5 + d, w, h)).Inside != inside)
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 std::string Row(const Shot& s, const std::string& scene, const reference::Metrics& m)

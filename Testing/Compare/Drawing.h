@@ -68,6 +68,9 @@ public:
   // Of lines, pixels (1).
   void SetLineWidth(double pixels);
 
+  // Of points, pixels (1).
+  void SetPointSize(double pixels);
+
   // Draws the mesh; the picture is empty where the window failed.
   reference::DrawnPicture Draw(const Shot& shot);
 
@@ -91,6 +94,11 @@ private:
 
 // Where a pixel looks: NDC, and longitude and latitude (view coordinates) in degrees.
 std::string DescribePixel(const View& view, int width, int height, const reference::WorstPixel& p);
+
+// True where all places within `slack` pixels of a pixel's centre, along the axes, are in the
+// map, or none is; which of the two is told.
+bool IsClear(
+  const View& view, int i, int j, int width, int height, double slack, bool& inside);
 
 // One line of the table of results.
 std::string Row(const Shot& shot, const std::string& scene, const reference::Metrics& m);

@@ -60,21 +60,6 @@ struct LineResult
   std::string First; // the first wrong pixel
 };
 
-// True where the centre's neighbourhood is all inside or all outside the map.
-bool IsClear(const View& view, int i, int j, int w, int h, bool& inside)
-{
-  inside = view.Ray(reference::PixelToNdc(i + 0.5, j + 0.5, w, h)).Inside;
-  for (double d : { -LineSlack, LineSlack })
-  {
-    if (view.Ray(reference::PixelToNdc(i + 0.5 + d, j + 0.5, w, h)).Inside != inside ||
-      view.Ray(reference::PixelToNdc(i + 0.5, j + 0.5 + d, w, h)).Inside != inside)
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
 // By how much a distance is not that of a line's nearest point, relative.
 double Off(const reference::NearLine& line, double rho)
 {
@@ -195,7 +180,7 @@ LineResult LineCheck::Check(const reference::LinePicture& lines)
     }
     bool inside = false;
     if (IsClear(this->TheView, int(key % this->Drawn.Width), int(key / this->Drawn.Width),
-          this->Drawn.Width, this->Drawn.Height, inside))
+          this->Drawn.Width, this->Drawn.Height, LineSlack, inside))
     {
       this->CheckPixel(key, found == lines.end() || !inside ? none : found->second);
     }

@@ -3,12 +3,16 @@
 #include "WideFoVTestScene.h"
 
 #include "vtkActor.h"
+#include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
 #include "vtkProp.h"
 #include "vtkPropPicker.h"
 #include "vtkProperty.h"
@@ -30,12 +34,13 @@ vtkSmartPointer<vtkActor> Globe()
   return MakeTestActor(sphere, 1, 1, 1);
 }
 
-// Cell at a pixel by the hardware selector, or -1.
-vtkIdType SelectCell(WideFoVTestWindow& test, unsigned int x, unsigned int y, vtkProp*& prop)
+// Cell, or point, at a pixel by the hardware selector, or -1.
+vtkIdType SelectCell(WideFoVTestWindow& test, unsigned int x, unsigned int y, vtkProp*& prop,
+  int association = vtkDataObject::FIELD_ASSOCIATION_CELLS)
 {
   vtkNew<vtkHardwareSelector> selector;
   selector->SetRenderer(test.Renderer);
-  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  selector->SetFieldAssociation(association);
   selector->SetArea(x, y, x, y);
   auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
   if (!selection || selection->GetNumberOfNodes() == 0)
@@ -82,6 +87,46 @@ TEST(Selection, HardwareSelectionIsTheDrawnCell)
       }
     }
     EXPECT_GT(drawn, 5) << projection;
+  }
+}
+
+// A point beside the seam, on the right border, whose square is continued on the left one.
+TEST(Selection, APointIsSelectedOnBothSidesOfTheSeam)
+{
+  for (const char* projection : { "equirectangular", "hammer" })
+  {
+    WideFoVTestWindow test(projection, 200, 100);
+    double eye[3];
+    test.Camera->GetPosition(eye);
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> cells;
+    for (int i = 0; i < 3; i++)
+    {
+      const double x = i == 2 ? 0.05 : 0.8;
+      cells->InsertNextCell(1);
+      cells->InsertCellPoint(points->InsertNextPoint(eye[0] + x, eye[1] + 0.5 * i - 1, eye[2] + 1));
+    }
+    vtkNew<vtkPolyData> data;
+    data->SetPoints(points);
+    data->SetVerts(cells);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(data);
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetPointSize(20);
+    test.Renderer->AddActor(actor);
+    test.Window->Render();
+    for (unsigned int x : { 5, 197 })
+    {
+      vtkProp* prop = nullptr;
+      EXPECT_EQ(SelectCell(test, x, 50, prop), 2) << projection << " " << x;
+      EXPECT_EQ(prop, actor.Get());
+    }
+    // to pick points, VTK draws them two pixels large
+    vtkProp* prop = nullptr;
+    const int byPoints = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+    EXPECT_EQ(SelectCell(test, 198, 50, prop, byPoints), 2) << projection;
+    EXPECT_EQ(SelectCell(test, 5, 50, prop, byPoints), -1) << projection;
   }
 }
 

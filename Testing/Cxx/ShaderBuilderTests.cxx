@@ -95,17 +95,32 @@ TEST(ShaderBuilder, ExactLinesAreWeighedByTheirNearestPoint)
   // OpenGL 3.2: 1,024 components from one run of the stage; position, primitive number, 15
   // of its own, and two copies of 3 + 4 + 4 and one of 1
   EXPECT_TRUE(Has(s.GeometryStage, "#define WFV_LINE_VERTICES 20\n"));
-  // the faces of a cube have no pole to start from
   const Sources cube =
     Build("equi-angular-cubemap", Builder::Variant::Exact, Builder::Primitive::Lines);
-  EXPECT_TRUE(Has(cube.GeometryStage, "wfvWriteMix(t)"));
+  EXPECT_TRUE(Has(cube.GeometryStage, "#define WFV_LINE_VERTICES 20\n"));
+  EXPECT_TRUE(Has(cube.GeometryStage, "wfvEmitOnFaces(dots);"));
+  // a chord is all that a straight line needs
+  const Sources flat = Build("perspective", Builder::Variant::Exact, Builder::Primitive::Lines);
+  EXPECT_TRUE(Has(flat.GeometryStage, "wfvWriteMix(t)"));
 }
 
-TEST(ShaderBuilder, PointsNeverNeedAGeometryStage)
+TEST(ShaderBuilder, OnlyWidePointsNeedAGeometryStage)
 {
   const Sources s = Build("equirectangular", Builder::Variant::PreClip, Builder::Primitive::Points);
   EXPECT_TRUE(s.GeometryStage.empty());
   EXPECT_TRUE(Has(s.VertexStage, "wfvProjectVertex"));
+  Builder::Request request;
+  request.WidePoints = true;
+  const Sources wide = Build(
+    "equirectangular", Builder::Variant::PreClip, Builder::Primitive::Points, request);
+  EXPECT_TRUE(Has(wide.GeometryStage, "layout(points) in;"));
+  EXPECT_FALSE(Has(wide.VertexStage, "wfvProject"));
+  EXPECT_TRUE(Has(wide.FragmentStage, "normalVCVSOutput = 1.0 * wfvCorner0_0;"));
+  EXPECT_TRUE(Has(wide.FragmentStage, "vertexIDVSOutput = wfvCorner3_0;"));
+  // what meets no discontinuity needs none either
+  const Sources plain = Build(
+    "equirectangular", Builder::Variant::Plain, Builder::Primitive::Points, request);
+  EXPECT_TRUE(plain.GeometryStage.empty());
 }
 
 TEST(ShaderBuilder, RoundMapsEndAtTheirRim)

@@ -18,36 +18,101 @@ namespace
 // Pixels between consecutive samples, at the most.
 constexpr double Step = 0.1;
 
-// Samples to begin with, so that no turn of the image is stepped over.
+// Samples to begin with, so that no turn of the image is stepped over: of half a great circle,
+// and at least.
 constexpr int FirstSamples = 2048;
+constexpr int LeastSamples = 64;
 
 // Radians: a stretch so short is not parted further; what is still far apart is a jump.
 constexpr double ShortestStretch = 1e-12;
+
+// Radians: as far as this from the middle of a cube's face its map is carried on.
+constexpr double FaceEnd = 1.3;
+
+// Pixels outside the picture, over the reach: whether lines are there does not matter, and
+// some maps go on to infinity.
+constexpr double Beyond = 2;
 
 struct Sample
 {
   double Angle = 0;
   vec2 Pixel{ 0 };
   double Rho = 0;
+  bool Counts = true; // the map has a place for it
+};
+
+// The picture: its size and, of a cube's faces, which one: pixels.
+struct Window
+{
+  double Width = 0;
+  double Height = 0;
+  double Reach = 0;
+  vec2 Low{ 0 };
+  vec2 High{ 0 };
+};
+
+// The map of one face of a cube, from the rays at its middle and half-way to its borders.
+class FaceMap
+{
+public:
+  FaceMap(const View& view, int face)
+    : Centre((face % 3 - 1) * 2 / 3., face < 3 ? 0.5 : -0.5)
+    , Ahead(view.Ray(this->Centre).Direction)
+  {
+    const double half = WFV_PI / 8;
+    const auto axis = [&](const vec2& step) {
+      const vec3 d = view.Ray(this->Centre + step).Direction;
+      return (d - std::cos(half) * this->Ahead) / std::sin(half);
+    };
+    this->Right = axis(vec2(1 / 6., 0));
+    this->Up = axis(vec2(0, 0.25));
+  }
+
+  vec2 Angles(const vec3& d) const
+  {
+    const double ahead = glm::dot(d, this->Ahead);
+    return vec2(
+      std::atan2(glm::dot(d, this->Right), ahead), std::atan2(glm::dot(d, this->Up), ahead));
+  }
+
+  bool Has(const vec3& d) const
+  {
+    const vec2 a = this->Angles(d);
+    return std::max(std::abs(a.x), std::abs(a.y)) < FaceEnd;
+  }
+
+  vec2 Ndc(const vec3& d) const
+  {
+    return this->Centre + this->Angles(d) * vec2(4 / WFV_PI / 3, 2 / WFV_PI);
+  }
+
+private:
+  vec2 Centre;
+  vec3 Ahead;
+  vec3 Right;
+  vec3 Up;
 };
 
 // The line as an arc about the eye.
 class Arc
 {
 public:
-  Arc(const Segment& segment, const View& view, int width, int height);
+  // face: of a cube, the one whose map counts; else null.
+  Arc(const Segment& segment, const View& view, const Window& window, const FaceMap* face);
 
   double GetSpan() const { return this->Span; }
   bool IsDots() const { return this->Dots; }
   double GetShortest() const { return this->Shortest; }
   double GetPeriod() const { return this->Period; }
+  const Window& GetWindow() const { return this->TheWindow; }
   Sample At(double angle) const;
 
 private:
-  vec2 PixelOf(const vec3& direction) const;
+  void Place(const vec3& direction, Sample& sample) const;
 
   const View* TheView;
-  double Size[2];
+  const FaceMap* Face;
+  Window TheWindow;
   vec3 From;
   vec3 To;
   vec3 First;  // the direction of From
@@ -61,9 +126,10 @@ private:
 // Sine below which a line counts as pointing at the eye: float32's, as the picture's.
 constexpr double Radial = 4e-7;
 
-Arc::Arc(const Segment& s, const View& view, int width, int height)
+Arc::Arc(const Segment& s, const View& view, const Window& window, const FaceMap* face)
   : TheView(&view)
-  , Size{ double(width), double(height) }
+  , Face(face)
+  , TheWindow(window)
   , From(s.From)
   , To(s.To)
 {
@@ -87,14 +153,20 @@ Arc::Arc(const Segment& s, const View& view, int width, int height)
   this->Shortest = std::abs(aside) <= ThroughPole ? 2 * ThroughPole : ShortestStretch;
   if (p.Axis == Family::Meridian && p.StraightSeam)
   {
-    this->Period = width * p.Map(vec2(WFV_PI, 0), v).x;
+    this->Period = window.Width * p.Map(vec2(WFV_PI, 0), v).x;
   }
 }
 
-vec2 Arc::PixelOf(const vec3& direction) const
+void Arc::Place(const vec3& direction, Sample& s) const
 {
-  const vec3 ndc = this->TheView->Forward(direction).Ndc;
-  return vec2(0.5 * (1 + ndc.x) * this->Size[0], 0.5 * (1 - ndc.y) * this->Size[1]);
+  const View& view = *this->TheView;
+  // behind the rim of a half sphere there is none
+  const bool behind = view.GetProjection().FlatRim && wfvTilt(direction, view.GetParameters()).z > 0;
+  s.Counts = !behind && (!this->Face || this->Face->Has(direction));
+  const vec3 forward = view.Forward(direction).Ndc;
+  const vec2 ndc = this->Face ? this->Face->Ndc(direction) : vec2(forward.x, forward.y);
+  s.Pixel = vec2(0.5 * (1 + ndc.x) * this->TheWindow.Width,
+    0.5 * (1 - ndc.y) * this->TheWindow.Height);
 }
 
 Sample Arc::At(double angle) const
@@ -105,11 +177,11 @@ Sample Arc::At(double angle) const
   {
     const vec3 end = angle > 0 || !(glm::length(this->From) > 0) ? this->To : this->From;
     s.Rho = glm::length(end);
-    s.Pixel = this->PixelOf(glm::normalize(end));
+    this->Place(glm::normalize(end), s);
     return s;
   }
   const vec3 direction = std::cos(angle) * this->First + std::sin(angle) * this->Second;
-  s.Pixel = this->PixelOf(direction);
+  this->Place(direction, s);
   const double a = std::sin(angle) * glm::length(this->From);
   const double b = std::sin(this->Span - angle) * glm::length(this->To);
   const double t = angle <= 0 ? 0 : (angle >= this->Span ? 1 : a / (a + b));
@@ -124,10 +196,27 @@ double Apart(const Sample& a, const Sample& b, double period)
   return std::hypot(dx, b.Pixel.y - a.Pixel.y);
 }
 
+// True where a stretch lies on one side of the window, out of reach.
+bool IsBeyond(const Sample& a, const Sample& b, const Window& w)
+{
+  const double out = w.Reach + Beyond;
+  return std::max(a.Pixel.x, b.Pixel.x) < -out || std::min(a.Pixel.x, b.Pixel.x) > w.Width + out ||
+    std::max(a.Pixel.y, b.Pixel.y) < -out || std::min(a.Pixel.y, b.Pixel.y) > w.Height + out;
+}
+
+bool IsCoarse(const Arc& arc, const Sample& a, const Sample& b)
+{
+  if (!a.Counts || !b.Counts)
+  {
+    return a.Counts != b.Counts;
+  }
+  return Apart(a, b, arc.GetPeriod()) > Step && !IsBeyond(a, b, arc.GetWindow());
+}
+
 // Appends what lies behind `from` up to and including `to`.
 void Refine(const Arc& arc, const Sample& from, const Sample& to, std::vector<Sample>& samples)
 {
-  if (Apart(from, to, arc.GetPeriod()) > Step && to.Angle - from.Angle > arc.GetShortest())
+  if (IsCoarse(arc, from, to) && to.Angle - from.Angle > arc.GetShortest())
   {
     const Sample middle = arc.At(0.5 * (from.Angle + to.Angle));
     Refine(arc, from, middle, samples);
@@ -150,35 +239,37 @@ std::vector<Sample> Samples(const Arc& arc)
     }
     return samples;
   }
-  for (int i = 1; i <= FirstSamples; i++)
+  const int count = std::max(LeastSamples, int(FirstSamples * arc.GetSpan() / WFV_PI));
+  for (int i = 1; i <= count; i++)
   {
     const Sample from = samples.back();
-    Refine(arc, from, arc.At(std::min(arc.GetSpan() * i / FirstSamples, arc.GetSpan() - inset)),
-      samples);
+    Refine(arc, from, arc.At(std::min(arc.GetSpan() * i / count, arc.GetSpan() - inset)), samples);
   }
   return samples;
 }
 
 // Calls f(pixel key, distance) for the pixels near a short stretch.
 template <typename F>
-void ForPixels(const Sample& a, const Sample& b, int width, int height, double reach, F&& f)
+void ForPixels(const Sample& a, const Sample& b, const Window& w, F&& f)
 {
   const vec2 d = b.Pixel - a.Pixel;
   const double l2 = glm::dot(d, d);
-  const int i0 = std::max(0, int(std::floor(std::min(a.Pixel.x, b.Pixel.x) - reach)));
-  const int i1 = std::min(width - 1, int(std::ceil(std::max(a.Pixel.x, b.Pixel.x) + reach)));
-  const int j0 = std::max(0, int(std::floor(std::min(a.Pixel.y, b.Pixel.y) - reach)));
-  const int j1 = std::min(height - 1, int(std::ceil(std::max(a.Pixel.y, b.Pixel.y) + reach)));
-  for (int j = j0; j <= j1; j++)
+  const vec2 low = glm::max(w.Low, glm::min(a.Pixel, b.Pixel) - w.Reach);
+  const vec2 high = glm::min(w.High, glm::max(a.Pixel, b.Pixel) + w.Reach);
+  if (low.x > high.x || low.y > high.y)
   {
-    for (int i = i0; i <= i1; i++)
+    return; // what is far outside is no number of a pixel
+  }
+  for (int j = int(std::ceil(low.y - 0.5)); j + 0.5 <= high.y; j++)
+  {
+    for (int i = int(std::ceil(low.x - 0.5)); i + 0.5 <= high.x; i++)
     {
       const vec2 p = vec2(i + 0.5, j + 0.5) - a.Pixel;
       const double t = l2 > 0 ? std::min(1.0, std::max(0.0, glm::dot(p, d) / l2)) : 0;
       const double distance = glm::length(p - t * d);
-      if (distance <= reach)
+      if (distance <= w.Reach)
       {
-        f(long(j) * width + i, distance);
+        f(long(j) * long(w.Width) + i, distance);
       }
     }
   }
@@ -187,14 +278,18 @@ void ForPixels(const Sample& a, const Sample& b, int width, int height, double r
 // Calls f(pixel key, distance, a, b) for all stretches a, b of a line, also as they appear
 // across a straight seam.
 template <typename F>
-void ForLine(
-  const Arc& arc, const std::vector<Sample>& samples, int width, int height, double reach, F&& f)
+void ForLine(const Arc& arc, const std::vector<Sample>& samples, F&& f)
 {
   const double period = arc.GetPeriod();
   for (std::size_t i = 0; i < samples.size(); i++)
   {
     const Sample& a = samples[i];
+    if (!a.Counts)
+    {
+      continue;
+    }
     Sample b = samples[i + 1 < samples.size() ? i + 1 : i];
+    b = b.Counts ? b : a;
     b.Pixel.x -= period > 0 ? period * std::round((b.Pixel.x - a.Pixel.x) / period) : 0;
     b = Apart(a, b, 0) > 2 * Step ? a : b; // the image jumps
     for (int turn = period > 0 ? -1 : 0; turn <= (period > 0 ? 1 : 0); turn++)
@@ -203,8 +298,7 @@ void ForLine(
       Sample d = b;
       c.Pixel.x += turn * period;
       d.Pixel.x += turn * period;
-      ForPixels(
-        c, d, width, height, reach, [&](long key, double distance) { f(key, distance, c, d); });
+      ForPixels(c, d, arc.GetWindow(), [&](long key, double distance) { f(key, distance, c, d); });
     }
   }
 }
@@ -232,33 +326,55 @@ std::vector<Segment> Segments(vtkPolyData* polyData, const Pose& m)
   return segments;
 }
 
+namespace
+{
+// Adds what one line shows in a window.
+void AddLine(const Arc& arc, vtkIdType cell, LinePicture& picture)
+{
+  const std::vector<Sample> samples = Samples(arc);
+  std::unordered_map<long, NearLine> near;
+  const auto shortest = [&](long key, double distance, const Sample&, const Sample&) {
+    NearLine& line = near[key];
+    line.Cell = cell;
+    line.Distance = std::min(line.Distance, distance);
+  };
+  const auto range = [&](long key, double distance, const Sample& a, const Sample& b) {
+    NearLine& line = near[key];
+    if (distance <= line.Distance + NearestSlack)
+    {
+      line.RhoMin = std::min({ line.RhoMin, a.Rho, b.Rho });
+      line.RhoMax = std::max({ line.RhoMax, a.Rho, b.Rho });
+    }
+  };
+  ForLine(arc, samples, shortest);
+  ForLine(arc, samples, range);
+  for (const auto& entry : near)
+  {
+    picture[entry.first].push_back(entry.second);
+  }
+}
+}
+
 LinePicture RenderLines(
   const std::vector<Segment>& segments, const View& view, int width, int height, double reach)
 {
+  Window window;
+  window.Width = window.High.x = width;
+  window.Height = window.High.y = height;
+  window.Reach = reach;
+  const bool faces = view.GetProjection().Axis == Family::Faces;
   LinePicture picture;
-  for (const Segment& segment : segments)
+  for (int face = 0; face < (faces ? 6 : 1); face++)
   {
-    const Arc arc(segment, view, width, height);
-    const std::vector<Sample> samples = Samples(arc);
-    std::unordered_map<long, NearLine> near;
-    const auto shortest = [&](long key, double distance, const Sample&, const Sample&) {
-      NearLine& line = near[key];
-      line.Cell = segment.Cell;
-      line.Distance = std::min(line.Distance, distance);
-    };
-    const auto range = [&](long key, double distance, const Sample& a, const Sample& b) {
-      NearLine& line = near[key];
-      if (distance <= line.Distance + NearestSlack)
-      {
-        line.RhoMin = std::min({ line.RhoMin, a.Rho, b.Rho });
-        line.RhoMax = std::max({ line.RhoMax, a.Rho, b.Rho });
-      }
-    };
-    ForLine(arc, samples, width, height, reach, shortest);
-    ForLine(arc, samples, width, height, reach, range);
-    for (const auto& entry : near)
+    const FaceMap map(view, face);
+    if (faces)
     {
-      picture[entry.first].push_back(entry.second);
+      window.Low = vec2(width * (face % 3) / 3., face < 3 ? 0 : 0.5 * height);
+      window.High = window.Low + vec2(width / 3., 0.5 * height);
+    }
+    for (const Segment& segment : segments)
+    {
+      AddLine(Arc(segment, view, window, faces ? &map : nullptr), segment.Cell, picture);
     }
   }
   return picture;

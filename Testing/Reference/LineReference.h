@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a picture of lines must show, in double: the image of every line sampled so densely
 // that consecutive samples are a tenth of a pixel apart, and the distance of the pixel
-// centres from it. It shares nothing with the shaders but the view's `forward`.
+// centres from it. It shares nothing with the shaders but the view's `forward`. On the faces of
+// a cube each shows the lines as its own map would if it went on beyond the face's borders. A
+// map that shows the half sphere ahead shows no part of a line behind it.
 #ifndef WideFoVLineReference_h
 #define WideFoVLineReference_h
 
