@@ -7,24 +7,51 @@ const float WFV_NO_SLOPE = 1e-30;
 // Pixels: farther edges show nothing here.
 const float WFV_EDGE_NEAR = 12.0;
 
-// Distance of an edge whose function is e here, with this slope per pixel. A second step, from
-// the place that the first one leads to, with the slope there, is for where the map bends
-// within a few pixels: beside a pole.
+// Newton's steps: the first is all that is needed where a map hardly bends within a few
+// pixels, but beside a pole it does.
+const int WFV_EDGE_STEPS = 5;
+
+// Pixels: a step after which the next one changes nothing that is seen.
+const float WFV_EDGE_STEP = 0.01;
+
+// Pixels, each way, of the differences that slopes come from.
+const float WFV_EDGE_DIFFERENCE = 0.25;
+
+// The ray so many pixels beside the centre, by the map of the face that the centre lies on
+// where the map is one of several.
+WfvRay wfvRayOfHere(vec2 offset)
+{
+  WfvRay ray = wfvRayAt(offset);
+#if WFV_FACES
+  int face = wfvFaceBeside(vec2(0.0));
+  ray.direction = wfvFaceDirection(wfvOnFace(wfvPlaceBeside(offset) / wfvView.scale, face), face);
+  ray.inside = true;
+#endif
+  return ray;
+}
+
+// Distance of an edge whose function is e here, with this slope per pixel: from the foot of the
+// perpendicular on its tangent to that on its tangent there, and so on.
 float wfvEdgeDistance(int i, float e, vec2 slope)
 {
-  vec2 foot = -e * slope / max(dot(slope, slope), WFV_NO_SLOPE);
-  WfvRay there = wfvRayAt(foot);
-  WfvRay right = wfvRayAt(foot + vec2(1.0, 0.0));
-  WfvRay above = wfvRayAt(foot + vec2(0.0, 1.0));
-  if (!there.inside || !right.inside || !above.inside)
+  vec2 foot = vec2(0.0);
+  for (int k = 0; k < WFV_EDGE_STEPS; k++)
   {
-    return length(foot);
+    vec2 next = slope * ((dot(slope, foot) - e) / max(dot(slope, slope), WFV_NO_SLOPE));
+    float moved = length(next - foot);
+    foot = next;
+    WfvRay there = wfvRayOfHere(foot);
+    if (!there.inside || (k > 0 && moved < WFV_EDGE_STEP))
+    {
+      break;
+    }
+    vec2 x = vec2(WFV_EDGE_DIFFERENCE, 0.0);
+    vec3 right = wfvRayOfHere(foot + x.xy).direction - wfvRayOfHere(foot - x.xy).direction;
+    vec3 above = wfvRayOfHere(foot + x.yx).direction - wfvRayOfHere(foot - x.yx).direction;
+    e = wfvEdgesAt(there.direction)[i];
+    slope = vec2(wfvEdgesAt(right)[i], wfvEdgesAt(above)[i]) / (2.0 * WFV_EDGE_DIFFERENCE);
   }
-  float f = wfvEdgesAt(there.direction)[i];
-  vec2 g = vec2(wfvEdgesAt(right.direction - there.direction)[i],
-    wfvEdgesAt(above.direction - there.direction)[i]);
-  // from the pixel straight to the tangent of the edge there
-  return abs(f - dot(g, foot)) / max(length(g), WFV_NO_SLOPE);
+  return length(foot);
 }
 
 // Distance, in pixels, of this pixel's centre from the great circles of the edges opposite to

@@ -6,21 +6,26 @@
 uniform int wfvSamples;
 uniform vec2 wfvSampleOffsets[16];
 
-// The ray so many pixels beside the centre of the fragment.
-WfvRay wfvRayAt(vec2 offset)
+// NDC of the place so many pixels beside the centre of the fragment.
+vec2 wfvPlaceBeside(vec2 offset)
 {
   // rounded once: at a rim where a map is flat these digits are all there is
   vec2 twice = 2.0 * (gl_FragCoord.xy + offset - wfvViewport.xy) - wfvViewport.zw;
   vec2 ndc = twice / wfvViewport.zw;
-  return wfvUnproject((ndc - wfvTile.zw) / wfvTile.xy, wfvView);
+  return (ndc - wfvTile.zw) / wfvTile.xy;
+}
+
+// Its ray.
+WfvRay wfvRayAt(vec2 offset)
+{
+  return wfvUnproject(wfvPlaceBeside(offset), wfvView);
 }
 
 #if WFV_FACES
-// The face of a cube that the picture shows so many pixels beside the centre.
+// The face of a cube that the picture shows there.
 int wfvFaceBeside(vec2 offset)
 {
-  vec2 ndc = 2.0 * (gl_FragCoord.xy + offset - wfvViewport.xy) / wfvViewport.zw - 1.0;
-  return wfvFaceAt((ndc - wfvTile.zw) / wfvTile.xy / wfvView.scale);
+  return wfvFaceAt(wfvPlaceBeside(offset) / wfvView.scale);
 }
 #endif
 

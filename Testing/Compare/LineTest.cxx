@@ -265,7 +265,7 @@ Shot LineShot(const std::string& projection, int width)
   s.Projection = projection;
   s.Width = width;
   s.Height = width / 2;
-  s.Options.HorizontalFov = 360;
+  s.Options.HorizontalFov = FindProjection(projection)->MaxHorizontalFov;
   s.Options.VerticalFov = FindProjection(projection)->MaxVerticalFov;
   s.Options.Radii = { { 0.02, 4 } };
   return s;
@@ -297,4 +297,6 @@ TEST_P(CompareLines, Random)
 }
 
 INSTANTIATE_TEST_SUITE_P(All, CompareLines,
-  ::testing::Values("equirectangular", "hammer", "azimuthal-equidistant"), DrawingTest::NameOf);
+  ::testing::Values("equirectangular", "hammer", "azimuthal-equidistant", "panini",
+    "orthographic", "equi-angular-cubemap"),
+  DrawingTest::NameOf);
