@@ -23,7 +23,10 @@ WFV_FN vec2 wfvProject(vec3 p, WfvView v)
   // h - z, behind the eye without cancellation
   float w = p.z < 0.0 ? h - p.z : p.x / (h + p.z) * p.x;
   float d = max(w, WFV_PANINI_END * rho);
-  return vec2(2.0 * p.x / d * v.scale.x, 2.0 * p.y / d * v.scale.y);
+  // at the meridian behind the eye x is still on one side, far away, not between the two
+  float side = p.z < 0.0 ? abs(p.x) : max(abs(p.x), sqrt(WFV_PANINI_END * rho * (h + p.z)));
+  float x = 2.0 * side / d * v.scale.x;
+  return vec2(p.x < 0.0 ? -x : x, 2.0 * p.y / d * v.scale.y);
 }
 
 // Map of (lambda, phi) in radians.

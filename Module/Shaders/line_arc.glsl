@@ -108,7 +108,8 @@ vec2 wfvAcrossSeam(vec2 d)
 }
 
 // Angle of knot i, 0 to 4 WFV_KNOTS, from half a turn before top to half a turn behind it.
-// They are dense where the image may bend: near top, and opposite to it.
+// They are dense where the image may bend: near top, and opposite to it; or, where a map is
+// flat at its rim, which arcs meet a quarter of a turn from top, there.
 float wfvKnot(int i)
 {
   int k = i <= WFV_KNOTS ? i
@@ -117,6 +118,10 @@ float wfvKnot(int i)
   float step_ = log(x + sqrt(x * x + 1.0)) / float(WFV_KNOTS);
   float e = exp(step_ * float(k));
   float g = k == WFV_KNOTS ? 0.5 * WFV_PI : 0.5 * wfvArcDelta * (e - 1.0 / e);
+#if WFV_FLAT_RIM
+  float rest = 1.0 - float(k) / float(WFV_KNOTS);
+  g = 0.5 * WFV_PI * (1.0 - rest * rest);
+#endif
   float turned = i < 2 * WFV_KNOTS ? -1.0 : 1.0;
   bool far = i < WFV_KNOTS || i > 3 * WFV_KNOTS;
   return turned * (far ? WFV_PI - g : g);

@@ -111,11 +111,17 @@ float wfvLineGrow()
 
 void wfvEmitAlong(vec2 from, vec2 to, float grow)
 {
-  float l = length(to - from);
-  vec2 along = l > 1e-3 ? (to - from) / l : vec2(1.0, 0.0);
+  // an end may be so far away that float32 counts in pixels: from the other one, no farther
+  // than past the window
+  bool first = dot(from, from) < dot(to, to);
+  vec2 near = first ? from : to;
+  vec2 chord = first ? to - from : from - to;
+  float l = length(chord);
+  vec2 along = l > 1e-3 ? chord / l : vec2(1.0, 0.0);
   vec2 across = vec2(-along.y, along.x);
+  l = min(l, length(near) + wfvViewport.z + wfvViewport.w);
   wfvEmitRound(
-    from - grow * (along + across), (l + 2.0 * grow) * along, 2.0 * grow * across);
+    near - grow * (along + across), (l + 2.0 * grow) * along, 2.0 * grow * across);
 }
 
 // Distance, in pixels, of p from the line through a and b.
@@ -149,6 +155,10 @@ WfvStretch wfvMeasure(float lo, float hi, float ref)
   return s;
 }
 
+// Cosine of the angle from the axis beyond which nothing is judged by few points where a map
+// is flat at its rim: there arcs turn within a few pixels.
+const float WFV_LINE_RIM = 0.2;
+
 // Sine of the angle from the axis inside which nothing is judged by few points.
 float wfvLineSingularSine()
 {
@@ -159,6 +169,11 @@ bool wfvLineSingular(vec3 a, vec3 b)
 {
 #if WFV_FACES
   return false;
+#elif WFV_FLAT_RIM
+  if (max(a.z, b.z) > -WFV_LINE_RIM)
+  {
+    return true;
+  }
 #endif
   float s = wfvLineSingularSine();
 #if WFV_MERIDIAN

@@ -21,7 +21,11 @@ const float WFV_CUT_GAP = 1e-6;
 float wfvBeforeCut;
 
 // Newton's steps: from a chord, and from the centre of the pixel to a sample of it.
+#if WFV_FLAT_RIM
+const int WFV_LINE_STEPS = 12;
+#else
 const int WFV_LINE_STEPS = 5;
+#endif
 const int WFV_LINE_SAMPLE_STEPS = 2;
 
 // Pixels that the differences reach, each way, by which slopes are measured.
@@ -58,6 +62,20 @@ float wfvNewtonTurn(vec2 p, float c, float ref)
   return clamp(turn, -WFV_LINE_LONGEST_STEP, WFV_LINE_LONGEST_STEP);
 }
 
+// Takes the place at the angle a for the nearest one if it is; its distance from p.
+float wfvTry(vec2 p, float a, float ref)
+{
+  vec2 r = wfvAcrossSeam(p - wfvArcPixel(a, ref));
+  float d = length(r);
+  if (d < wfvBestDistance)
+  {
+    wfvBestDistance = d;
+    wfvBestOffset = r;
+    wfvBestAngle = a;
+  }
+  return d;
+}
+
 // Newton's method from a start, which it leaves at the result; a step that leads away is
 // halved.
 void wfvRefine(vec2 p, int which, int steps)
@@ -68,14 +86,7 @@ void wfvRefine(vec2 p, int which, int steps)
   float a = s.a;
   for (int i = 0; i <= steps; i++)
   {
-    vec2 r = wfvAcrossSeam(p - wfvArcPixel(s.a, s.ref));
-    float d = length(r);
-    if (d < wfvBestDistance)
-    {
-      wfvBestDistance = d;
-      wfvBestOffset = r;
-      wfvBestAngle = s.a;
-    }
+    float d = wfvTry(p, s.a, s.ref);
     if (d >= nearest)
     {
       s.a = 0.5 * (a + s.a);
@@ -157,12 +168,10 @@ void wfvStartDots()
 
 void wfvStartOnChord(vec2 p)
 {
-  vec2 chord = wfvLineMap.zw - wfvLineMap.xy;
-  vec2 r = wfvAcrossSeam(p - 0.5 * (wfvLineMap.xy + wfvLineMap.zw)) + 0.5 * chord;
-  float t = wfvOnChord(r, chord);
+  wfvChordDistance(p);
   float lo = wfvArcRange.x;
   float hi = wfvArcRange.y;
-  wfvStarts[0] = WfvStart(mix(lo, hi, t), lo, hi, wfvArcRef(lo, hi));
+  wfvStarts[0] = WfvStart(wfvBestAngle, lo, hi, wfvArcRef(lo, hi));
   wfvStartCount = 1;
 }
 
@@ -199,6 +208,13 @@ float wfvDistance(vec2 p, int steps)
   {
     wfvRefine(p, i, steps);
   }
+#if WFV_FLAT_RIM
+  // at the rim an arc turns within a few pixels: its end may be as near as what lies before
+  for (int i = 0; i < 2; i++)
+  {
+    wfvTry(p, wfvArcRange[i], wfvArcRef(wfvArcRange.x, wfvArcRange.y));
+  }
+#endif
   return wfvBestDistance;
 }
 
