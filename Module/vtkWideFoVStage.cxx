@@ -51,8 +51,7 @@ public:
     const bool lines = representation == VTK_WIREFRAME || type == PrimitiveLines;
     request.Kind = points ? Primitive::Points : lines ? Primitive::Lines : Primitive::Triangles;
     auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-    request.WidePoints =
-      request.Kind == Primitive::Points && wfv::PointSize(mapper, actor) > 1.0f;
+    request.WidePoints = request.Kind == Primitive::Points && wfv::PointSize(mapper, actor) > 1.0f;
     request.WideLines = request.Kind == Primitive::Lines && window &&
       actor->GetProperty()->GetLineWidth() > window->GetMaximumHardwareLineWidth();
     request.Edges = request.Kind == Primitive::Triangles &&

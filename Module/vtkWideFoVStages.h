@@ -45,7 +45,7 @@ private:
 
   wfv::MeshScale Meshes;
   double Tolerance = 0.25;
-  double PixelAngle = 0; // radians, of a pixel at the most if all were alike
+  double PixelAngle = 0;   // radians, of a pixel at the most if all were alike
   double HalfDiagonal = 1; // of the picture, pixels
   bool CanTessellate();
 

@@ -4,7 +4,8 @@
 // What an edge function that does not change from pixel to pixel is divided by.
 const float WFV_NO_SLOPE = 1e-30;
 
-// Pixels: farther edges show nothing here.
+// Pixels: farther ones do not show here, unless edges are drawn far wider than usual, whose
+// first step then has to do.
 const float WFV_EDGE_NEAR = 12.0;
 
 // Newton's steps: the first is all that is needed where a map hardly bends within a few

@@ -97,8 +97,7 @@ std::string DescribePixel(const View& view, int width, int height, const referen
 
 // True where all places within `slack` pixels of a pixel's centre, along the axes, are in the
 // map, or none is; which of the two is told.
-bool IsClear(
-  const View& view, int i, int j, int width, int height, double slack, bool& inside);
+bool IsClear(const View& view, int i, int j, int width, int height, double slack, bool& inside);
 
 // One line of the table of results.
 std::string Row(const Shot& shot, const std::string& scene, const reference::Metrics& m);

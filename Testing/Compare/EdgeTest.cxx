@@ -249,8 +249,7 @@ protected:
         ASSERT_EQ(Picture->Draw(shot).Width, shot.Width) << "nothing was drawn: " << Describe(shot);
         if (!check)
         {
-          caster.reset(
-            new reference::RayCaster(mesh, Picture->GetView(), Picture->GetPose()));
+          caster.reset(new reference::RayCaster(mesh, Picture->GetView(), Picture->GetPose()));
           check.reset(new EdgeCheck(*caster, shot));
         }
         const double slack = technique == vtkWideFoVPass::EXACT ? ExactSlack : ChordSlack;

@@ -299,6 +299,6 @@ TEST_P(CompareLines, Random)
 }
 
 INSTANTIATE_TEST_SUITE_P(All, CompareLines,
-  ::testing::Values("equirectangular", "hammer", "azimuthal-equidistant", "panini",
-    "orthographic", "equi-angular-cubemap"),
+  ::testing::Values("equirectangular", "hammer", "azimuthal-equidistant", "panini", "orthographic",
+    "equi-angular-cubemap"),
   DrawingTest::NameOf);

@@ -153,8 +153,7 @@ bool Agrees(vtkIdType cell, double distance, const std::vector<Candidate>& candi
   bool found = cell < 0;
   for (const Candidate& c : candidates)
   {
-    found = found ||
-      (c.Cell == cell && std::abs(c.Rho - distance) <= PointDepth * std::abs(c.Rho));
+    found = found || (c.Cell == cell && std::abs(c.Rho - distance) <= PointDepth * std::abs(c.Rho));
     if (c.Sure && (cell < 0 || c.Rho < distance * (1 - 2 * PointDepth)))
     {
       return false;
@@ -296,8 +295,7 @@ TEST_P(ComparePoints, EveryPixelOfTheSquare)
     unsigned int seed = 1;
     for (double size : { 1.0, 2.0, 5.0, 20.0 })
     {
-      for (int technique :
-        { vtkWideFoVPass::EXACT, vtkWideFoVPass::PRECLIP, vtkWideFoVPass::AUTO })
+      for (int technique : { vtkWideFoVPass::EXACT, vtkWideFoVPass::PRECLIP, vtkWideFoVPass::AUTO })
       {
         Check(shot, technique, seed++, size);
       }
@@ -320,5 +318,4 @@ std::vector<std::string> WideNames()
   return names;
 }
 
-INSTANTIATE_TEST_SUITE_P(
-  All, ComparePoints, ::testing::ValuesIn(WideNames()), DrawingTest::NameOf);
+INSTANTIATE_TEST_SUITE_P(All, ComparePoints, ::testing::ValuesIn(WideNames()), DrawingTest::NameOf);
