@@ -111,15 +111,15 @@ TEST(ShaderBuilder, OnlyWidePointsNeedAGeometryStage)
   EXPECT_TRUE(Has(s.VertexStage, "wfvProjectVertex"));
   Builder::Request request;
   request.WidePoints = true;
-  const Sources wide = Build(
-    "equirectangular", Builder::Variant::PreClip, Builder::Primitive::Points, request);
+  const Sources wide =
+    Build("equirectangular", Builder::Variant::PreClip, Builder::Primitive::Points, request);
   EXPECT_TRUE(Has(wide.GeometryStage, "layout(points) in;"));
   EXPECT_FALSE(Has(wide.VertexStage, "wfvProject"));
   EXPECT_TRUE(Has(wide.FragmentStage, "normalVCVSOutput = 1.0 * wfvCorner0_0;"));
   EXPECT_TRUE(Has(wide.FragmentStage, "vertexIDVSOutput = wfvCorner3_0;"));
   // what meets no discontinuity needs none either
-  const Sources plain = Build(
-    "equirectangular", Builder::Variant::Plain, Builder::Primitive::Points, request);
+  const Sources plain =
+    Build("equirectangular", Builder::Variant::Plain, Builder::Primitive::Points, request);
   EXPECT_TRUE(plain.GeometryStage.empty());
 }
 

@@ -161,12 +161,13 @@ void Arc::Place(const vec3& direction, Sample& s) const
 {
   const View& view = *this->TheView;
   // behind the rim of a half sphere there is none
-  const bool behind = view.GetProjection().FlatRim && wfvTilt(direction, view.GetParameters()).z > 0;
+  const bool behind =
+    view.GetProjection().FlatRim && wfvTilt(direction, view.GetParameters()).z > 0;
   s.Counts = !behind && (!this->Face || this->Face->Has(direction));
   const vec3 forward = view.Forward(direction).Ndc;
   const vec2 ndc = this->Face ? this->Face->Ndc(direction) : vec2(forward.x, forward.y);
-  s.Pixel = vec2(0.5 * (1 + ndc.x) * this->TheWindow.Width,
-    0.5 * (1 - ndc.y) * this->TheWindow.Height);
+  s.Pixel =
+    vec2(0.5 * (1 + ndc.x) * this->TheWindow.Width, 0.5 * (1 - ndc.y) * this->TheWindow.Height);
 }
 
 Sample Arc::At(double angle) const
