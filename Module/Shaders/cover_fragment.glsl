@@ -36,6 +36,24 @@ vec3 wfvEdgesAt(vec3 direction)
   return wfvPlane.w > 0.0 ? e : -e;
 }
 
+// Barycentric coordinates from the edge functions. Where a triangle is seen edge-on they
+// are rounding alone, and may sum up to nothing.
+vec3 wfvWeigh(vec3 e)
+{
+  float sum = e.x + e.y + e.z;
+  return sum > 0.0 ? e / sum : vec3(1.0 / 3.0);
+}
+
+// Of the triangle's own plane, towards the eye, view coordinates. Differences between
+// pixels, which stock VTK and the data pass take, are no numbers where a pixel of the quad
+// lies outside the map.
+#define WFV_FLAT_NORMAL
+vec3 wfvFlatNormal()
+{
+  vec3 n = wfvUntilt(wfvPlane.w > 0.0 ? -wfvPlane.xyz : wfvPlane.xyz, wfvView);
+  return n / wfvLength(n);
+}
+
 // Pixels: no sample is farther from its pixel's centre along either axis.
 const float WFV_SAMPLE_REACH = 0.5;
 
@@ -84,7 +102,7 @@ bool wfvCovered()
   vec3 e = wfvEdgesAt(ray.direction);
   float facing = wfvPlane.w > 0.0 ? 1.0 : -1.0;
   float sum = facing * dot(ray.direction, wfvPlane.xyz);
-  wfvB = e / (e.x + e.y + e.z);
+  wfvB = wfvWeigh(e);
   wfvDepth = wfvWindowDepth(facing * wfvPlane.w / sum);
   return wfvCoverage(ray, e, pixel, rim) && sum > 0.0;
 }
