@@ -87,6 +87,7 @@ bool vtkWideFoVStages::IsFine(vtkProp* prop, const double bounds[6])
 
 vtkWideFoVStage* vtkWideFoVStages::Choose(vtkProp* prop)
 {
+  this->Buffers.Prepare(prop);
   if (this->Technique == vtkWideFoVPass::VERTEX)
   {
     return this->Plain;

@@ -3,6 +3,7 @@
 #ifndef vtkWideFoVStages_h
 #define vtkWideFoVStages_h
 
+#include "vtkWideFoVBufferScale.h"
 #include "vtkWideFoVMeshScale.h"
 #include "vtkWideFoVStage.h"
 
@@ -19,7 +20,8 @@ public:
   // For all variants, from the next draw on.
   void SetDebugView(bool debugView);
 
-  // The stage for a prop: the cheapest that the technique allows it.
+  // The stage for a prop: the cheapest that the technique allows it. Prepares its vertex
+  // buffer, too.
   vtkWideFoVStage* Choose(vtkProp* prop);
 
   // Appends the stage to the prop's keys, and takes it away again.
@@ -39,6 +41,7 @@ private:
   // True where no edge of the prop bends by more than the tolerance, seen from here.
   bool IsFine(vtkProp* prop, const double bounds[6]);
 
+  wfv::BufferScale Buffers;
   wfv::MeshScale Meshes;
   double Tolerance = 0.25;
   double HalfDiagonal = 1; // of the picture, pixels

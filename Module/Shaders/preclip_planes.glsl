@@ -32,11 +32,12 @@ vec3 wfvWholeEdgePlane(int i, int j)
   return wfvTilt(vec3(cross(p, wfvWhole(j) - p)), wfvView);
 }
 
-vec4 wfvWholePlane()
+// From corner k on.
+vec4 wfvWholePlane(int k)
 {
-  dvec3 p = wfvWhole(0);
-  dvec3 q = wfvWhole(1);
-  dvec3 r = wfvWhole(2);
+  dvec3 p = wfvWhole(k);
+  dvec3 q = wfvWhole((k + 1) % 3);
+  dvec3 r = wfvWhole((k + 2) % 3);
   dvec3 normal = cross(q - p, r - p);
   double w = dot(normal, p);
   bool edgeOn = abs(w) <= WFV_EDGE_ON * length(p) * length(q) * length(r);
@@ -71,20 +72,23 @@ const float WFV_LONG = 0.5;
 // below may have either sign in float32, whose rounding is a twentieth.
 const float WFV_UNSURE = 1e-6;
 
-// The triangle's own plane; w is 0 where it is seen edge-on.
+// The triangle's own plane, from its nearest corner, whose rounding is the least; w is 0
+// where it is seen edge-on.
 vec4 wfvTrianglePlane(vec3 lengths)
 {
-  vec3 a = wfvP[1] - wfvP[0];
-  vec3 b = wfvP[2] - wfvP[0];
+  int k = lengths.x < lengths.y ? (lengths.x < lengths.z ? 0 : 2) : (lengths.y < lengths.z ? 1 : 2);
+  vec3 p = wfvP[k];
+  vec3 a = wfvP[(k + 1) % 3] - p;
+  vec3 b = wfvP[(k + 2) % 3] - p;
   vec3 normal = cross(a, b);
-  float w = dot(normal, wfvP[0]);
+  float w = dot(normal, p);
 #ifdef GL_ARB_gpu_shader_fp64
   float far = max(lengths.x, max(lengths.y, lengths.z));
   float longest = max(length(a), max(length(b), length(b - a)));
   bool beside = longest > WFV_LONG * far && abs(w) < WFV_BESIDE * far * length(normal);
   if (beside || abs(w) < WFV_UNSURE * far * far * longest)
   {
-    return wfvWholePlane();
+    return wfvWholePlane(k);
   }
 #endif
   return vec4(normal, w);
