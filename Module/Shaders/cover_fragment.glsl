@@ -12,6 +12,7 @@ flat in vec3 wfvSlack;
 flat in int wfvMode;
 
 vec3 wfvB;       // barycentric coordinates here
+float wfvRho;    // distance from the eye here, in the stage's own units
 float wfvDepth;  // window depth here, 0 to 1
 bool wfvHide;    // not covered: discarded once the stock shader has run
 bool wfvFront;   // seen from its front
@@ -87,12 +88,16 @@ bool wfvCoverage(WfvRay ray, vec3 e, mat2x3 pixel, bool rim)
   return mask != 0;
 }
 
-// Window depth of a distance from the eye in the stage's own units; interpolated depth
-// would err along edges that run away from the eye.
-float wfvWindowDepth(float rho)
+// By the plane; interpolated depth would err along edges that run away from the eye, and
+// the position that corners are weighed to, beside the eye, where they are far.
+void wfvSetDistance(float rho)
 {
-  return wfvDepthOf(rho * wfvScale(), wfvView);
+  wfvRho = rho;
+  wfvDepth = wfvDepthOf(rho * wfvScale(), wfvView);
 }
+
+// For the data pass.
+#define WFV_DISTANCE (wfvRho * wfvScale())
 
 bool wfvCovered()
 {
@@ -103,7 +108,7 @@ bool wfvCovered()
   float facing = wfvPlane.w > 0.0 ? 1.0 : -1.0;
   float sum = facing * dot(ray.direction, wfvPlane.xyz);
   wfvB = wfvWeigh(e);
-  wfvDepth = wfvWindowDepth(facing * wfvPlane.w / sum);
+  wfvSetDistance(facing * wfvPlane.w / sum);
   return wfvCoverage(ray, e, pixel, rim) && sum > 0.0;
 }
 
@@ -116,7 +121,7 @@ void wfvPrepare()
   gl_SampleMask[0] = -1;
 #endif
   wfvB = wfvBary / (wfvBary.x + wfvBary.y + wfvBary.z);
-  wfvDepth = wfvWindowDepth(length(wfvPosition));
+  wfvSetDistance(length(wfvPosition));
   if (wfvByRay != 0 && (wfvMode & 1) == 0)
   {
     wfvMeetSurface();

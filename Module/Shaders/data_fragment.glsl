@@ -14,8 +14,12 @@ vec3 wfvFlatNormal()
 }
 #endif
 
+#ifndef WFV_DISTANCE
+#define WFV_DISTANCE length(position)
+#endif
+
 vec4 wfvData(vec3 position, int primitive)
 {
   float id = wfvPropNumber > 0 ? float(primitive + 1) : 0.0;
-  return vec4(length(position), id, float(wfvPropNumber), 1.0);
+  return vec4(WFV_DISTANCE, id, float(wfvPropNumber), 1.0);
 }

@@ -46,11 +46,14 @@ vec4 wfvWholePlane(int k)
 #endif
 
 // Plane through the eye and the edge of corners i and j, the same to the last bit from both
-// sides. An edge that is seen under less than a right angle passes the eye no nearer than
-// float32 is good for.
+// sides: from the nearer corner, or the farther one's rounding would count in full. An edge
+// that is seen under less than a right angle passes the eye no nearer than its nearer corner
+// is, and float32 does.
 vec3 wfvEdgePlane(int i, int j)
 {
-  bool ordered = wfvOrdered(wfvP[i], wfvP[j]);
+  float a = dot(wfvP[i], wfvP[i]);
+  float b = dot(wfvP[j], wfvP[j]);
+  bool ordered = a != b ? a < b : wfvOrdered(wfvP[i], wfvP[j]);
   vec3 p = ordered ? wfvP[i] : wfvP[j];
   vec3 q = ordered ? wfvP[j] : wfvP[i];
   vec3 n = cross(p, q - p);

@@ -13,6 +13,6 @@ void wfvMeetSurface()
   if (ray.inside && sum > 0.0 && all(greaterThanEqual(e, vec3(0.0))))
   {
     wfvB = wfvWeigh(e);
-    wfvDepth = wfvWindowDepth(facing * wfvPlane.w / sum);
+    wfvSetDistance(facing * wfvPlane.w / sum);
   }
 }
