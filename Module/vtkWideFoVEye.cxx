@@ -54,8 +54,11 @@ void SetEye(
   for (int i = 0; i < 3 && known; i++)
   {
     const double eye = inverse[4 * i + 3];
-    high[i] = static_cast<float>(eye);
-    low[i] = static_cast<float>(eye - high[i]);
+    // volatile: GCC 12 vectorizes the three lines without it, and then low[0] and low[1]
+    // are 0 at -O2
+    const volatile float rounded = static_cast<float>(eye);
+    high[i] = rounded;
+    low[i] = static_cast<float>(eye - rounded);
   }
   program->SetUniformi("wfvEyeKnown", known);
   program->SetUniform3f("wfvEyeHigh", high);

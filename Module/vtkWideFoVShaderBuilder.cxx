@@ -51,6 +51,14 @@ std::string LineOutputs(const std::vector<Varying>& varyings)
   return declarations + "void wfvWriteMix(float t)\n{\n" + body + "}\n";
 }
 
+bool CoversTriangles(const Request& r)
+{
+  return vtkWideFoVShaderBuilder::NeedsGeometryStage(r) && r.Kind == Primitive::Triangles;
+}
+
+// For the few planes that float32 is too coarse for; without it they are as good as it is.
+const char* const Doubles = "#extension GL_ARB_gpu_shader_fp64 : enable\n";
+
 // The geometry stage of points, lines or triangles, behind what all have.
 std::string PrimitiveSource(const Request& r, const std::vector<Varying>& varyings)
 {
@@ -69,15 +77,16 @@ std::string PrimitiveSource(const Request& r, const std::vector<Varying>& varyin
   }
   // copies of every vertex output at the three corners, which the fragment stage weighs:
   // exact wherever the geometry stage cuts
-  return CornerOutputs(varyings, 3) + preclip_emit_glsl + preclip_cover_glsl +
+  return CornerOutputs(varyings, 3) + preclip_emit_glsl + preclip_planes_glsl + preclip_cover_glsl +
     CoverSource(*r.Projection) + (r.DebugView ? preclip_kinds_glsl : "") + preclip_triangles_glsl;
 }
 
-std::string GeometrySource(const Request& r, const std::vector<Varying>& varyings)
+// rest: of the view coordinates of each vertex float32 left something off, which is here.
+std::string GeometrySource(const Request& r, const std::vector<Varying>& varyings, bool rest)
 {
-  std::string source = "//VTK::System::Dec\n" + ViewSource(r) +
-    (r.Kind == Primitive::Points ? "" : preclip_glsl) + (r.DebugView ? debug_kinds_glsl : "") +
-    PrimitiveSource(r, varyings);
+  std::string source = std::string("//VTK::System::Dec\n") + (CoversTriangles(r) ? Doubles : "") +
+    Define("WFV_REST", rest) + ViewSource(r) + (r.Kind == Primitive::Points ? "" : preclip_glsl) +
+    (r.DebugView ? debug_kinds_glsl : "") + PrimitiveSource(r, varyings);
   if (r.Stage == vtkWideFoVShaderBuilder::Variant::Tessellate)
   {
     ReplaceAll(source, "gl_PrimitiveIDIn", "wfvPrimitive[0]");
@@ -85,9 +94,28 @@ std::string GeometrySource(const Request& r, const std::vector<Varying>& varying
   return source;
 }
 
-bool CoversTriangles(const Request& r)
+// Where the vertices go: to a geometry stage, or into the map at once.
+void FinishVertices(const Request& r, const std::vector<Varying>& varyings, std::string& vertex,
+  std::string& geometry)
 {
-  return vtkWideFoVShaderBuilder::NeedsGeometryStage(r) && r.Kind == Primitive::Triangles;
+  // the pieces of a tessellation are made of what float32 has
+  const bool mayRest =
+    CoversTriangles(r) && r.Stage != vtkWideFoVShaderBuilder::Variant::Tessellate;
+  const bool rest = TakeFromEye(vertex, mayRest) && mayRest;
+  if (vtkWideFoVShaderBuilder::NeedsGeometryStage(r))
+  {
+    geometry = GeometrySource(r, varyings, rest);
+  }
+  else
+  {
+    vtkWideFoVShaderBuilder::WrapMain(
+      vertex, "", "  gl_Position = wfvProjectVertex(gl_Position.xyz);\n");
+    vtkWideFoVShaderBuilder::Declare(vertex, ViewSource(r));
+  }
+  if (rest)
+  {
+    vtkWideFoVShaderBuilder::Declare(vertex, Doubles);
+  }
 }
 
 // True where the fragment stage finds what of the primitive a pixel sees.
@@ -108,6 +136,7 @@ std::string CoverFragment(
   {
     return wfv::point::FragmentSource(varyings, fragment);
   }
+  RewriteFlatNormal(fragment);
   return std::string(ray_fragment_glsl) + cover_fragment_glsl + chord_fragment_glsl +
     surface_fragment_glsl + (r.Edges || r.DebugView ? edge_distance_glsl : "") +
     CornerInputs(varyings, { "wfvB.x", "wfvB.y", "wfvB.z" });
@@ -251,7 +280,6 @@ void vtkWideFoVShaderBuilder::Finish(
   {
     wfv::FlattenArrays(vertex, fragment);
   }
-  TakeFromEye(vertex);
   if (r.FragmentDepth && !Covers(r))
   {
     WrapMain(vertex, "", "  wfvPlaceVSOutput = gl_Position.xyz;\n");
@@ -265,14 +293,6 @@ void vtkWideFoVShaderBuilder::Finish(
     WrapMain(vertex, "", "  wfvPrimitive = 0;\n");
   }
   const std::vector<Varying> varyings = FindVaryings(vertex);
-  if (NeedsGeometryStage(r))
-  {
-    geometry = GeometrySource(r, varyings);
-  }
-  else
-  {
-    WrapMain(vertex, "", "  gl_Position = wfvProjectVertex(gl_Position.xyz);\n");
-    Declare(vertex, ViewSource(r));
-  }
+  FinishVertices(r, varyings, vertex, geometry);
   FinishFragment(r, varyings, fragment);
 }

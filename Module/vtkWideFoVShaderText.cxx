@@ -146,16 +146,23 @@ void RewriteLights(std::string& fragment)
   fragment = head + body;
 }
 
-void TakeFromEye(std::string& vertex)
+void RewriteFlatNormal(std::string& fragment)
+{
+  ReplaceAll(fragment, "normalize(cross(fdx,fdy))", "wfvFlatNormal()");
+}
+
+bool TakeFromEye(std::string& vertex, bool rest)
 {
   static const std::regex product(R"(\bMC[DV]CMatrix\s*\*\s*vertexMC\b)");
-  if (std::regex_search(vertex, product))
+  if (!std::regex_search(vertex, product))
   {
-    const bool both = vertex.find("MCDCMatrix") != std::string::npos;
-    const std::string matrix = both ? "MCDCMatrix" : "MCVCMatrix";
-    vertex = std::regex_replace(vertex, product, "wfvFromEyeOf(" + matrix + ", vertexMC)");
-    vtkWideFoVShaderBuilder::Declare(vertex, eye_vertex_glsl);
+    return false;
   }
+  const bool both = vertex.find("MCDCMatrix") != std::string::npos;
+  const std::string matrix = both ? "MCDCMatrix" : "MCVCMatrix";
+  vertex = std::regex_replace(vertex, product, "wfvFromEyeOf(" + matrix + ", vertexMC)");
+  vtkWideFoVShaderBuilder::Declare(vertex, Define("WFV_REST", rest) + eye_vertex_glsl);
+  return true;
 }
 
 std::string RewriteDepth(std::string& fragment)

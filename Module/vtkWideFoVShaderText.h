@@ -63,8 +63,13 @@ int CornerComponents(const std::vector<Varying>& varyings, int corners);
 std::string ViewSource(const Request& request);
 
 // The wide camera's view and clip coordinates are the same; both stock statements are
-// replaced, so that neighbours and attributes agree to the bit.
-void TakeFromEye(std::string& vertex);
+// replaced, so that neighbours and attributes agree to the bit. False where there are none.
+// rest: what float32 leaves off goes on to the next stage, as wfvRest.
+bool TakeFromEye(std::string& vertex, bool rest = false);
+
+// The normal of a surface without normals: of the triangle, not from differences between
+// pixels. For a fragment stage that knows it (cover_fragment.glsl).
+void RewriteFlatNormal(std::string& fragment);
 
 // The stock text takes normal.z for the cosine towards the eye and the view axis for
 // the direction of a headlight; both hold in front of the eye only.

@@ -144,9 +144,12 @@ vtkWideFoVShaderBuilder::Request vtkWideFoVStage::MakeRequest(
     request.Stage = vtkWideFoVShaderBuilder::Variant::PreClip;
   }
   const bool lines = request.Kind == vtkWideFoVShaderBuilder::Primitive::Lines;
-  if (lines && polydata && this->ExactLines && wfv::HasFewLines(polydata))
+  if (lines && polydata && this->ExactLines)
   {
-    request.Stage = vtkWideFoVShaderBuilder::Variant::Exact;
+    // few are exact, many are not, whatever the triangles of the prop are
+    using Variant = vtkWideFoVShaderBuilder::Variant;
+    const Variant chords = request.Stage == Variant::Exact ? Variant::PreClip : request.Stage;
+    request.Stage = wfv::HasFewLines(polydata) ? Variant::Exact : chords;
   }
   // only our own mapper draws patches; the pieces' edges must not show as the cell's
   const bool patches = vtkWideFoVPolyDataMapper::SafeDownCast(mapper) &&

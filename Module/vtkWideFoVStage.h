@@ -59,10 +59,10 @@ public:
     }
   }
 
-  // Of all, and those of them that were tessellated.
   // What is seen where a chord covers a pixel: by the pixel's ray, not interpolated.
   void SetByRay(bool byRay) { this->ByRay = byRay; }
 
+  // Of all, and those of them that were tessellated.
   int GetNumberOfDraws() const { return this->NumberOfDraws; }
   int GetNumberOfTessellateDraws() const { return this->NumberOfTessellateDraws; }
   void ResetNumberOfDraws() { this->NumberOfDraws = this->NumberOfTessellateDraws = 0; }

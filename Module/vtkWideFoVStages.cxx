@@ -20,9 +20,10 @@
 
 namespace
 {
-// Pixels: who asks for less asks for exact depth and attributes too, which the vertex
-// stage alone does not give.
-constexpr double PlainTolerance = 0.05;
+// Pixels: under this a chord stands for no edge. The rasterizer snaps the ends of a chord by
+// up to 1/128 of a pixel, and the lens between the two is as thin as that; and who asks for
+// so little asks for exact depth and attributes too. Everything is covered.
+constexpr double LeastTolerance = 0.05;
 
 // Factor: how much larger than the mean a pixel's angle may be somewhere in a map.
 constexpr double PixelSafety = 8;
@@ -69,8 +70,7 @@ void vtkWideFoVStages::Begin(
   {
     stage->SetView(renderer, camera, tolerance);
     stage->SetClipless(technique == vtkWideFoVPass::VERTEX);
-    stage->SetByRay(technique == vtkWideFoVPass::TESSELLATE ||
-      (technique == vtkWideFoVPass::AUTO && tolerance < PlainTolerance));
+    stage->SetByRay(technique == vtkWideFoVPass::TESSELLATE);
     stage->SetExactLines(this->Technique == vtkWideFoVPass::AUTO);
     stage->ResetNumberOfDraws();
   }
@@ -88,10 +88,9 @@ bool vtkWideFoVStages::IsFine(vtkProp* prop, const double bounds[6])
 {
   const bool everywhere = this->Technique == vtkWideFoVPass::PRECLIP;
   return everywhere ||
-    (this->Tolerance >= PlainTolerance &&
-      vtkWideFoVChordError(this->View, bounds, this->WorldToView, this->Meshes.Get(prop)) *
-          this->HalfDiagonal <=
-        this->Tolerance);
+    vtkWideFoVChordError(this->View, bounds, this->WorldToView, this->Meshes.Get(prop)) *
+      this->HalfDiagonal <=
+    this->Tolerance;
 }
 
 double vtkWideFoVStages::GetPointReach(vtkProp* prop) const
@@ -103,11 +102,13 @@ double vtkWideFoVStages::GetPointReach(vtkProp* prop) const
 
 vtkWideFoVStage* vtkWideFoVStages::Choose(vtkProp* prop)
 {
+  this->Buffers.Prepare(prop);
   if (this->Technique == vtkWideFoVPass::VERTEX)
   {
     return this->Plain;
   }
-  if (this->Technique == vtkWideFoVPass::EXACT)
+  const bool fine = this->Technique == vtkWideFoVPass::AUTO && this->Tolerance < LeastTolerance;
+  if (this->Technique == vtkWideFoVPass::EXACT || fine)
   {
     return this->Exact;
   }

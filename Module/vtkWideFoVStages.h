@@ -3,6 +3,7 @@
 #ifndef vtkWideFoVStages_h
 #define vtkWideFoVStages_h
 
+#include "vtkWideFoVBufferScale.h"
 #include "vtkWideFoVMeshScale.h"
 #include "vtkWideFoVStage.h"
 
@@ -19,7 +20,8 @@ public:
   // For all variants, from the next draw on.
   void SetDebugView(bool debugView);
 
-  // The stage for a prop: the cheapest that the technique allows it.
+  // The stage for a prop: the cheapest that the technique allows it. Prepares its vertex
+  // buffer, too.
   vtkWideFoVStage* Choose(vtkProp* prop);
 
   // Appends the stage to the prop's keys, and takes it away again.
@@ -43,6 +45,7 @@ private:
   // larger than a pixel.
   double GetPointReach(vtkProp* prop) const;
 
+  wfv::BufferScale Buffers;
   wfv::MeshScale Meshes;
   double Tolerance = 0.25;
   double PixelAngle = 0;   // radians, of a pixel at the most if all were alike

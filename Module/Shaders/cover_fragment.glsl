@@ -12,6 +12,7 @@ flat in vec3 wfvSlack;
 flat in int wfvMode;
 
 vec3 wfvB;       // barycentric coordinates here
+float wfvRho;    // distance from the eye here, in the stage's own units
 float wfvDepth;  // window depth here, 0 to 1
 bool wfvHide;    // not covered: discarded once the stock shader has run
 bool wfvFront;   // seen from its front
@@ -35,6 +36,24 @@ vec3 wfvEdgesAt(vec3 direction)
 {
   vec3 e = vec3(dot(direction, wfvEdge0), dot(direction, wfvEdge1), dot(direction, wfvEdge2));
   return wfvPlane.w > 0.0 ? e : -e;
+}
+
+// Barycentric coordinates from the edge functions. Where a triangle is seen edge-on they
+// are rounding alone, and may sum up to nothing.
+vec3 wfvWeigh(vec3 e)
+{
+  float sum = e.x + e.y + e.z;
+  return sum > 0.0 ? e / sum : vec3(1.0 / 3.0);
+}
+
+// Of the triangle's own plane, towards the eye, view coordinates. Differences between
+// pixels, which stock VTK and the data pass take, are no numbers where a pixel of the quad
+// lies outside the map.
+#define WFV_FLAT_NORMAL
+vec3 wfvFlatNormal()
+{
+  vec3 n = wfvUntilt(wfvPlane.w > 0.0 ? -wfvPlane.xyz : wfvPlane.xyz, wfvView);
+  return n / wfvLength(n);
 }
 
 // Pixels: no sample is farther from its pixel's centre along either axis.
@@ -70,12 +89,16 @@ bool wfvCoverage(WfvRay ray, vec3 e, mat2x3 pixel, bool rim)
   return mask != 0;
 }
 
-// Window depth of a distance from the eye in the stage's own units; interpolated depth
-// would err along edges that run away from the eye.
-float wfvWindowDepth(float rho)
+// By the plane; interpolated depth would err along edges that run away from the eye, and
+// the position that corners are weighed to, beside the eye, where they are far.
+void wfvSetDistance(float rho)
 {
-  return wfvDepthOf(rho * wfvScale(), wfvView);
+  wfvRho = rho;
+  wfvDepth = wfvDepthOf(rho * wfvScale(), wfvView);
 }
+
+// For the data pass.
+#define WFV_DISTANCE (wfvRho * wfvScale())
 
 bool wfvCovered()
 {
@@ -85,8 +108,8 @@ bool wfvCovered()
   vec3 e = wfvEdgesAt(ray.direction);
   float facing = wfvPlane.w > 0.0 ? 1.0 : -1.0;
   float sum = facing * dot(ray.direction, wfvPlane.xyz);
-  wfvB = e / (e.x + e.y + e.z);
-  wfvDepth = wfvWindowDepth(facing * wfvPlane.w / sum);
+  wfvB = wfvWeigh(e);
+  wfvSetDistance(facing * wfvPlane.w / sum);
   return wfvCoverage(ray, e, pixel, rim) && sum > 0.0;
 }
 
@@ -99,7 +122,7 @@ void wfvPrepare()
   gl_SampleMask[0] = -1;
 #endif
   wfvB = wfvBary / (wfvBary.x + wfvBary.y + wfvBary.z);
-  wfvDepth = wfvWindowDepth(length(wfvPosition));
+  wfvSetDistance(length(wfvPosition));
   if (wfvByRay != 0 && (wfvMode & 1) == 0)
   {
     wfvMeetSurface();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Covers a triangle for maps of longitude and latitude: a rectangle of angles, in two
-// parts where it reaches across the seam.
+// parts where it reaches across the seam. Where parallels are short, towards a pole, the two
+// overlap in the picture: there they are one, lest a pixel be hit twice.
 
 void wfvCover(bool front, float facing)
 {
@@ -12,17 +13,23 @@ void wfvCover(bool front, float facing)
   bool round_ = (north || south) && !wfvCornerAtPole(vec3(0.0, 1.0, 0.0));
   if (round_ || a.z - a.x >= 2.0 * WFV_PI)
   {
-    wfvEmitRectangle(vec4(-WFV_PI, a.y, WFV_PI, a.w), front);
+    wfvEmitRectangle(wfvPadded(vec4(-WFV_PI, a.y, WFV_PI, a.w)), front);
     return;
   }
   float turn = 2.0 * WFV_PI;
-  wfvEmitRectangle(vec4(max(a.x, -WFV_PI), a.y, min(a.z, WFV_PI), a.w), front);
-  if (a.z > WFV_PI)
+  vec4 here = wfvPadded(vec4(max(a.x, -WFV_PI), a.y, min(a.z, WFV_PI), a.w));
+  if (a.z <= WFV_PI && a.x >= -WFV_PI)
   {
-    wfvEmitRectangle(vec4(-WFV_PI, a.y, a.z - turn, a.w), front);
+    wfvEmitRectangle(here, front);
+    return;
   }
-  else if (a.x < -WFV_PI)
+  vec4 across = wfvPadded(a.z > WFV_PI ? vec4(-WFV_PI, a.y, a.z - turn, a.w)
+                                       : vec4(a.x + turn, a.y, WFV_PI, a.w));
+  if (max(here.x, across.x) < min(here.z, across.z))
   {
-    wfvEmitRectangle(vec4(a.x + turn, a.y, WFV_PI, a.w), front);
+    wfvEmitRectangle(vec4(min(here.xy, across.xy), max(here.zw, across.zw)), front);
+    return;
   }
+  wfvEmitRectangle(here, front);
+  wfvEmitRectangle(across, front);
 }

@@ -92,11 +92,16 @@ void wfvEmitQuad(vec2 corner, vec2 right, vec2 up, bool front)
   wfvEnd();
 }
 
-void wfvEmitRectangle(vec4 angles, bool front)
+// Bounds in the picture of a rectangle of angles, padded.
+vec4 wfvPadded(vec4 angles)
 {
   vec2 pad = 2.0 * WFV_PAD / (wfvViewport.zw * wfvTile.xy);
   vec4 r = wfvBounds(angles, wfvView);
-  r = vec4(max(r.xy - pad, vec2(-1.0)), min(r.zw + pad, vec2(1.0)));
+  return vec4(max(r.xy - pad, vec2(-1.0)), min(r.zw + pad, vec2(1.0)));
+}
+
+void wfvEmitRectangle(vec4 r, bool front)
+{
   if (r.x >= r.z || r.y >= r.w)
   {
     return;

@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pre-clip of triangles: which way each one is drawn.
 
-// Plane through the eye and the edge p, q, the same to the last bit from both sides.
-vec3 wfvEdgePlane(vec3 p, vec3 q)
-{
-  return wfvOrdered(p, q) ? cross(p, q - p) : -cross(q, p - q);
-}
-
 // True where the triangle reaches the plane x = 0 behind the eye, or lies on more than
 // one face of the cube.
 bool wfvReachesSeam()
@@ -137,18 +131,17 @@ void wfvReadCorners()
 void main()
 {
   wfvReadCorners();
-  vec3 normal = cross(wfvP[1] - wfvP[0], wfvP[2] - wfvP[0]);
-  wfvT = vec4(normal, dot(normal, wfvP[0]));
   vec3 lengths = vec3(length(wfvP[0]), length(wfvP[1]), length(wfvP[2]));
+  wfvT = wfvTrianglePlane(lengths);
   // seen edge-on, or not a number: it covers no pixel
   if (!(abs(wfvT.w) > 0.0) || wfvOutside(lengths))
   {
     return;
   }
   float facing = wfvT.w > 0.0 ? 1.0 : -1.0;
-  wfvN[0] = wfvEdgePlane(wfvP[1], wfvP[2]);
-  wfvN[1] = wfvEdgePlane(wfvP[2], wfvP[0]);
-  wfvN[2] = wfvEdgePlane(wfvP[0], wfvP[1]);
+  wfvN[0] = wfvEdgePlane(1, 2);
+  wfvN[1] = wfvEdgePlane(2, 0);
+  wfvN[2] = wfvEdgePlane(0, 1);
   bool seam = wfvReachesSeam();
   bool easy = wfvEasy(lengths);
   bool tear = seam && WFV_STRAIGHT_SEAM == 0;

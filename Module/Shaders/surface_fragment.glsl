@@ -12,7 +12,7 @@ void wfvMeetSurface()
   // between an edge and its chord the ray misses: the interpolated place stays
   if (ray.inside && sum > 0.0 && all(greaterThanEqual(e, vec3(0.0))))
   {
-    wfvB = e / (e.x + e.y + e.z);
-    wfvDepth = wfvWindowDepth(facing * wfvPlane.w / sum);
+    wfvB = wfvWeigh(e);
+    wfvSetDistance(facing * wfvPlane.w / sum);
   }
 }

@@ -77,6 +77,47 @@ TEST(ShaderBuilder, PreClipCarriesEveryOutputByThreeCorners)
   EXPECT_TRUE(Has(s.FragmentStage, "gl_FragDepth = wfvDepth;"));
 }
 
+// What float32 leaves off goes from the vertex to the geometry stage, and no farther.
+TEST(ShaderBuilder, TrianglesKeepAllDigitsOfTheirCorners)
+{
+  Builder::Request request;
+  request.Projection = wfv::FindProjection("hammer");
+  for (auto variant :
+    { Builder::Variant::Exact, Builder::Variant::Tessellate, Builder::Variant::Plain })
+  {
+    request.Stage = variant;
+    Sources s;
+    s.VertexStage = "//VTK::System::Dec\nvoid main()\n{\n"
+                    "  gl_Position = MCDCMatrix * vertexMC;\n}\n";
+    Builder::Finish(request, s.VertexStage, s.GeometryStage, s.FragmentStage);
+    EXPECT_TRUE(Has(s.VertexStage, "gl_Position = wfvFromEyeOf(MCDCMatrix, vertexMC);"));
+    const bool rest = variant == Builder::Variant::Exact;
+    EXPECT_EQ(Has(s.VertexStage, "#define WFV_REST 1"), rest);
+    EXPECT_EQ(Has(s.GeometryStage, "#define WFV_REST 1"), rest);
+    // extensions come before anything else
+    const std::string head = "//VTK::System::Dec\n#extension GL_ARB_gpu_shader_fp64 : enable\n";
+    EXPECT_EQ(s.VertexStage.find(head) == 0, rest);
+    EXPECT_FALSE(Has(s.FragmentStage, "wfvRest"));
+  }
+}
+
+TEST(ShaderBuilder, ATriangleKnowsItsFlatNormal)
+{
+  const std::string stock = "//VTK::System::Dec\nvoid main()\n{\n"
+                            "  vec3 normalVCVSOutput = normalize(cross(fdx,fdy));\n}\n";
+  Builder::Request request;
+  request.Projection = wfv::FindProjection("hammer");
+  for (auto variant : { Builder::Variant::PreClip, Builder::Variant::Plain })
+  {
+    request.Stage = variant;
+    Sources s;
+    s.FragmentStage = stock;
+    Builder::Finish(request, s.VertexStage, s.GeometryStage, s.FragmentStage);
+    EXPECT_EQ(Has(s.FragmentStage, "vec3 normalVCVSOutput = wfvFlatNormal();"),
+      variant == Builder::Variant::PreClip);
+  }
+}
+
 TEST(ShaderBuilder, LinesMixTheirTwoEnds)
 {
   const Sources s = Build("equirectangular", Builder::Variant::PreClip, Builder::Primitive::Lines);

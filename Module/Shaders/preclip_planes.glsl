@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pre-clip of triangles: the planes through the eye and each edge, and the triangle's own.
+//
+// View coordinates of a corner are rounded by its own distance from the eye. Seen at that
+// distance the angle is nothing, but not where an edge or the triangle passes the eye much
+// nearer than its corners are; nor does float32 tell from which side a triangle is seen that
+// is nearly edge-on. There, and only there, the corners count with what float32 left off,
+// and the planes are computed in double.
+
+#ifdef GL_ARB_gpu_shader_fp64
+#if WFV_REST
+in vec3 wfvRest[]; // view coordinates: what float32 left off
+#endif
+
+// Share of the product of the corners' distances below which a determinant is rounding:
+// view coordinates have 48 bits here, there are three of them, and some room.
+const double WFV_EDGE_ON = 1e-14lf;
+
+// Corner i in the stage's own units, not tilted: planes are tilted once they are known.
+dvec3 wfvWhole(int i)
+{
+  dvec3 p = dvec3(gl_in[i].gl_Position.xyz);
+#if WFV_REST
+  p += dvec3(wfvRest[i]);
+#endif
+  return p / double(wfvScale());
+}
+
+vec3 wfvWholeEdgePlane(int i, int j)
+{
+  dvec3 p = wfvWhole(i);
+  return wfvTilt(vec3(cross(p, wfvWhole(j) - p)), wfvView);
+}
+
+// From corner k on.
+vec4 wfvWholePlane(int k)
+{
+  dvec3 p = wfvWhole(k);
+  dvec3 q = wfvWhole((k + 1) % 3);
+  dvec3 r = wfvWhole((k + 2) % 3);
+  dvec3 normal = cross(q - p, r - p);
+  double w = dot(normal, p);
+  bool edgeOn = abs(w) <= WFV_EDGE_ON * length(p) * length(q) * length(r);
+  return vec4(wfvTilt(vec3(normal), wfvView), edgeOn ? 0.0 : float(w));
+}
+#endif
+
+// Plane through the eye and the edge of corners i and j, the same to the last bit from both
+// sides: from the nearer corner, or the farther one's rounding would count in full. An edge
+// that is seen under less than a right angle passes the eye no nearer than its nearer corner
+// is, and float32 does.
+vec3 wfvEdgePlane(int i, int j)
+{
+  float a = dot(wfvP[i], wfvP[i]);
+  float b = dot(wfvP[j], wfvP[j]);
+  bool ordered = a != b ? a < b : wfvOrdered(wfvP[i], wfvP[j]);
+  vec3 p = ordered ? wfvP[i] : wfvP[j];
+  vec3 q = ordered ? wfvP[j] : wfvP[i];
+  vec3 n = cross(p, q - p);
+#ifdef GL_ARB_gpu_shader_fp64
+  if (dot(p, q) < 0.0)
+  {
+    n = wfvWholeEdgePlane(ordered ? i : j, ordered ? j : i);
+  }
+#endif
+  return ordered ? n : -n;
+}
+
+// Share of the farthest corner's distance: a plane that passes the eye nearer than this, of
+// a triangle whose longest edge is more than that, is computed in double.
+const float WFV_BESIDE = 0.1;
+const float WFV_LONG = 0.5;
+
+// Share of the longest edge times the farthest corner's distance squared: a determinant
+// below may have either sign in float32, whose rounding is a twentieth.
+const float WFV_UNSURE = 1e-6;
+
+// The triangle's own plane, from its nearest corner, whose rounding is the least; w is 0
+// where it is seen edge-on.
+vec4 wfvTrianglePlane(vec3 lengths)
+{
+  int k = lengths.x < lengths.y ? (lengths.x < lengths.z ? 0 : 2) : (lengths.y < lengths.z ? 1 : 2);
+  vec3 p = wfvP[k];
+  vec3 a = wfvP[(k + 1) % 3] - p;
+  vec3 b = wfvP[(k + 2) % 3] - p;
+  vec3 normal = cross(a, b);
+  float w = dot(normal, p);
+#ifdef GL_ARB_gpu_shader_fp64
+  float far = max(lengths.x, max(lengths.y, lengths.z));
+  float longest = max(length(a), max(length(b), length(b - a)));
+  bool beside = longest > WFV_LONG * far && abs(w) < WFV_BESIDE * far * length(normal);
+  if (beside || abs(w) < WFV_UNSURE * far * far * longest)
+  {
+    return wfvWholePlane(k);
+  }
+#endif
+  return vec4(normal, w);
+}
