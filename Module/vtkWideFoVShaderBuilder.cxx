@@ -77,8 +77,8 @@ std::string PrimitiveSource(const Request& r, const std::vector<Varying>& varyin
   }
   // copies of every vertex output at the three corners, which the fragment stage weighs:
   // exact wherever the geometry stage cuts
-  return CornerOutputs(varyings, 3) + preclip_emit_glsl + preclip_planes_glsl + preclip_cover_glsl +
-    CoverSource(*r.Projection) + (r.DebugView ? preclip_kinds_glsl : "") + preclip_triangles_glsl;
+  return CornerOutputs(varyings, 3) + preclip_emit_glsl + preclip_planes_glsl +
+    preclip_cover_glsl + preclip_narrow_glsl + CoverSource(*r.Projection) + (r.DebugView ? preclip_kinds_glsl : "") + preclip_triangles_glsl;
 }
 
 // rest: of the view coordinates of each vertex float32 left something off, which is here.

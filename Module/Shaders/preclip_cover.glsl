@@ -110,9 +110,6 @@ void wfvEmitRectangle(vec4 r, bool front)
   wfvEmitQuad(r.xy * wfvTile.xy + wfvTile.zw, vec2(size.x, 0.0), vec2(0.0, size.y), front);
 }
 
-// Factor on the sampled distance of the edges from their chords, for a covering shape.
-const float WFV_REACH_SAFETY = 1.5;
-
 // Pixels of the tile, from its centre.
 vec2 wfvPixel(vec3 p)
 {
@@ -141,38 +138,4 @@ void wfvPlaceCorners(bool seam)
     wfvVertexMode += seam && wfvP[i].x == 0.0 && wfvP[i].z > 0.0 ? 256 << i : 0;
   }
   wfvVertexMode += seam ? 128 : 0;
-}
-
-// A rectangle along the longest chord, grown by the reach of the edges: narrower than
-// one along the axes for what lies askew. False where the reach is unknown or large.
-bool wfvCoverNarrow(bool front)
-{
-  float grow = WFV_REACH_SAFETY * wfvReach + WFV_PAD;
-  if (grow > 0.25 * min(wfvViewport.z, wfvViewport.w))
-  {
-    return false;
-  }
-  vec2 c[3];
-  for (int i = 0; i < 3; i++)
-  {
-    c[i] = wfvPixel(wfvP[i]);
-  }
-  vec2 along = c[1] - c[0];
-  along = length(c[2] - c[1]) > length(along) ? c[2] - c[1] : along;
-  along = length(c[0] - c[2]) > length(along) ? c[0] - c[2] : along;
-  float l = length(along);
-  along = l > 1e-6 ? along / l : vec2(1.0, 0.0);
-  vec2 across = vec2(-along.y, along.x);
-  vec2 low = vec2(1e9);
-  vec2 high = vec2(-1e9);
-  for (int i = 0; i < 3; i++)
-  {
-    vec2 at = vec2(dot(c[i], along), dot(c[i], across));
-    low = min(low, at - grow);
-    high = max(high, at + grow);
-  }
-  vec2 ndc = 2.0 / wfvViewport.zw;
-  wfvEmitQuad((along * low.x + across * low.y) * ndc, along * (high.x - low.x) * ndc,
-    across * (high.y - low.y) * ndc, front);
-  return true;
 }

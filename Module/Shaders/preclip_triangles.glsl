@@ -29,12 +29,18 @@ bool wfvReachesSeam()
 // be judged by its second derivative.
 const float WFV_EASY_EDGE = 0.008;
 
+// Pixels that the edges of a triangle may be off their chords for a tight cover.
+const float WFV_TIGHT_REACH = 1.0;
+
 // A cheap test that lets nearly every triangle of a fine mesh through: surely no pole,
-// every chord within the tolerance.
+// every chord within the tolerance or, where all are covered, near enough to its edge. Sets
+// wfvReach.
 bool wfvEasy(vec3 lengths)
 {
 #if WFV_EXACT
-  return false;
+  float tolerance = WFV_TIGHT_REACH;
+#else
+  float tolerance = wfvTolerance;
 #endif
   vec3 edges = vec3(dot(wfvP[1] - wfvP[2], wfvP[1] - wfvP[2]) / (lengths.y * lengths.z),
     dot(wfvP[2] - wfvP[0], wfvP[2] - wfvP[0]) / (lengths.z * lengths.x),
@@ -60,8 +66,8 @@ bool wfvEasy(vec3 lengths)
   vec3 cosines = -vec3(wfvP[0].z, wfvP[1].z, wfvP[2].z) / lengths;
   nearest = min(cosines.x, min(cosines.y, cosines.z)) < wfvChordEnd() ? 0.0 : nearest;
 #endif
-  return longest <= WFV_EASY_EDGE && nearest > wfvSingularSine() &&
-    bend <= wfvTolerance * nearest * nearest;
+  wfvReach = bend / max(nearest * nearest, 1e-12);
+  return longest <= WFV_EASY_EDGE && nearest > wfvSingularSine() && wfvReach <= tolerance;
 }
 
 // Surely nothing to see: all corners inside the near sphere or, for round maps of 180
@@ -128,6 +134,18 @@ void wfvReadCorners()
   }
 }
 
+#if WFV_EXACT
+void wfvCoverEasy(float facing)
+{
+  wfvVertexMode = WFV_COVERED;
+  wfvS = vec3(WFV_CURVED);
+#if WFV_DEBUG_VIEW
+  wfvVertexMode += WFV_KIND_UNIT * WFV_KIND_EXACT;
+#endif
+  wfvCoverTight(wfvReach + WFV_TIGHT_PAD, facing < 0.0);
+}
+#endif
+
 void main()
 {
   wfvReadCorners();
@@ -145,6 +163,14 @@ void main()
   bool seam = wfvReachesSeam();
   bool easy = wfvEasy(lengths);
   bool tear = seam && WFV_STRAIGHT_SEAM == 0;
+#if WFV_EXACT
+  if (easy && !seam)
+  {
+    wfvCoverEasy(facing);
+    return;
+  }
+  easy = false;
+#endif
   // wfvMustCover also prepares the covering: it runs wherever one may follow
   if ((tear || !easy) && (wfvMustCover(facing) || tear))
   {

@@ -22,7 +22,7 @@ namespace
 // b where a method has no tolerance of its own, pixels. What is exact shall be so.
 constexpr double ExactTolerance = 0.02;
 
-// More mismatched pixels than this are sampled: a search casts up to 192 rays a pixel.
+// More mismatched pixels than this are sampled: a search casts up to 450 rays a pixel.
 constexpr std::size_t MostSearched = 20000;
 
 double ToleranceOf(const Run& run)

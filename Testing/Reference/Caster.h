@@ -4,6 +4,7 @@
 #define WideFoVCaster_h
 
 #include "Projection.h"
+#include "TriangleSoup.h"
 
 #include <vtkType.h>
 
@@ -60,6 +61,9 @@ public:
   HitPicture Render(int width, int height) const;
 
   const View& GetView() const { return this->TheView; }
+
+  // What is cast at, where it is triangles: Hit::Triangle counts them. Else nullptr.
+  virtual const TriangleSoup* GetSoup() const { return nullptr; }
 
 protected:
   View TheView;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Metrics.h"
 
+#include "NearestPlace.h"
+
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
 #include <vtkPointData.h>
@@ -8,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_set>
 
 namespace wfv
 {
@@ -35,20 +36,28 @@ bool AgreesOnCircle(
   return false;
 }
 
-// The smallest of the radii b/4, b/2, b, 2b, 4b, ... at which the reference agrees. Beyond
-// b, a cell that is `seen` at no pixel centre of the reference is not looked for.
-double DistanceToAgreement(
-  const Caster& caster, const DrawnPicture& p, const WorstPixel& pixel, double tolerance, bool seen)
+// Sets what of the pixel the reference says: whether one of the 48 points explains it, and
+// how far the nearest place of agreement is, by them, by the cell's own picture and, where
+// there is none to be had, by the circles of radius 2b, 4b, ... .
+void Explain(const Caster& caster, const DrawnPicture& p, WorstPixel& pixel, double tolerance)
 {
-  const double limit = seen ? std::max(tolerance, SearchLimit) : tolerance;
-  for (double r = tolerance / 4; r <= limit; r *= 2)
+  pixel.Pixels = std::numeric_limits<double>::infinity();
+  const vec2 centre(pixel.I + 0.5, pixel.J + 0.5);
+  const bool inside =
+    caster.GetView().Ray(PixelToNdc(centre.x, centre.y, p.Width, p.Height)).Inside;
+  const double limit = std::max(tolerance, SearchLimit);
+  const double widest = caster.GetSoup() && inside ? tolerance : limit;
+  for (double r = tolerance / 4; r <= widest && !std::isfinite(pixel.Pixels); r *= 2)
   {
     if (AgreesOnCircle(caster, p.Width, p.Height, pixel, r, PointsPerCircle))
     {
-      return r;
+      pixel.Pixels = r;
     }
   }
-  return std::numeric_limits<double>::infinity();
+  pixel.Explained = pixel.Pixels <= tolerance;
+  const double nearest =
+    NearestPlace(caster, p.Width, p.Height, centre, pixel.Drawn, std::min(pixel.Pixels, limit));
+  pixel.Pixels = std::min(pixel.Pixels, nearest);
 }
 
 vtkIdType DrawnCell(float value)
@@ -97,7 +106,7 @@ void Thin(std::vector<WorstPixel>& pixels, std::size_t most)
   pixels.resize(most);
 }
 
-void Summarize(std::vector<WorstPixel>& pixels, double tolerance, Metrics& m)
+void Summarize(std::vector<WorstPixel>& pixels, Metrics& m)
 {
   std::sort(pixels.begin(), pixels.end(),
     [](const WorstPixel& a, const WorstPixel& b) { return a.Pixels > b.Pixels; });
@@ -112,9 +121,9 @@ void Summarize(std::vector<WorstPixel>& pixels, double tolerance, Metrics& m)
   long spurious = 0;
   for (const WorstPixel& p : pixels)
   {
-    if (p.Pixels <= tolerance)
+    if (p.Explained)
     {
-      break;
+      continue;
     }
     ++m.UnexplainedPixels;
     missing += p.Drawn < 0;
@@ -176,19 +185,13 @@ Metrics Compare(const DrawnPicture& drawn, const Caster& caster, const HitPictur
   std::vector<WorstPixel> pixels = FindMismatches(drawn, reference, m);
   m.Mismatched = long(pixels.size());
   Thin(pixels, mostSearched);
-  std::unordered_set<vtkIdType> seen;
-  for (const Hit& hit : reference.Hits)
-  {
-    seen.insert(hit.Cell);
-  }
   vtkSMPTools::For(0, vtkIdType(pixels.size()), 16, [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType n = begin; n < end; ++n)
     {
-      const bool known = seen.count(pixels[n].Drawn) > 0;
-      pixels[n].Pixels = DistanceToAgreement(caster, drawn, pixels[n], tolerance, known);
+      Explain(caster, drawn, pixels[n], tolerance);
     }
   });
-  Summarize(pixels, tolerance, m);
+  Summarize(pixels, m);
   const double share = m.Searched > 0 ? double(m.Searched) / double(m.Mismatched) : 1;
   const double all = double(drawn.Width) * drawn.Height * share;
   m.Unexplained /= all;

@@ -30,7 +30,7 @@ DrawnPicture ToDrawnPicture(vtkImageData* image);
 // prop with index i (vtkWideFoVDataPass::SetPropIndex) from firstCells[i] on.
 DrawnPicture ToDrawnPicture(vtkImageData* image, const std::vector<vtkIdType>& firstCells);
 
-// A pixel that no place near it explains.
+// A pixel that shows another cell than the reference does.
 struct WorstPixel
 {
   int I = 0;
@@ -39,7 +39,8 @@ struct WorstPixel
   vtkIdType Reference = -1; // at the pixel centre
   double DrawnDistance = 0;
   double ReferenceDistance = 0;
-  double Pixels = 0; // to the nearest place found where the reference agrees, may be inf
+  double Pixels = 0;      // to the nearest place found where the reference agrees, may be inf
+  bool Explained = false; // by one of the 48 points
 };
 
 struct Metrics
@@ -58,7 +59,7 @@ struct Metrics
   static constexpr std::size_t MaxWorst = 64;
 };
 
-// Where an unexplained pixel is not explained within this many pixels, MaxPx is inf.
+// Pixels: a pixel that shows what the reference sees nowhere so near has the distance inf.
 constexpr double SearchLimit = 64;
 
 // `tolerance` is b in pixels: a mismatched pixel is explained if the reference agrees at

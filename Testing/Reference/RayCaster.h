@@ -37,6 +37,7 @@ public:
   bool Sees(vec2 ndc, vtkIdType cell) const override;
 
   const TriangleSoup& GetTriangles() const { return this->Soup; }
+  const TriangleSoup* GetSoup() const override { return &this->Soup; }
 
 private:
   struct Locator;
