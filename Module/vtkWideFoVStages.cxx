@@ -10,6 +10,7 @@
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkProp.h"
 #include "vtkRenderer.h"
 
@@ -56,10 +57,15 @@ void vtkWideFoVStages::Begin(
   this->HalfDiagonal = 0.5 * std::hypot(size[0], size[1]);
   this->View = view.GetParameters();
   vtkMatrix4x4::DeepCopy(this->WorldToView, camera->GetModelViewTransformMatrix());
+  if (auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()))
+  {
+    this->Textures.Load(this->View.map, window);
+  }
   for (vtkWideFoVStage* stage :
     { this->Plain.Get(), this->PreClip.Get(), this->Exact.Get(), this->Tessellate.Get() })
   {
     stage->SetView(renderer, camera, tolerance);
+    stage->SetTextures(&this->Textures);
     stage->SetClipless(technique == vtkWideFoVPass::VERTEX);
     stage->SetByRay(technique == vtkWideFoVPass::TESSELLATE ||
       (technique == vtkWideFoVPass::AUTO && tolerance < PlainTolerance));
@@ -92,7 +98,8 @@ vtkWideFoVStage* vtkWideFoVStages::Choose(vtkProp* prop)
   {
     return this->Plain;
   }
-  if (this->Technique == vtkWideFoVPass::EXACT)
+  // a direction map has no chords that something could be said of
+  if (this->Technique == vtkWideFoVPass::EXACT || this->Projection->Axis == wfv::Family::Sampled)
   {
     return this->Exact;
   }

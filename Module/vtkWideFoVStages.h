@@ -3,6 +3,7 @@
 #ifndef vtkWideFoVStages_h
 #define vtkWideFoVStages_h
 
+#include "vtkWideFoVDirectionTextures.h"
 #include "vtkWideFoVMeshScale.h"
 #include "vtkWideFoVStage.h"
 
@@ -15,6 +16,14 @@ public:
   // Before the props of a frame. technique: vtkWideFoVPass::Techniques; one that this
   // OpenGL cannot becomes AUTO, with a warning.
   void Begin(vtkRenderer* renderer, vtkWideFoVCamera* camera, int technique, double tolerance);
+
+  // After them.
+  void End() { this->Textures.Unbind(); }
+
+  void ReleaseGraphicsResources(vtkWindow* window)
+  {
+    this->Textures.ReleaseGraphicsResources(window);
+  }
 
   // For all variants, from the next draw on.
   void SetDebugView(bool debugView);
@@ -40,6 +49,7 @@ private:
   bool IsFine(vtkProp* prop, const double bounds[6]);
 
   wfv::MeshScale Meshes;
+  vtkWideFoVDirectionTextures Textures;
   double Tolerance = 0.25;
   double HalfDiagonal = 1; // of the picture, pixels
   bool CanTessellate();
