@@ -79,6 +79,7 @@ void vtkWideFoVCamera::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Tilt: " << o.Tilt << "\n"
      << indent << "ClipRadii: " << o.Radii[0] << ", " << o.Radii[1] << "\n"
      << indent << "DepthMapping: " << this->GetDepthMapping() << "\n"
+     << indent << "DirectionMap: " << (o.Map ? "set" : "(none)") << "\n"
      << indent << "AutomaticClipRadii: " << this->AutomaticClipRadii << "\n"
      << indent << "Lens:";
   for (double c : o.Lens)
@@ -127,9 +128,9 @@ void vtkWideFoVCamera::SetProjection(const char* name)
   if (!found)
   {
     std::string known;
-    for (const wfv::Projection& p : wfv::Projections())
+    for (const wfv::Projection* p : wfv::AllProjections())
     {
-      known += " " + p.Name;
+      known += " " + p->Name;
     }
     vtkErrorMacro(<< "No projection is named " << (name ? name : "(null)") << "; there are"
                   << known);
@@ -158,13 +159,13 @@ const char* vtkWideFoVCamera::GetProjection()
 
 int vtkWideFoVCamera::GetNumberOfProjections()
 {
-  return static_cast<int>(wfv::Projections().size());
+  return static_cast<int>(wfv::AllProjections().size());
 }
 
 const char* vtkWideFoVCamera::GetProjectionName(int index)
 {
   const bool known = index >= 0 && index < vtkWideFoVCamera::GetNumberOfProjections();
-  return known ? wfv::Projections()[index].Name.c_str() : nullptr;
+  return known ? wfv::AllProjections()[index]->Name.c_str() : nullptr;
 }
 
 void vtkWideFoVCamera::SetHorizontalFieldOfView(double degrees)

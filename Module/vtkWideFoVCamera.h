@@ -23,8 +23,11 @@
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
 
+class vtkImageData;
+
 namespace wfv
 {
+class DirectionMap;
 class View;
 struct Projection;
 }
@@ -61,6 +64,7 @@ public:
   void SetProjectionToStereographic() { this->SetProjection("stereographic"); }
   void SetProjectionToOrthographic() { this->SetProjection("orthographic"); }
   void SetProjectionToEquiAngularCubemap() { this->SetProjection("equi-angular-cubemap"); }
+  void SetProjectionToDirectionMap() { this->SetProjection("direction-map"); }
   void SetProjectionToPerspective() { this->SetProjection("perspective"); }
   ///@}
 
@@ -110,6 +114,18 @@ public:
   virtual void ClearLens();
   virtual void GetLens(double coefficients[5]);
   ///@}
+
+  /**
+   * What the projection "direction-map" shows: the direction of each pixel, as a picture of
+   * at least 2 x 2 pixels of three numbers (the active scalars; view coordinates: x right,
+   * y up, z behind; unit vectors, or 0, 0, 0 for a pixel that shows nothing). The camera
+   * keeps no reference to it. The ray of a picture of the same size is the given one at
+   * each pixel's centre; between centres, and at other sizes, directions are interpolated
+   * within what hangs together. Anything else is refused with an error, and the old map
+   * stays. nullptr (the default): no pixel shows anything.
+   */
+  virtual bool SetDirectionMap(vtkImageData* directions);
+  virtual bool HasDirectionMap();
 
   ///@{
   /**
@@ -185,6 +201,7 @@ public:
   bool NDCToRay(const double ndc[2], double aspect, double origin[3], double direction[3]);
 
 #ifndef __VTK_WRAP__
+  void SetDirectionMap(const std::shared_ptr<const wfv::DirectionMap>& map);
   /**
    * The view as two functions, in view coordinates (see Projections/Projection.h).
    * Valid until the camera is changed or another aspect is asked for.

@@ -2,14 +2,18 @@
 // vtkWideFoVCamera: the view as others ask for it.
 #include "vtkWideFoVCamera.h"
 
+#include "Projections/DirectionMap.h"
 #include "vtkWideFoVCameraInternals.h"
 #include "vtkWideFoVQuadricBounds.h"
 
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPerspectiveTransform.h"
+#include "vtkPointData.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
@@ -19,6 +23,50 @@
 bool vtkWideFoVCamera::IsWide()
 {
   return this->Definition->Axis != wfv::Family::Planar;
+}
+
+bool vtkWideFoVCamera::SetDirectionMap(vtkImageData* directions)
+{
+  if (!directions)
+  {
+    this->SetDirectionMap(std::shared_ptr<const wfv::DirectionMap>());
+    return true;
+  }
+  const int* const size = directions->GetDimensions();
+  vtkDataArray* const scalars = directions->GetPointData()->GetScalars();
+  std::vector<float> values;
+  if (scalars && scalars->GetNumberOfComponents() == 3 && size[2] == 1)
+  {
+    for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); i++)
+    {
+      for (int c = 0; c < 3; c++)
+      {
+        values.push_back(static_cast<float>(scalars->GetComponent(i, c)));
+      }
+    }
+  }
+  const std::string problem = wfv::DirectionMap::Check(size[0], size[1], values);
+  if (!problem.empty())
+  {
+    vtkErrorMacro(<< "The direction map is refused: " << problem);
+    return false;
+  }
+  this->SetDirectionMap(std::make_shared<const wfv::DirectionMap>(size[0], size[1], values));
+  return true;
+}
+
+void vtkWideFoVCamera::SetDirectionMap(const std::shared_ptr<const wfv::DirectionMap>& map)
+{
+  if (map != this->Internal->Options.Map)
+  {
+    this->Internal->Options.Map = map;
+    this->Modified();
+  }
+}
+
+bool vtkWideFoVCamera::HasDirectionMap()
+{
+  return this->Internal->Options.Map != nullptr;
 }
 
 const wfv::View& vtkWideFoVCamera::GetView(double aspect)

@@ -100,6 +100,7 @@ void vtkWideFoVPass::Render(const vtkRenderState* s)
   {
     vtkWideFoVStages::Detach(props[i], in.Chosen[i]);
   }
+  in.Stages.End();
   this->NumberOfPlainDraws = in.Stages.Plain->GetNumberOfDraws();
   // of the tessellate stage too, what cannot be tessellated is drawn by the pre-clip
   const int patches = in.Stages.Tessellate->GetNumberOfTessellateDraws();
@@ -111,6 +112,7 @@ void vtkWideFoVPass::Render(const vtkRenderState* s)
 
 void vtkWideFoVPass::ReleaseGraphicsResources(vtkWindow* window)
 {
+  this->Internal->Stages.ReleaseGraphicsResources(window);
   if (this->Internal->Delegate)
   {
     this->Internal->Delegate->ReleaseGraphicsResources(window);

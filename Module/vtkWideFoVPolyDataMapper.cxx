@@ -57,6 +57,13 @@ void vtkWideFoVPolyDataMapper::RenderPiece(vtkRenderer* renderer, vtkActor* acto
   vtkWideFoVStages::Attach(actor, stage);
   this->Superclass::RenderPiece(renderer, actor);
   vtkWideFoVStages::Detach(actor, stage);
+  stages.End();
+}
+
+void vtkWideFoVPolyDataMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Internal->Stages.ReleaseGraphicsResources(window);
+  this->Superclass::ReleaseGraphicsResources(window);
 }
 
 void vtkWideFoVPolyDataMapper::SetCustomUniforms(vtkOpenGLHelper& cellBO, vtkActor* actor)

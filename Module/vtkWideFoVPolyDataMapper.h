@@ -40,6 +40,7 @@ public:
   ///@}
 
   void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
   void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
 
 protected:

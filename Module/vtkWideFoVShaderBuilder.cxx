@@ -24,6 +24,8 @@ std::string CoverSource(const wfv::Projection& projection)
       return cover_meridian_glsl;
     case wfv::Family::Faces:
       return cover_faces_glsl;
+    case wfv::Family::Sampled:
+      return cover_directions_glsl;
     default:
       return cover_azimuthal_glsl;
   }

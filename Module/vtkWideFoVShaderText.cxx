@@ -62,8 +62,10 @@ std::string ViewSource(const Request& r)
 {
   const bool meridian = r.Projection->Axis == wfv::Family::Meridian;
   const bool faces = r.Projection->Axis == wfv::Family::Faces;
-  return "#define WFV_FN\n" + Define("WFV_NEWTON_STEPS", NewtonSteps) +
-    Define("WFV_MERIDIAN", meridian) + Define("WFV_FACES", faces) +
+  const bool sampled = r.Projection->Axis == wfv::Family::Sampled;
+  return "#define WFV_FN\n#define WFV_TABLES int\n" + Define("WFV_NEWTON_STEPS", NewtonSteps) +
+    Define("WFV_MERIDIAN", meridian) + Define("WFV_FACES", faces) + Define("WFV_SAMPLED", sampled) +
+    Define("WFV_ROUND", r.Projection->Axis == wfv::Family::Azimuthal) +
     Define("WFV_STRAIGHT_SEAM", r.Projection->StraightSeam) +
     Define("WFV_FLAT_RIM", r.Projection->FlatRim) +
     Define("WFV_EXACT", r.Stage == vtkWideFoVShaderBuilder::Variant::Exact) +
@@ -71,7 +73,8 @@ std::string ViewSource(const Request& r)
     Define("WFV_WIDE_LINES", r.WideLines) + Define("WFV_EDGES", r.Edges || r.DebugView) +
     Define("WFV_EDGE_FLAGS", r.EdgeFlags) + Define("WFV_DEBUG_VIEW", r.DebugView) +
     "#define WFV_ANGLES " + (meridian ? "wfvMeridianAngles" : "wfvAzimuthalAngles") + "\n" +
-    wfv::MathGlsl() + wfv::CommonGlsl() + wfv::DepthGlsl() + r.Projection->Glsl + interface_glsl;
+    wfv::MathGlsl() + wfv::CommonGlsl() + wfv::DepthGlsl() +
+    (sampled ? directions_glsl : "") + r.Projection->Glsl + interface_glsl;
 }
 
 std::string Corner(size_t varying, int corner)

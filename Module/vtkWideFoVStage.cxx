@@ -2,6 +2,7 @@
 #include "vtkWideFoVStage.h"
 
 #include "vtkWideFoVCamera.h"
+#include "vtkWideFoVDirectionTextures.h"
 #include "vtkWideFoVDiscontinuity.h"
 #include "vtkWideFoVEye.h"
 #include "vtkWideFoVLineMapper.h"
@@ -80,6 +81,12 @@ void SetViewParameters(vtkShaderProgram* program, const wfv::WfvView& v)
   program->SetUniformf("wfvView.maxAngle", static_cast<float>(v.maxAngle));
   program->SetUniformf("wfvView.bend", static_cast<float>(v.bend));
   program->SetUniformi("wfvView.depthMapping", v.depthMapping);
+  if (v.map)
+  {
+    const float tables[3] = { static_cast<float>(v.tables.x), static_cast<float>(v.tables.y),
+      static_cast<float>(v.tables.z) };
+    program->SetUniform3f("wfvView.tables", tables);
+  }
 }
 }
 
@@ -190,6 +197,10 @@ bool vtkWideFoVStage::SetShaderParameters(
   if (auto* renderer = vtkOpenGLRenderer::SafeDownCast(this->Renderer))
   {
     renderer->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  }
+  if (this->View.map && this->Textures)
+  {
+    this->Textures->Bind(program);
   }
   this->SetSampleParameters(program);
   this->SetPropParameters(program, mapper, prop);

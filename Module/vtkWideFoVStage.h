@@ -12,6 +12,7 @@
 class vtkOpenGLPolyDataMapper;
 class vtkRenderer;
 class vtkWideFoVCamera;
+class vtkWideFoVDirectionTextures;
 
 // One variant. Two objects, not one with a switch: a prop that changes its variant
 // changes its key, and VTK rebuilds the shaders of that prop alone.
@@ -62,6 +63,9 @@ public:
   // What is seen where a chord covers a pixel: by the pixel's ray, not interpolated.
   void SetByRay(bool byRay) { this->ByRay = byRay; }
 
+  // The tables of a direction map; they outlive the frame.
+  void SetTextures(vtkWideFoVDirectionTextures* textures) { this->Textures = textures; }
+
   // Of all, and those of them that were tessellated.
   int GetNumberOfDraws() const { return this->NumberOfDraws; }
   int GetNumberOfTessellateDraws() const { return this->NumberOfTessellateDraws; }
@@ -99,6 +103,7 @@ private:
   const wfv::Projection* Projection = nullptr;
   vtkTimeStamp SourceTime;
   wfv::WfvView View{};
+  vtkWideFoVDirectionTextures* Textures = nullptr;
   float Viewport[4] = { 0, 0, 1, 1 };
   float Tile[4] = { 1, 1, 0, 0 };
   float Tolerance = 0.25f;

@@ -11,6 +11,7 @@
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkProp.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
@@ -65,10 +66,15 @@ void vtkWideFoVStages::Begin(
   this->PixelAngle = 2 * std::max(this->View.halfFov.x, this->View.halfFov.y) /
     std::max(1, std::min(size[0], size[1]));
   vtkMatrix4x4::DeepCopy(this->WorldToView, camera->GetModelViewTransformMatrix());
+  if (auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()))
+  {
+    this->Textures.Load(this->View.map, window);
+  }
   for (vtkWideFoVStage* stage :
     { this->Plain.Get(), this->PreClip.Get(), this->Exact.Get(), this->Tessellate.Get() })
   {
     stage->SetView(renderer, camera, tolerance);
+    stage->SetTextures(&this->Textures);
     stage->SetClipless(technique == vtkWideFoVPass::VERTEX);
     stage->SetByRay(technique == vtkWideFoVPass::TESSELLATE);
     stage->SetExactLines(this->Technique == vtkWideFoVPass::AUTO);
@@ -108,7 +114,9 @@ vtkWideFoVStage* vtkWideFoVStages::Choose(vtkProp* prop)
     return this->Plain;
   }
   const bool fine = this->Technique == vtkWideFoVPass::AUTO && this->Tolerance < LeastTolerance;
-  if (this->Technique == vtkWideFoVPass::EXACT || fine)
+  // a direction map has no chords that something could be said of
+  const bool sampled = this->Projection->Axis == wfv::Family::Sampled;
+  if (this->Technique == vtkWideFoVPass::EXACT || fine || sampled)
   {
     return this->Exact;
   }

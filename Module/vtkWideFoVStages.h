@@ -4,6 +4,7 @@
 #define vtkWideFoVStages_h
 
 #include "vtkWideFoVBufferScale.h"
+#include "vtkWideFoVDirectionTextures.h"
 #include "vtkWideFoVMeshScale.h"
 #include "vtkWideFoVStage.h"
 
@@ -16,6 +17,14 @@ public:
   // Before the props of a frame. technique: vtkWideFoVPass::Techniques; one that this
   // OpenGL cannot becomes AUTO, with a warning.
   void Begin(vtkRenderer* renderer, vtkWideFoVCamera* camera, int technique, double tolerance);
+
+  // After them.
+  void End() { this->Textures.Unbind(); }
+
+  void ReleaseGraphicsResources(vtkWindow* window)
+  {
+    this->Textures.ReleaseGraphicsResources(window);
+  }
 
   // For all variants, from the next draw on.
   void SetDebugView(bool debugView);
@@ -47,6 +56,7 @@ private:
 
   wfv::BufferScale Buffers;
   wfv::MeshScale Meshes;
+  vtkWideFoVDirectionTextures Textures;
   double Tolerance = 0.25;
   double PixelAngle = 0;   // radians, of a pixel at the most if all were alike
   double HalfDiagonal = 1; // of the picture, pixels

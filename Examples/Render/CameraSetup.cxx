@@ -53,6 +53,7 @@ void SetView(vtkWideFoVCamera* camera, const Options& o)
 {
   const wfv::ViewOptions& v = o.View;
   camera->SetProjection(o.Projection.c_str());
+  camera->SetDirectionMap(v.Map);
   camera->SetHorizontalFieldOfView(v.HorizontalFov);
   camera->SetVerticalFieldOfView(v.VerticalFov);
   camera->SetTilt(v.Tilt);

@@ -15,7 +15,11 @@ using Json = nlohmann::ordered_json;
 Json Describe(const wfv::Projection& p)
 {
   Json options = Json::array();
-  if (p.Axis == wfv::Family::Azimuthal)
+  if (p.Axis == wfv::Family::Sampled)
+  {
+    options.push_back("direction-map");
+  }
+  else if (p.Axis == wfv::Family::Azimuthal)
   {
     options.push_back("fov");
   }
@@ -38,10 +42,10 @@ std::string ProjectionList(bool json)
 {
   Json list = Json::array();
   std::string names;
-  for (const wfv::Projection& p : wfv::Projections())
+  for (const wfv::Projection* p : wfv::AllProjections())
   {
-    list.push_back(Describe(p));
-    names += p.Name + "\n";
+    list.push_back(Describe(*p));
+    names += p->Name + "\n";
   }
   return json ? list.dump(2) + "\n" : names;
 }

@@ -25,9 +25,9 @@ const wfv::Projection& CheckProjection(const Options& o)
   if (projection == nullptr)
   {
     std::vector<std::string> names;
-    for (const wfv::Projection& p : wfv::Projections())
+    for (const wfv::Projection* p : wfv::AllProjections())
     {
-      names.push_back(p.Name);
+      names.push_back(p->Name);
     }
     CheckChoice("--projection", o.Projection, names);
   }
@@ -82,6 +82,12 @@ void CompleteView(Options& o, const FieldsOfView& fov)
   {
     v.HorizontalFov = fov.Horizontal.value_or(std::min(360., p.MaxHorizontalFov));
     v.VerticalFov = fov.Vertical.value_or(std::min(180., p.MaxVerticalFov));
+  }
+  const bool sampled = p.Axis == wfv::Family::Sampled;
+  if (sampled == o.DirectionMap.empty())
+  {
+    FailUsage(sampled ? "--projection direction-map needs --direction-map FILE.exr"
+                      : "--direction-map goes with --projection direction-map alone");
   }
   std::copy(fov.Lens.begin(), fov.Lens.end(), v.Lens.begin());
   if (!fov.Lens.empty() &&

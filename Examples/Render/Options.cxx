@@ -33,6 +33,8 @@ void DeclareView(CLI::App& app, Options& o, FieldsOfView& fov)
     [&fov](const std::string& option, const std::string& value) {
       fov.Lens = ParseNumbers(option, value, 1, 5);
     });
+  group.Name("--direction-map", "FILE.exr", o.DirectionMap,
+    "what the projection direction-map shows: a unit vector a pixel in X, Y, Z");
   group.Number("--tilt", "DEG", o.View.Tilt, { -180, 180 }, "how far the axis is raised");
   group.Size("--size", o.Size, "pixels");
   group.Vector("--eye", o.Eye, "centre of the scene", "where the camera is");
@@ -145,6 +147,7 @@ std::optional<int> ParseOptions(int argc, char** argv, Options& options)
   {
     return done;
   }
+  options.HasSize = app.count("--size") > 0;
   CheckTogether(options, fov);
   return std::nullopt;
 }

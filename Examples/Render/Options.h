@@ -33,6 +33,8 @@ struct Options
   std::string Projection = "equirectangular";
   wfv::ViewOptions View; // complete after ParseOptions; Radii only where HasClip
   bool HasClip = false;
+  std::string DirectionMap; // file of the projection of that name
+  bool HasSize = false;
   std::array<int, 2> Size{ { 2048, 1024 } };
 
   std::optional<Vector3> Eye; // none: the centre of the scene

@@ -2,6 +2,7 @@
 // widefov-render: pictures of VTK data in wide and non-planar projections.
 #include "CameraSetup.h"
 #include "ImageOutput.h"
+#include "DirectionMapFile.h"
 #include "Listing.h"
 #include "MessageCatcher.h"
 #include "Messages.h"
@@ -98,6 +99,7 @@ int Run(int argc, char** argv)
     return ExitDone;
   }
   CheckOutputs(options);
+  LoadDirectionMap(options);
   const Scene scene = LoadScene(options);
   MakePose(scene, options); // complains before a window is opened
   const RenderResult result = Render(scene, options);

@@ -190,6 +190,10 @@ struct Kept
 
 double Bend(const Projection& p, const WfvView& v)
 {
+  if (p.Axis == Family::Sampled)
+  {
+    return 0; // nothing is drawn by chords there
+  }
   constexpr std::size_t MaxKept = 16; // as many views as a program may draw in turn
   static std::mutex mutex;
   static std::vector<Kept> kept;

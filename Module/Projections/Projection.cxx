@@ -2,6 +2,7 @@
 #include "Projection.h"
 
 #include "Bend.h"
+#include "DirectionMap.h"
 
 namespace wfv
 {
@@ -24,14 +25,25 @@ bool HasLens(const std::array<double, 5>& lens)
 
 const Projection* FindProjection(const std::string& name)
 {
-  for (const Projection& p : Projections())
+  for (const Projection* p : AllProjections())
   {
-    if (p.Name == name)
+    if (p->Name == name)
     {
-      return &p;
+      return p;
     }
   }
   return nullptr;
+}
+
+std::vector<const Projection*> AllProjections()
+{
+  std::vector<const Projection*> all;
+  for (const Projection& p : Projections())
+  {
+    all.push_back(&p);
+  }
+  all.push_back(&SampledProjection());
+  return all;
 }
 
 bool LensIsMonotone(const std::array<double, 5>& lens, double maxAngle)
@@ -127,6 +139,7 @@ vec2 Scale(const Projection& p, const ViewOptions& o, const WfvView& v)
       return vec2(std::min(1.0, 1 / o.Aspect) / rim, std::min(1.0, o.Aspect) / rim);
     }
     case Family::Faces:
+    case Family::Sampled:
       return vec2(1, 1);
     default:
       return vec2(1 / p.Map(vec2(v.halfFov.x, 0), v).x, 1 / p.Map(vec2(0, v.halfFov.y), v).y);
@@ -134,10 +147,23 @@ vec2 Scale(const Projection& p, const ViewOptions& o, const WfvView& v)
 }
 }
 
+namespace
+{
+// In place of a direction map that nobody has set.
+std::shared_ptr<const DirectionMap> NothingToSee()
+{
+  static const auto map = std::make_shared<const DirectionMap>(2, 2, std::vector<float>(12, 0.f));
+  return map;
+}
+}
+
 View::View(const Projection& projection, const ViewOptions& o)
   : Map(&projection)
+  , Tables(projection.Axis == Family::Sampled && !o.Map ? NothingToSee() : o.Map)
 {
   WfvView& v = this->Parameters;
+  v.map = this->Tables.get();
+  v.tables = v.map ? vec3(v.map->GetWidth(), v.map->GetHeight(), v.map->GetCells()) : vec3(0);
   v.halfFov = vec2(0.5 * o.HorizontalFov * Degree, 0.5 * o.VerticalFov * Degree);
   v.tilt = vec2(std::cos(o.Tilt * Degree), std::sin(o.Tilt * Degree));
   v.radii = vec2(o.Radii[0], o.Radii[1]);

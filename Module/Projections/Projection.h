@@ -7,6 +7,7 @@
 #include "ProjectionMath.h"
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,8 @@ enum class Family
   Meridian,  // (lambda, phi) about the vertical axis; a seam behind, poles above and below
   Azimuthal, // (azimuth, theta) about -z; round maps; the antipode behind
   Planar,    // straight lines stay straight; nothing behind the eye
-  Faces      // the six faces of a cube, side by side; discontinuous at their borders
+  Faces,     // the six faces of a cube, side by side; discontinuous at their borders
+  Sampled    // no formula: a direction for each pixel (DirectionMap.h)
 };
 
 struct Projection
@@ -49,9 +51,16 @@ struct Projection
   vec4 (*Bounds)(vec4 angles, WfvView view) = nullptr;
 };
 
+// Those that are formulas.
 WFV_EXPORT const std::vector<Projection>& Projections();
 
-// The projection of that name, or nullptr.
+// The one that draws what ViewOptions::Map says, "direction-map".
+WFV_EXPORT const Projection& SampledProjection();
+
+// All of them: the formulas, then the sampled one.
+WFV_EXPORT std::vector<const Projection*> AllProjections();
+
+// The projection of that name, of all, or nullptr.
 WFV_EXPORT const Projection* FindProjection(const std::string& name);
 
 // Source text of common.glsl, depth.glsl and glsl_math.glsl.
@@ -77,6 +86,7 @@ struct ViewOptions
   std::array<double, 2> Radii{ { 0.01, 1000 } };
   DepthMapping Mapping = DepthMapping::Linear;
   double Aspect = 2; // width / height of the viewport in pixels; round maps use it
+  std::shared_ptr<const DirectionMap> Map; // of the sampled projection; none: shows nothing
 };
 
 // An empty string, or why these options do not fit this projection.
@@ -116,6 +126,7 @@ public:
 
 private:
   const Projection* Map;
+  std::shared_ptr<const DirectionMap> Tables; // what Parameters point to
   WfvView Parameters;
 };
 }

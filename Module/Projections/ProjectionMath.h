@@ -9,6 +9,8 @@
 
 namespace wfv
 {
+class DirectionMap;
+
 using vec2 = glm::dvec2;
 using vec3 = glm::dvec3;
 using vec4 = glm::dvec4;
@@ -17,6 +19,7 @@ using glm::abs;
 using glm::ceil;
 using glm::cos;
 using glm::exp;
+using glm::floor;
 using glm::max;
 using glm::min;
 using glm::sin;
@@ -57,10 +60,12 @@ constexpr int WFV_NEWTON_STEPS = 64;
 constexpr double WFV_ROOT_STEP = 1e-8;
 
 #define WFV_FN inline
+#define WFV_TABLES const DirectionMap*
 #define float double
 #include "common.glsl"
 #include "depth.glsl"
 #undef float
+#undef WFV_TABLES
 }
 
 #endif

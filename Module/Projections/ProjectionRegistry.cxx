@@ -2,6 +2,7 @@
 // What there is: the projection files compiled as C++, and one entry for each.
 #include "Projection.h"
 
+#include "DirectionMap.h"
 #include "WideFoVGlsl.h"
 
 // A file may leave out what its family offers it, such as the view.
@@ -107,11 +108,17 @@ namespace orthographic
 }
 namespace equi_angular_cubemap
 {
+#include "cube_faces.glsl"
 #include "equi-angular-cubemap.glsl"
 }
 namespace perspective
 {
 #include "perspective.glsl"
+}
+namespace direction_map
+{
+#include "cube_faces.glsl"
+#include "direction-map.glsl"
 }
 }
 #undef float
@@ -301,7 +308,7 @@ std::vector<Projection> OtherOnes()
     Orthographic(WFV_PROJECTION(orthographic, "orthographic", "Orthographic (fisheye)",
       "straight-radials", orthographic_glsl, azimuthal_glsl)),
     Faces(WFV_PROJECTION(equi_angular_cubemap, "equi-angular-cubemap", "Equi-angular cubemap (3x2)",
-      "equiangular", equi_angular_cubemap_glsl)),
+      "equiangular", cube_faces_glsl, equi_angular_cubemap_glsl)),
     Planar(WFV_PROJECTION(
       perspective, "perspective", "Perspective", "straight-lines", perspective_glsl)),
   };
@@ -319,6 +326,21 @@ const std::vector<Projection>& Projections()
     return list;
   }();
   return all;
+}
+
+const Projection& SampledProjection()
+{
+  static const Projection sampled = [] {
+    Projection p = WFV_PROJECTION(direction_map, "direction-map", "Direction map", "sampled",
+      cube_faces_glsl, direction_map_glsl);
+    p.Axis = Family::Sampled;
+    p.MinHorizontalFov = 360;
+    p.MinVerticalFov = 180;
+    p.StraightSeam = false;
+    p.Limit = "it shows what its file says";
+    return p;
+  }();
+  return sampled;
 }
 
 const char* CommonGlsl()

@@ -123,12 +123,17 @@ void wfvPrepare()
 #endif
   wfvB = wfvBary / (wfvBary.x + wfvBary.y + wfvBary.z);
   wfvSetDistance(length(wfvPosition));
+#if WFV_EXACT
+  wfvFront = wfvPlane.w < 0.0;
+  bool covered = wfvCovered();
+#else
   if (wfvByRay != 0 && (wfvMode & 1) == 0)
   {
     wfvMeetSurface();
   }
   wfvFront = (wfvMode & 1) == 0 ? gl_FrontFacing : wfvPlane.w < 0.0;
   bool covered = (wfvMode & 1) == 0 || wfvCovered();
+#endif
   covered = covered && wfvDepth >= 0.0 && wfvDepth <= 1.0;
 #if WFV_EDGES
   wfvEdgePixels = wfvEdgeDistances();

@@ -127,7 +127,7 @@ bool wfvNears(vec3 a, vec3 b, vec3 axis, float s)
 // there a pixel no longer looks like a plane.
 float wfvSingularSine()
 {
-#if WFV_MERIDIAN || WFV_FACES
+#if !WFV_ROUND
   float pixel = 2.0 * wfvView.halfFov.y / (wfvViewport.w * wfvTile.y);
 #else
   float pixel = 2.0 * wfvView.halfFov.x / (wfvViewport.z * wfvTile.x);
@@ -139,7 +139,7 @@ float wfvSingularSine()
 bool wfvNearsSingularity(vec3 a, vec3 b)
 {
   float s = wfvSingularSine();
-#if WFV_FACES
+#if WFV_FACES || WFV_SAMPLED
   return false;
 #elif WFV_MERIDIAN
   return wfvNears(a, b, vec3(0.0, 1.0, 0.0), s) || wfvNears(a, b, vec3(0.0, -1.0, 0.0), s);
@@ -148,7 +148,7 @@ bool wfvNearsSingularity(vec3 a, vec3 b)
 #endif
 }
 
-#if !WFV_MERIDIAN && !WFV_FACES
+#if WFV_ROUND
 // Cosine of the angle from the axis beyond which no edge is drawn as a chord: behind the
 // rim of a round map, whence chords would cut across it, and beside a rim where the map is
 // flat and pixels are no measure of angles.
@@ -181,7 +181,7 @@ vec2 wfvChordError(vec3 p, vec3 q)
 #endif
 #if WFV_FACES
   unknown = unknown || wfvFaceOf(da) != wfvFaceOf(db);
-#elif !WFV_MERIDIAN
+#elif WFV_ROUND
   unknown = unknown || -max(da.z, db.z) < wfvChordEnd();
 #endif
   if (unknown)

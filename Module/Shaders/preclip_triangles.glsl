@@ -50,7 +50,7 @@ bool wfvEasy(vec3 lengths)
   for (int i = 0; i < 3; i++)
   {
     vec3 p = wfvP[i];
-#if WFV_FACES
+#if WFV_FACES || WFV_SAMPLED
     sines[i] = 2.0; // no singular point
 #elif WFV_MERIDIAN
     sines[i] = length(vec2(p.x, p.z)) / lengths[i];
@@ -62,7 +62,7 @@ bool wfvEasy(vec3 lengths)
   nearest = min(nearest, 1.0);
   // the bound of wfv::Bend (Projections/Bend.h), on both axes
   float bend = 0.125 * wfvView.bend * length(0.5 * wfvViewport.zw * wfvTile.xy) * longest;
-#if !WFV_MERIDIAN && !WFV_FACES
+#if WFV_ROUND
   vec3 cosines = -vec3(wfvP[0].z, wfvP[1].z, wfvP[2].z) / lengths;
   nearest = min(cosines.x, min(cosines.y, cosines.z)) < wfvChordEnd() ? 0.0 : nearest;
 #endif
@@ -78,7 +78,7 @@ bool wfvOutside(vec3 lengths)
   {
     return true;
   }
-#if WFV_MERIDIAN || WFV_FACES
+#if !WFV_ROUND
   return false;
 #else
   vec3 cosines = -vec3(wfvP[0].z, wfvP[1].z, wfvP[2].z) / lengths;
@@ -90,6 +90,9 @@ bool wfvOutside(vec3 lengths)
 // True where the triangle holds a pole or an edge of it bends too much; sets wfvS.
 bool wfvMustCover(float facing)
 {
+#if WFV_SAMPLED
+  return true; // tables say nothing of chords
+#endif
   vec2 e0 = wfvChordError(wfvP[1], wfvP[2]);
   vec2 e1 = wfvChordError(wfvP[2], wfvP[0]);
   vec2 e2 = wfvChordError(wfvP[0], wfvP[1]);
@@ -175,11 +178,13 @@ void main()
   if ((tear || !easy) && (wfvMustCover(facing) || tear))
   {
     wfvVertexMode = WFV_COVERED;
+#if !WFV_EXACT
     wfvPlaceCorners(seam);
+#endif
 #if WFV_DEBUG_VIEW
     wfvVertexMode += WFV_KIND_UNIT * wfvCoverKind(tear, facing);
 #endif
-    if (seam || !wfvCoverNarrow(facing < 0.0))
+    if (seam || WFV_SAMPLED != 0 || !wfvCoverNarrow(facing < 0.0))
     {
       wfvCover(facing < 0.0, facing);
     }

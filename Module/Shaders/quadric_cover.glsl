@@ -124,6 +124,19 @@ void wfvCoverCap(vec3 centre, float angle, bool front)
     wfvEmitAngles(vec4(a.x - across, low, a.x + across, high), front);
   }
 }
+#elif WFV_SAMPLED
+void wfvCoverCap(vec3 centre, float angle, bool front)
+{
+  float l = wfvLength(centre);
+  if (l > 0.0)
+  {
+    WfvPlaces places = wfvCapPlaces(centre / l, angle + WFV_CAP_PAD, wfvView);
+    bool both = places.second.x <= places.second.z;
+    wfvEmitBox(both ? wfvUnited(places.first, places.second) : places.first, front);
+    return;
+  }
+  wfvEmitWindow(front);
+}
 #else
 // A map that says nothing of angles: the whole window is sure.
 void wfvCoverCap(vec3 centre, float angle, bool front)

@@ -21,6 +21,21 @@ WfvRay wfvRayAt(vec2 offset)
   return wfvUnproject(wfvPlaceBeside(offset), wfvView);
 }
 
+#if WFV_SAMPLED
+// True where this pixel of the picture lies in pixels of the direction map that change
+// evenly.
+bool wfvIsCalm()
+{
+  vec2 ndc = 2.0 * (gl_FragCoord.xy - wfvViewport.xy) / wfvViewport.zw - 1.0;
+  vec2 at = wfvPixelOfNdc((ndc - wfvTile.zw) / wfvTile.xy, wfvView);
+  vec4 here = wfvDirectionTexel(wfvView, wfvNearestIndex(at.x, wfvView.tables.x),
+    wfvNearestIndex(at.y, wfvView.tables.y));
+  vec2 size = wfvViewport.zw * wfvTile.xy;
+  bool fine = size.x >= wfvView.tables.x && size.y >= wfvView.tables.y;
+  return fine && (int(here.w) & WFV_PIXEL_CALM) != 0;
+}
+#endif
+
 #if WFV_FACES
 // The face of a cube that the picture shows there.
 int wfvFaceBeside(vec2 offset)
@@ -49,11 +64,19 @@ mat2x3 wfvRaySteps(WfvRay ray, out bool rim)
   vec3 x = dFdx(ray.direction);
   vec3 y = dFdy(ray.direction);
   rim = inside + abs(dFdx(inside)) + abs(dFdy(inside)) > 0.0;
+#if WFV_SAMPLED
+  // the next pixel may be torn from this one: this one's own slopes, inside it
+  rim = !wfvIsCalm();
+  x = 2.0 * (wfvRayAt(vec2(0.25, 0.0)).direction - wfvRayAt(vec2(-0.25, 0.0)).direction);
+  y = 2.0 * (wfvRayAt(vec2(0.0, 0.25)).direction - wfvRayAt(vec2(0.0, -0.25)).direction);
+  return mat2x3(x, y);
+#endif
 #if WFV_FACES
   float face = float(wfvFaceBeside(vec2(0.0)));
   rim = rim || abs(dFdx(face)) + abs(dFdy(face)) > 0.0;
 #endif
-  if (rim)
+  // a loop, not a branch: software rendering runs through both sides of a branch
+  for (int k = rim ? 0 : 1; k < 1; k++)
   {
     x = wfvRayStep(ray, vec2(1.0, 0.0));
     y = wfvRayStep(ray, vec2(0.0, 1.0));

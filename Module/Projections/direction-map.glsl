@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Direction map: any display, lens or mirror, described by one direction a pixel. The ray of
+// a pixel's centre is the file's own; between centres directions are bilinear, except where
+// neighbours are torn apart: there each pixel goes on by its own slope up to its edge.
+// Domain: the pixels that have a direction. Discontinuities: wherever the file has them.
+// Source: what wfv::DirectionMap (DirectionMap.h) made of the file, in three tables:
+//   vec4 wfvDirectionTexel(WfvView v, int x, int y)  the direction of a pixel, and its bits
+//   vec4 wfvCellTexel(WfvView v, int x, int y)       one of the two NDC rectangles of the
+//                                                    pixels round a cell: wfvCapPlaces
+//   vec4 wfvSeedTexel(WfvView v, int x, int y)       two pixels of a cell of the finest level
+
+// What a pixel's bits say. It has a direction; it is not torn from its neighbour; the four
+// pixels of the square to its upper right hang together; it and its eight neighbours lie
+// nearly on a grid.
+const int WFV_PIXEL_VALID = 1;
+const int WFV_PIXEL_RIGHT = 2;
+const int WFV_PIXEL_LEFT = 4;
+const int WFV_PIXEL_UP = 8;
+const int WFV_PIXEL_DOWN = 16;
+const int WFV_PIXEL_SQUARE = 32;
+const int WFV_PIXEL_CALM = 64;
+
+// NDC of a direction that no pixel shows.
+const float WFV_ELSEWHERE = 4.0;
+
+// Part of a cell's angle that a cap, and the pixels stored in it, may have as their radius,
+// so that a cell and its eight neighbours hold all that meets them.
+const float WFV_CAP_SHARE = 0.3;
+
+// Cells along a face of the cube on the coarsest level.
+const int WFV_COARSEST_CELLS = 4;
+
+// Seeds of a cell: it may lie on so many pieces of the map.
+const int WFV_CELL_SEEDS = 4;
+
+// Steps of the search for the pixel of a direction, the longest of them, and the rest that
+// is as good as none and that counts as found, pixels.
+const int WFV_SEARCH_STEPS = 12;
+const float WFV_SEARCH_REACH = 16.0;
+const float WFV_SEARCH_END = 1e-4;
+const float WFV_SEARCH_REST = 0.01;
+
+// Pixels from the lower left pixel's centre.
+WFV_FN vec2 wfvPixelOfNdc(vec2 ndc, WfvView v)
+{
+  return vec2(0.5 * (ndc.x + 1.0) * v.tables.x - 0.5, 0.5 * (ndc.y + 1.0) * v.tables.y - 0.5);
+}
+
+WFV_FN vec2 wfvNdcOfPixel(vec2 p, WfvView v)
+{
+  return vec2(2.0 * (p.x + 0.5) / v.tables.x - 1.0, 2.0 * (p.y + 0.5) / v.tables.y - 1.0);
+}
+
+WFV_FN vec3 wfvTexelDirection(vec4 texel)
+{
+  return vec3(texel.x, texel.y, texel.z);
+}
+
+// The step to the next pixel along an axis (ahead: 1, 0 or 0, 1), seen from a place on the
+// given side of the centre: that of the other side where this one is torn off, else none.
+WFV_FN vec3 wfvStepBeside(vec4 here, int x, int y, int alongX, float side, WfvView v)
+{
+  int bits = int(here.w);
+  bool next = (bits & (alongX == 1 ? WFV_PIXEL_RIGHT : WFV_PIXEL_UP)) != 0;
+  bool before = (bits & (alongX == 1 ? WFV_PIXEL_LEFT : WFV_PIXEL_DOWN)) != 0;
+  int dx = alongX;
+  int dy = 1 - alongX;
+  vec3 d = wfvTexelDirection(here);
+  vec3 change = vec3(0.0, 0.0, 0.0);
+  if (next && (side >= 0.0 || !before))
+  {
+    change = wfvTexelDirection(wfvDirectionTexel(v, x + dx, y + dy)) - d;
+  }
+  else if (before)
+  {
+    change = d - wfvTexelDirection(wfvDirectionTexel(v, x - dx, y - dy));
+  }
+  return change;
+}
+
+WFV_FN int wfvNearestIndex(float p, float count)
+{
+  return int(max(0.0, min(count - 1.0, floor(p + 0.5))));
+}
+
+// The ray through a place in the map, pixels.
+WFV_FN WfvRay wfvRayOfPixel(vec2 p, WfvView v)
+{
+  int x = wfvNearestIndex(p.x, v.tables.x);
+  int y = wfvNearestIndex(p.y, v.tables.y);
+  float s = p.x - float(x);
+  float t = p.y - float(y);
+  vec4 here = wfvDirectionTexel(v, x, y);
+  int x0 = s < 0.0 ? x - 1 : x;
+  int y0 = t < 0.0 ? y - 1 : y;
+  vec4 corner = vec4(0.0, 0.0, 0.0, 0.0);
+  if (x0 >= 0 && y0 >= 0)
+  {
+    corner = wfvDirectionTexel(v, x0, y0);
+  }
+  vec3 d;
+  if ((int(corner.w) & WFV_PIXEL_SQUARE) != 0)
+  {
+    float a = p.x - float(x0);
+    float b = p.y - float(y0);
+    vec3 low = wfvTexelDirection(corner) * (1.0 - a) +
+      wfvTexelDirection(wfvDirectionTexel(v, x0 + 1, y0)) * a;
+    vec3 high = wfvTexelDirection(wfvDirectionTexel(v, x0, y0 + 1)) * (1.0 - a) +
+      wfvTexelDirection(wfvDirectionTexel(v, x0 + 1, y0 + 1)) * a;
+    d = low * (1.0 - b) + high * b;
+  }
+  else
+  {
+    d = wfvTexelDirection(here) + wfvStepBeside(here, x, y, 1, s, v) * s +
+      wfvStepBeside(here, x, y, 0, t, v) * t;
+  }
+  WfvRay ray;
+  ray.inside = (int(here.w) & WFV_PIXEL_VALID) != 0;
+  float l = wfvHypot(wfvHypot(d.x, d.y), d.z);
+  ray.direction = ray.inside && l > 0.0 ? d / l : vec3(0.0, 0.0, -1.0);
+  return ray;
+}
+
+WFV_FN WfvRay wfvUnproject(vec2 ndc, WfvView v)
+{
+  vec2 m = wfvFinite(ndc);
+  WfvRay ray = wfvRayOfPixel(wfvPixelOfNdc(m, v), v);
+  ray.inside = ray.inside && abs(m.x) <= WFV_BORDER && abs(m.y) <= WFV_BORDER;
+  return ray;
+}
+
+// Cell of the sphere that a direction meets, of so many along a face: column (all six faces
+// side by side) and row.
+WFV_FN int wfvCellColumn(vec3 d, int cells)
+{
+  int face = wfvFaceOf(d);
+  vec3 q = wfvInFace(d, face);
+  float u = 0.5 + 2.0 / WFV_PI * wfvAtan2(q.x, q.z);
+  return face * cells + wfvNearestIndex(u * float(cells) - 0.5, float(cells));
+}
+
+WFV_FN int wfvCellRow(vec3 d, int cells)
+{
+  vec3 q = wfvInFace(d, wfvFaceOf(d));
+  float u = 0.5 + 2.0 / WFV_PI * wfvAtan2(q.y, q.z);
+  return wfvNearestIndex(u * float(cells) - 0.5, float(cells));
+}
+
+// Two rectangles of the picture (x min, y min, x max, y max; NDC): what lies together is
+// often shown in two places, on both sides of a seam. x min above x max: none.
+struct WfvPlaces
+{
+  vec4 first;
+  vec4 second;
+  bool calm; // of a cell: all its pixels are
+};
+
+WFV_FN WfvPlaces wfvNoPlaces()
+{
+  WfvPlaces none;
+  none.first = vec4(1e9, 1e9, -1e9, -1e9);
+  none.second = none.first;
+  none.calm = true;
+  return none;
+}
+
+WFV_FN vec4 wfvUnited(vec4 a, vec4 b)
+{
+  return vec4(min(a.x, b.x), min(a.y, b.y), max(a.z, b.z), max(a.w, b.w));
+}
+
+// The larger of the gaps between two rectangles along x and y; at most 0: they meet.
+WFV_FN float wfvGap(vec4 a, vec4 b)
+{
+  return max(max(a.x, b.x) - min(a.z, b.z), max(a.y, b.y) - min(a.w, b.w));
+}
+
+// NDC: rectangles that are nearer than this are not worth two.
+const float WFV_WORTH_TWO = 0.02;
+
+// With one more rectangle, in the nearer of the two.
+WFV_FN WfvPlaces wfvWithPlace(WfvPlaces places, vec4 r)
+{
+  WfvPlaces result = places;
+  bool two = places.second.x <= places.second.z;
+  float first = places.first.x <= places.first.z ? wfvGap(places.first, r) : 0.0;
+  float second = two ? wfvGap(places.second, r) : WFV_WORTH_TWO;
+  if (r.x <= r.z && first <= second)
+  {
+    result.first = wfvUnited(places.first, r);
+  }
+  else if (r.x <= r.z)
+  {
+    result.second = wfvUnited(places.second, r);
+  }
+  return result;
+}
+
+WFV_FN WfvPlaces wfvWithPlaces(WfvPlaces places, WfvPlaces more)
+{
+  WfvPlaces result = wfvWithPlace(wfvWithPlace(places, more.first), more.second);
+  result.calm = places.calm && more.calm;
+  return result;
+}
+
+// What is added to the left side of the first rectangle in the table where a cell is calm.
+const float WFV_CALM_CELL = 16.0;
+
+// All pixels whose ray may lie within so many radians of a unit vector.
+WFV_FN WfvPlaces wfvCapPlaces(vec3 centre, float angle, WfvView v)
+{
+  int cells = int(v.tables.z);
+  while (cells > WFV_COARSEST_CELLS && angle * float(cells) > WFV_CAP_SHARE * 0.5 * WFV_PI)
+  {
+    cells = cells / 2;
+  }
+  WfvPlaces places = wfvNoPlaces();
+  places.first = vec4(-1.0, -1.0, 1.0, 1.0);
+  places.calm = false;
+  if (angle * float(cells) <= WFV_CAP_SHARE * 0.5 * WFV_PI)
+  {
+    // level upon level, each twice as high as the one before
+    int row = cells - WFV_COARSEST_CELLS + wfvCellRow(centre, cells);
+    int column = 2 * wfvCellColumn(centre, cells);
+    places.first = wfvCellTexel(v, column, row);
+    places.second = wfvCellTexel(v, column + 1, row);
+    places.calm = places.first.x > 0.5 * WFV_CALM_CELL && places.first.x < 2.0 * WFV_CALM_CELL;
+    places.first.x = places.calm ? places.first.x - WFV_CALM_CELL : places.first.x;
+  }
+  return places;
+}
+
+// The place in the map, pixels, whose ray is a unit vector, from a place near it; z: by how
+// many pixels it is missed.
+WFV_FN vec3 wfvFindFrom(vec2 start, vec3 d, WfvView v)
+{
+  vec2 p = start;
+  float rest = 1e9;
+  for (int i = 0; i < WFV_SEARCH_STEPS; i++)
+  {
+    int x = wfvNearestIndex(p.x, v.tables.x);
+    int y = wfvNearestIndex(p.y, v.tables.y);
+    vec4 here = wfvDirectionTexel(v, x, y);
+    vec3 e = d - wfvRayOfPixel(p, v).direction;
+    vec3 gx = wfvStepBeside(here, x, y, 1, p.x - float(x), v);
+    vec3 gy = wfvStepBeside(here, x, y, 0, p.y - float(y), v);
+    float a = dot(gx, gx);
+    float b = dot(gx, gy);
+    float c = dot(gy, gy);
+    float det = a * c - b * b;
+    if (!(det > 0.0))
+    {
+      return vec3(p.x, p.y, 1e9);
+    }
+    vec2 change = vec2((c * dot(gx, e) - b * dot(gy, e)) / det, (a * dot(gy, e) - b * dot(gx, e)) / det);
+    float l = wfvHypot(change.x, change.y);
+    // what is left across the surface: the far side of the sphere has the same slope
+    rest = dot(e, e) < 1.0 ? l : 1e9;
+    if (rest < WFV_SEARCH_END)
+    {
+      return vec3(p.x + change.x, p.y + change.y, rest);
+    }
+    p = p + change * min(1.0, WFV_SEARCH_REACH / l);
+    p = vec2(max(-0.5, min(v.tables.x - 0.5, p.x)), max(-0.5, min(v.tables.y - 0.5, p.y)));
+  }
+  return vec3(p.x, p.y, rest);
+}
+
+WFV_FN vec2 wfvProject(vec3 p, WfvView v)
+{
+  vec3 d = p / wfvHypot(wfvHypot(p.x, p.y), p.z);
+  int cells = int(v.tables.z);
+  int column = wfvCellColumn(d, cells);
+  int row = wfvCellRow(d, cells);
+  vec2 place = vec2(WFV_ELSEWHERE, WFV_ELSEWHERE);
+  float best = WFV_SEARCH_REST;
+  for (int i = 0; i < WFV_CELL_SEEDS && best >= WFV_SEARCH_REST; i++)
+  {
+    vec4 seeds = wfvSeedTexel(v, 2 * column + i / 2, row);
+    vec2 seed = i % 2 == 0 ? vec2(seeds.x, seeds.y) : vec2(seeds.z, seeds.w);
+    vec3 found = vec3(0.0, 0.0, 1e9);
+    if (seed.x >= 0.0)
+    {
+      found = wfvFindFrom(seed, d, v);
+    }
+    if (found.z < best)
+    {
+      best = found.z;
+      place = wfvNdcOfPixel(vec2(found.x, found.y), v);
+    }
+  }
+  return place;
+}
+
+// Map of (lambda, phi) in radians.
+WFV_FN vec2 wfvMap(vec2 angles, WfvView v)
+{
+  return wfvProject(wfvMeridianDirection(angles), v);
+}
+
+// NDC rectangle of a rectangle of angles: all of the picture. The stages bound what they
+// draw by caps.
+WFV_FN vec4 wfvBounds(vec4 a, WfvView v)
+{
+  return vec4(-1.0, -1.0, 1.0, 1.0);
+}
