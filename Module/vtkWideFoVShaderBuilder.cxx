@@ -140,7 +140,7 @@ std::string CoverFragment(
   }
   RewriteFlatNormal(fragment);
   return std::string(ray_fragment_glsl) + cover_fragment_glsl + chord_fragment_glsl +
-    surface_fragment_glsl + (r.Edges || r.DebugView ? edge_distance_glsl : "") +
+    (r.Edges || r.DebugView ? edge_distance_glsl : "") +
     CornerInputs(varyings, { "wfvB.x", "wfvB.y", "wfvB.z" });
 }
 

@@ -42,6 +42,9 @@ public:
     bool EdgeFlags = false;     // some edges of the triangles are inside a cell
     bool DebugView = false;     // coloured by what happens to each primitive
     bool FragmentDepth = false; // depth is not what the rasterizer interpolates
+    bool Multisample = false;   // the framebuffer may have several samples a pixel
+    bool ByRay = false;         // chords decide on coverage only, the ray what is seen
+    int DepthMapping = 0;       // wfv::DepthMapping
   };
 
   // True where this request needs the pre-clip's own geometry stage.

@@ -70,7 +70,8 @@ std::string ViewSource(const Request& r)
     Define("WFV_FLAT_RIM", r.Projection->FlatRim) +
     Define("WFV_EXACT", r.Stage == vtkWideFoVShaderBuilder::Variant::Exact) +
     Define("WFV_TESSELLATE", r.Stage == vtkWideFoVShaderBuilder::Variant::Tessellate) +
-    Define("WFV_WIDE_LINES", r.WideLines) + Define("WFV_EDGES", r.Edges || r.DebugView) +
+    Define("WFV_DEPTH_MAPPING(v)", r.DepthMapping) + Define("WFV_MULTISAMPLE", r.Multisample) +
+    Define("WFV_BY_RAY", r.ByRay) + Define("WFV_WIDE_LINES", r.WideLines) + Define("WFV_EDGES", r.Edges || r.DebugView) +
     Define("WFV_EDGE_FLAGS", r.EdgeFlags) + Define("WFV_DEBUG_VIEW", r.DebugView) +
     "#define WFV_ANGLES " + (meridian ? "wfvMeridianAngles" : "wfvAzimuthalAngles") + "\n" +
     wfv::MathGlsl() + wfv::CommonGlsl() + wfv::DepthGlsl() +

@@ -63,6 +63,16 @@ public:
   }
 };
 
+constexpr int MaxSamples = 16; // as in ray_fragment.glsl
+
+// Samples of a pixel of the framebuffer that is bound.
+int CountSamples()
+{
+  int samples = 0;
+  glGetIntegerv(GL_SAMPLES, &samples);
+  return glIsEnabled(GL_MULTISAMPLE) ? std::min(samples, MaxSamples) : 0;
+}
+
 // The uniform wfvView.
 void SetViewParameters(vtkShaderProgram* program, const wfv::WfvView& v)
 {
@@ -80,7 +90,7 @@ void SetViewParameters(vtkShaderProgram* program, const wfv::WfvView& v)
   program->SetUniformf("wfvView.lens5", static_cast<float>(v.lens5));
   program->SetUniformf("wfvView.maxAngle", static_cast<float>(v.maxAngle));
   program->SetUniformf("wfvView.bend", static_cast<float>(v.bend));
-  program->SetUniformi("wfvView.depthMapping", v.depthMapping);
+  program->SetUniformf("wfvUnit", static_cast<float>(std::exp2(std::floor(std::log2(v.radii.y)))));
   if (v.map)
   {
     const float tables[3] = { static_cast<float>(v.tables.x), static_cast<float>(v.tables.y),
@@ -100,6 +110,12 @@ void vtkWideFoVStage::SetView(vtkRenderer* renderer, vtkWideFoVCamera* camera, d
     this->Projection = &view.GetProjection();
     this->SourceTime.Modified();
   }
+  if (this->Multisample && !this->SawSamples)
+  {
+    this->Multisample = false;
+    this->SourceTime.Modified();
+  }
+  this->SawSamples = false;
   this->Renderer = renderer;
   this->View = view.GetParameters();
   this->Tolerance = static_cast<float>(tolerance);
@@ -130,6 +146,18 @@ void vtkWideFoVStage::SetView(vtkRenderer* renderer, vtkWideFoVCamera* camera, d
   }
 }
 
+vtkMTimeType vtkWideFoVStage::GetShaderStageMTime()
+{
+  const bool several = CountSamples() > 1;
+  this->SawSamples = this->SawSamples || several;
+  if (several && !this->Multisample)
+  {
+    this->Multisample = true;
+    this->SourceTime.Modified();
+  }
+  return this->SourceTime.GetMTime();
+}
+
 vtkWideFoVShaderBuilder::Request vtkWideFoVStage::MakeRequest(
   vtkAbstractMapper* mapper, vtkProp* prop) const
 {
@@ -138,6 +166,9 @@ vtkWideFoVShaderBuilder::Request vtkWideFoVStage::MakeRequest(
   request.Stage = this->Variant;
   request.DebugView = this->DebugView;
   request.FragmentDepth = this->View.depthMapping != wfv::WFV_DEPTH_LINEAR;
+  request.DepthMapping = this->View.depthMapping;
+  request.Multisample = this->Multisample;
+  request.ByRay = this->ByRay;
   auto* polydata = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
   auto* actor = vtkActor::SafeDownCast(prop);
   if (polydata && actor && this->Renderer)
@@ -191,7 +222,6 @@ bool vtkWideFoVStage::SetShaderParameters(
   program->SetUniform4f("wfvTile", this->Tile);
   program->SetUniformf("wfvTolerance", this->Tolerance);
   program->SetUniformi("wfvHeadlights", this->Headlights);
-  program->SetUniformi("wfvByRay", this->ByRay);
 
   int viewport[4] = { 0, 0, 1, 1 };
   if (auto* renderer = vtkOpenGLRenderer::SafeDownCast(this->Renderer))
@@ -246,10 +276,7 @@ void vtkWideFoVStage::SetSampleParameters(vtkShaderProgram* program)
   {
     return;
   }
-  constexpr int MaxSamples = 16; // as in ray_fragment.glsl
-  int samples = 0;
-  glGetIntegerv(GL_SAMPLES, &samples);
-  samples = glIsEnabled(GL_MULTISAMPLE) ? std::min(samples, MaxSamples) : 0;
+  const int samples = CountSamples();
   float offsets[MaxSamples][2];
   for (int i = 0; i < samples; i++)
   {

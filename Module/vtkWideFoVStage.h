@@ -61,7 +61,14 @@ public:
   }
 
   // What is seen where a chord covers a pixel: by the pixel's ray, not interpolated.
-  void SetByRay(bool byRay) { this->ByRay = byRay; }
+  void SetByRay(bool byRay)
+  {
+    if (byRay != this->ByRay)
+    {
+      this->ByRay = byRay;
+      this->SourceTime.Modified();
+    }
+  }
 
   // The tables of a direction map; they outlive the frame.
   void SetTextures(vtkWideFoVDirectionTextures* textures) { this->Textures = textures; }
@@ -80,7 +87,7 @@ public:
     std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
   bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
     vtkOpenGLVertexArrayObject* vao = nullptr) override;
-  vtkMTimeType GetShaderStageMTime() override { return this->SourceTime.GetMTime(); }
+  vtkMTimeType GetShaderStageMTime() override;
   void Render(const vtkRenderState*) override {}
 
 protected:
@@ -110,6 +117,10 @@ private:
   int Headlights = 0;
   bool Clipless = false;
   bool ByRay = false;
+  // Shaders reckon with several samples a pixel from the first draw on that has them, and no
+  // longer after a frame without one: passes that draw now so and now so share a shader.
+  bool Multisample = false;
+  bool SawSamples = false;
   bool ExactLines = false;
   bool DebugView = false;
   int NumberOfDraws = 0;

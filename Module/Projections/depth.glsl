@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Depth between the clip spheres as a function of the distance from the eye, and back.
 // Every mapping grows with the distance, from 0 on the near to 1 on the far sphere, as
-// VTK's depth test, clear value and passes expect.
+// VTK's depth test, clear value and passes expect. WFV_DEPTH_MAPPING(v) is the view's mapping,
+// a constant in the shaders.
 
 const int WFV_DEPTH_LINEAR = 0;      // the same step everywhere
 const int WFV_DEPTH_LOGARITHMIC = 1; // a step is the same part of the distance everywhere
@@ -17,11 +18,11 @@ WFV_FN float wfvDepthOf(float rho, WfvView v)
 {
   float near = v.radii.x;
   float far = v.radii.y;
-  if (v.depthMapping == WFV_DEPTH_LINEAR || !(rho > 0.0))
+  if (WFV_DEPTH_MAPPING(v) == WFV_DEPTH_LINEAR || !(rho > 0.0))
   {
     return wfvLinearDepth(rho, v);
   }
-  if (v.depthMapping == WFV_DEPTH_LOGARITHMIC)
+  if (WFV_DEPTH_MAPPING(v) == WFV_DEPTH_LOGARITHMIC)
   {
     return wfvLog(rho / near) / wfvLog(far / near);
   }
@@ -33,11 +34,11 @@ WFV_FN float wfvDistanceAt(float depth, WfvView v)
 {
   float near = v.radii.x;
   float far = v.radii.y;
-  if (v.depthMapping == WFV_DEPTH_LINEAR)
+  if (WFV_DEPTH_MAPPING(v) == WFV_DEPTH_LINEAR)
   {
     return near + depth * (far - near);
   }
-  if (v.depthMapping == WFV_DEPTH_LOGARITHMIC)
+  if (WFV_DEPTH_MAPPING(v) == WFV_DEPTH_LOGARITHMIC)
   {
     return near * exp(depth * wfvLog(far / near));
   }

@@ -62,20 +62,33 @@ const float WFV_SAMPLE_REACH = 0.5;
 // Safety over first-order bounds of what changes inside a pixel.
 const float WFV_PIXEL_SAFETY = 1.5;
 
-// Coverage by the ray of the pixel's centre, or by the ray of each sample. e: the edge
-// functions at the centre; pixel: how the direction changes along x and y.
-bool wfvCoverage(WfvRay ray, vec3 e, mat2x3 pixel, bool rim)
+// By the plane; interpolated depth would err along edges that run away from the eye, and
+// the position that corners are weighed to, beside the eye, where they are far.
+void wfvSetDistance(float rho)
 {
-  vec3 x = wfvEdgesAt(pixel[0]);
-  vec3 y = wfvEdgesAt(pixel[1]);
-  vec3 toChords = wfvToChords(e, x, y);
-  if (wfvSamples <= 1)
-  {
-    return wfvAllInside(e, toChords) && ray.inside;
-  }
+  wfvRho = rho;
+  wfvDepth = wfvDepthOf(rho * wfvScale(), wfvView);
+}
+
+// For the data pass.
+#define WFV_DISTANCE (wfvRho * wfvScale())
+
+// Software rendering runs through both sides of every branch and through each loop once, so
+// what a draw cannot need is left out of its shader: samples and chords.
+#if WFV_EXACT
+const bool wfvByChord = false;
+#else
+bool wfvByChord; // drawn with chords: a chord decides which pixels are covered
+#endif
+
+#if WFV_MULTISAMPLE
+// Coverage by the ray of each sample, or by that of the pixel's centre where all samples
+// agree with it. e: the edge functions there; x, y: how they change from pixel to pixel.
+bool wfvCoverage(WfvRay ray, vec3 e, vec3 x, vec3 y, bool rim)
+{
   vec3 reach = WFV_PIXEL_SAFETY * (WFV_SAMPLE_REACH + wfvChordReach()) * (abs(x) + abs(y));
-  bool certain = !rim && all(greaterThan(abs(e), reach));
-  int mask = certain && all(greaterThan(e, vec3(0.0))) ? -1 : 0;
+  bool certain = wfvByChord || (!rim && all(greaterThan(abs(e), reach)));
+  int mask = wfvByChord || (certain && all(greaterThan(e, vec3(0.0)))) ? -1 : 0;
   for (int i = 0; i < wfvSamples && !certain; i++)
   {
     WfvRay at = wfvRayAt(wfvSampleOffsets[i]);
@@ -88,53 +101,52 @@ bool wfvCoverage(WfvRay ray, vec3 e, mat2x3 pixel, bool rim)
 #endif
   return mask != 0;
 }
-
-// By the plane; interpolated depth would err along edges that run away from the eye, and
-// the position that corners are weighed to, beside the eye, where they are far.
-void wfvSetDistance(float rho)
+#else
+bool wfvCoverage(WfvRay ray, vec3 e, vec3 x, vec3 y, bool rim)
 {
-  wfvRho = rho;
-  wfvDepth = wfvDepthOf(rho * wfvScale(), wfvView);
+  return wfvByChord || (wfvAllInside(e, wfvToChords(e, x, y)) && ray.inside);
 }
+#endif
 
-// For the data pass.
-#define WFV_DISTANCE (wfvRho * wfvScale())
-
-bool wfvCovered()
+bool wfvCovered(WfvRay ray, vec3 e)
 {
-  WfvRay ray = wfvRayAt(vec2(0.0));
+#if WFV_EXACT && !WFV_MULTISAMPLE
+  return wfvCoverage(ray, e, vec3(0.0), vec3(0.0), false);
+#else
   bool rim;
+#if WFV_EXACT
+  mat2x3 pixel = wfvQuadSteps(ray, rim);
+#else
   mat2x3 pixel = wfvRaySteps(ray, rim);
-  vec3 e = wfvEdgesAt(ray.direction);
-  float facing = wfvPlane.w > 0.0 ? 1.0 : -1.0;
-  float sum = facing * dot(ray.direction, wfvPlane.xyz);
-  wfvB = wfvWeigh(e);
-  wfvSetDistance(facing * wfvPlane.w / sum);
-  return wfvCoverage(ray, e, pixel, rim) && sum > 0.0;
+#endif
+  return wfvCoverage(ray, e, wfvEdgesAt(pixel[0]), wfvEdgesAt(pixel[1]), rim);
+#endif
 }
-
-uniform int wfvByRay;  // what is seen of triangles that are not covered, too
-void wfvMeetSurface(); // surface_fragment.glsl
 
 void wfvPrepare()
 {
-#ifdef GL_ARB_sample_shading
-  gl_SampleMask[0] = -1;
-#endif
-  wfvB = wfvBary / (wfvBary.x + wfvBary.y + wfvBary.z);
-  wfvSetDistance(length(wfvPosition));
+  WfvRay ray = wfvRayAt(vec2(0.0));
+  vec3 e = wfvEdgesAt(ray.direction);
+  float facing = wfvPlane.w > 0.0 ? 1.0 : -1.0;
+  float sum = facing * dot(ray.direction, wfvPlane.xyz);
 #if WFV_EXACT
   wfvFront = wfvPlane.w < 0.0;
-  bool covered = wfvCovered();
+  wfvB = wfvWeigh(e);
+  wfvSetDistance(facing * wfvPlane.w / sum);
+  bool meets = sum > 0.0;
 #else
-  if (wfvByRay != 0 && (wfvMode & 1) == 0)
-  {
-    wfvMeetSurface();
-  }
-  wfvFront = (wfvMode & 1) == 0 ? gl_FrontFacing : wfvPlane.w < 0.0;
-  bool covered = (wfvMode & 1) == 0 || wfvCovered();
+  wfvByChord = (wfvMode & 1) == 0;
+  wfvFront = wfvByChord ? gl_FrontFacing : wfvPlane.w < 0.0;
+  // What is seen where a chord covers the pixel: what lies at this place along it or, by ray,
+  // where the ray meets the triangle, or surfaces close behind one another change places.
+  // Between an edge and its chord the ray misses.
+  bool byRay = WFV_BY_RAY != 0 && ray.inside && sum > 0.0 && all(greaterThanEqual(e, vec3(0.0)));
+  bool place = wfvByChord && !byRay;
+  wfvB = place ? wfvBary / (wfvBary.x + wfvBary.y + wfvBary.z) : wfvWeigh(e);
+  wfvSetDistance(place ? length(wfvPosition) : facing * wfvPlane.w / sum);
+  bool meets = wfvByChord || sum > 0.0;
 #endif
-  covered = covered && wfvDepth >= 0.0 && wfvDepth <= 1.0;
+  bool covered = wfvCovered(ray, e) && meets && wfvDepth >= 0.0 && wfvDepth <= 1.0;
 #if WFV_EDGES
   wfvEdgePixels = wfvEdgeDistances();
 #endif

@@ -1,8 +1,108 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Covers a triangle for maps of longitude and latitude: a rectangle of angles, in two
-// parts where it reaches across the seam. Where parallels are short, towards a pole, the two
+// Covers a triangle for maps of longitude and latitude: where meridians are upright, columns
+// that are as high as the triangle is; else a rectangle of angles. Two parts where it reaches
+// across the seam. Where parallels are short, towards a pole, the two
 // overlap in the picture: there they are one, lest a pixel be hit twice.
 
+#if WFV_STRAIGHT_SEAM
+// Sine of the angle to the axis at which the plane of an edge counts as upright.
+const float WFV_UPRIGHT = 1e-6;
+
+// Range of the tangent of the latitude that one edge leaves the triangle between two
+// longitudes at most half a turn apart: x above y: none. n: the edge's plane, inside up.
+vec2 wfvEdgeRange(vec3 n, vec2 lambda)
+{
+  // inside: slope sin(lambda - turn) + n.y tan(latitude) >= 0
+  float slope = wfvHypot(n.x, n.z);
+  float turn = wfvAtan2(n.z, n.x);
+  vec2 ends = slope * sin(lambda - turn);
+  float most = wfvWrap(0.5 * (lambda.x + lambda.y) - turn - 0.5 * WFV_PI);
+  float reach = 0.5 * (lambda.y - lambda.x);
+  float high = abs(most) <= reach ? slope : max(ends.x, ends.y);
+  float slack = WFV_UPRIGHT * length(n);
+  if (abs(n.y) <= slack)
+  {
+    return high < -slack ? vec2(1e30, -1e30) : vec2(-1e30, 1e30);
+  }
+  return n.y > 0.0 ? vec2(-high / n.y, 1e30) : vec2(-1e30, high / -n.y);
+}
+
+// NDC of the lowest and the highest latitude of the triangle between two longitudes.
+vec2 wfvColumn(vec2 lambda, float facing)
+{
+  vec2 r = vec2(-1e30, 1e30);
+  for (int i = 0; i < 3; i++)
+  {
+    vec2 edge = wfvEdgeRange(facing * wfvN[i], lambda);
+    r = vec2(max(r.x, edge.x), min(r.y, edge.y));
+  }
+  if (r.x > r.y)
+  {
+    return vec2(1e9, -1e9);
+  }
+  float pad = WFV_ANGLE_PAD;
+  vec2 phi = vec2(wfvAtan2(r.x, 1.0) - pad, wfvAtan2(r.y, 1.0) + pad);
+  phi = clamp(phi, -0.5 * WFV_PI, 0.5 * WFV_PI);
+  vec4 b = wfvBounds(vec4(lambda.x, phi.x, lambda.y, phi.y), wfvView);
+  float border = 2.0 * WFV_PAD / (wfvViewport.w * wfvTile.y);
+  return vec2(max(b.y - border, -1.0), min(b.w + border, 1.0));
+}
+
+// From one longitude to another, in so many columns, each as high as the triangle is there:
+// one strip, that hits no pixel twice.
+void wfvEmitColumns(vec2 lambda, int columns, bool front, float facing)
+{
+  float pad = 2.0 * WFV_PAD / (wfvViewport.z * wfvTile.x);
+  vec2 before = vec2(1e9, -1e9);
+  for (int i = 0; i <= columns; i++)
+  {
+    vec2 at = mix(lambda.xx, lambda.yy, vec2(float(i), float(i + 1)) / float(columns));
+    vec2 here = i < columns ? wfvColumn(at, facing) : vec2(1e9, -1e9);
+    vec2 y = vec2(min(before.x, here.x), max(before.y, here.y));
+    float x = wfvMap(vec2(at.x, 0.0), wfvView).x;
+    x = clamp(x + (i == 0 ? -pad : (i == columns ? pad : 0.0)), -1.0, 1.0);
+    before = here;
+    if (y.x <= y.y)
+    {
+      vec2 low = vec2(x, y.x) * wfvTile.xy + wfvTile.zw;
+      vec2 high = vec2(x, y.y) * wfvTile.xy + wfvTile.zw;
+      wfvEmit(vec4(front ? high : low, 0.0, 1.0), vec3(0.0));
+      wfvEmit(vec4(front ? low : high, 0.0, 1.0), vec3(0.0));
+    }
+    if (here.x > here.y)
+    {
+      wfvEnd();
+    }
+  }
+}
+
+// Columns that the stage may emit in all.
+const int WFV_COLUMNS = 4;
+
+void wfvCover(bool front, float facing)
+{
+  bool pole = wfvHolds(1, 1.0, facing) || wfvHolds(1, -1.0, facing);
+  vec4 a = wfvAngularBounds(vec3(0.0, 1.0, 0.0));
+  bool round_ = pole || a.z - a.x >= 2.0 * WFV_PI;
+  vec2 here = round_ ? vec2(-WFV_PI, WFV_PI) : vec2(max(a.x, -WFV_PI), min(a.z, WFV_PI));
+  vec2 across = vec2(0.0);
+  if (!round_ && a.z > WFV_PI)
+  {
+    across = vec2(-WFV_PI, a.z - 2.0 * WFV_PI);
+  }
+  else if (!round_ && a.x < -WFV_PI)
+  {
+    across = vec2(a.x + 2.0 * WFV_PI, WFV_PI);
+  }
+  bool two = across.x < across.y;
+  bool wide = here.y - here.x > across.y - across.x;
+  wfvEmitColumns(here, two ? (wide ? 2 : 1) : WFV_COLUMNS, front, facing);
+  if (two)
+  {
+    wfvEmitColumns(across, wide ? 1 : 2, front, facing);
+  }
+}
+#else
 void wfvCover(bool front, float facing)
 {
   bool north = wfvHolds(1, 1.0, facing);
@@ -33,3 +133,4 @@ void wfvCover(bool front, float facing)
   wfvEmitRectangle(here, front);
   wfvEmitRectangle(across, front);
 }
+#endif

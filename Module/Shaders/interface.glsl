@@ -14,10 +14,13 @@ vec4 wfvClip(vec2 ndc, float rho)
   return vec4((ndc * wfvTile.xy + wfvTile.zw) * rho, depth * rho, rho);
 }
 
-// View coordinates per unit of the pre-clip's own: a power of two costs no rounding.
+// View coordinates per unit of the pre-clip's own: a power of two near the far radius, which
+// costs no rounding.
+uniform float wfvUnit;
+
 float wfvScale()
 {
-  return exp2(floor(log2(wfvView.radii.y)));
+  return wfvUnit;
 }
 
 float wfvLength(vec3 p)

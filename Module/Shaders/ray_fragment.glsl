@@ -56,30 +56,36 @@ vec3 wfvRayStep(WfvRay ray, vec2 axis)
   return next.inside ? next.direction - ray.direction : ray.direction - before.direction;
 }
 
-// The change of direction per pixel along x and y. rim: the four pixels of this quad are
-// not all inside the map, or on one face, so the differences between them say nothing.
-mat2x3 wfvRaySteps(WfvRay ray, out bool rim)
+// The change of direction per pixel along x and y, by the differences within this quad. rim:
+// its four pixels are not all inside the map, or on one face, so these say nothing.
+mat2x3 wfvQuadSteps(WfvRay ray, out bool rim)
 {
-  float inside = ray.inside ? 0.0 : 1.0;
-  vec3 x = dFdx(ray.direction);
-  vec3 y = dFdy(ray.direction);
-  rim = inside + abs(dFdx(inside)) + abs(dFdy(inside)) > 0.0;
 #if WFV_SAMPLED
   // the next pixel may be torn from this one: this one's own slopes, inside it
   rim = !wfvIsCalm();
-  x = 2.0 * (wfvRayAt(vec2(0.25, 0.0)).direction - wfvRayAt(vec2(-0.25, 0.0)).direction);
-  y = 2.0 * (wfvRayAt(vec2(0.0, 0.25)).direction - wfvRayAt(vec2(0.0, -0.25)).direction);
-  return mat2x3(x, y);
-#endif
+  return mat2x3(
+    2.0 * (wfvRayAt(vec2(0.25, 0.0)).direction - wfvRayAt(vec2(-0.25, 0.0)).direction),
+    2.0 * (wfvRayAt(vec2(0.0, 0.25)).direction - wfvRayAt(vec2(0.0, -0.25)).direction));
+#else
+  float inside = ray.inside ? 0.0 : 1.0;
+  rim = inside + abs(dFdx(inside)) + abs(dFdy(inside)) > 0.0;
 #if WFV_FACES
   float face = float(wfvFaceBeside(vec2(0.0)));
   rim = rim || abs(dFdx(face)) + abs(dFdy(face)) > 0.0;
 #endif
-  // a loop, not a branch: software rendering runs through both sides of a branch
-  for (int k = rim ? 0 : 1; k < 1; k++)
+  return mat2x3(dFdx(ray.direction), dFdy(ray.direction));
+#endif
+}
+
+// The same, at a rim by the rays of the next pixels.
+mat2x3 wfvRaySteps(WfvRay ray, out bool rim)
+{
+  mat2x3 steps = wfvQuadSteps(ray, rim);
+#if !WFV_SAMPLED
+  if (rim)
   {
-    x = wfvRayStep(ray, vec2(1.0, 0.0));
-    y = wfvRayStep(ray, vec2(0.0, 1.0));
+    steps = mat2x3(wfvRayStep(ray, vec2(1.0, 0.0)), wfvRayStep(ray, vec2(0.0, 1.0)));
   }
-  return mat2x3(x, y);
+#endif
+  return steps;
 }
