@@ -237,6 +237,12 @@ bool vtkWideFoVStage::SetShaderParameters(
   const float f[4] = { static_cast<float>(viewport[0]), static_cast<float>(viewport[1]),
     static_cast<float>(viewport[2]), static_cast<float>(viewport[3]) };
   program->SetUniform4f("wfvViewport", f);
+  const double perPixel[2] = { 2 / (f[2] * this->Tile[0] * this->View.scale.x),
+    2 / (f[3] * this->Tile[1] * this->View.scale.y) };
+  const float toMap[4] = { f[0] + 0.5f * f[2] * (1 + this->Tile[2]),
+    f[1] + 0.5f * f[3] * (1 + this->Tile[3]), static_cast<float>(perPixel[0]),
+    static_cast<float>(perPixel[1]) };
+  program->SetUniform4f("wfvPixelToMap", toMap);
   this->NumberOfDraws++;
   const bool tessellates = this->Variant == vtkWideFoVShaderBuilder::Variant::Tessellate;
   this->NumberOfTessellateDraws += tessellates && vtkWideFoVTessellation::IsIn(program);

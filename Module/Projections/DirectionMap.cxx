@@ -17,6 +17,7 @@ namespace
 {
 #include "cube_faces.glsl"
 #include "direction-map.glsl"
+#include "unproject.glsl"
 }
 }
 #undef float

@@ -35,6 +35,10 @@ inline double wfvHypot(double x, double y)
 {
   return std::hypot(x, y);
 }
+inline vec2 wfvSinCos(double x)
+{
+  return vec2(std::sin(x), std::cos(x));
+}
 inline double wfvLog(double x)
 {
   return std::log(x);

@@ -18,36 +18,42 @@ namespace equirectangular
 #include "equirectangular.glsl"
 #include "cylindrical.glsl"
 #include "meridian.glsl"
+#include "unproject.glsl"
 }
 namespace cylindrical_equal_area
 {
 #include "cylindrical-equal-area.glsl"
 #include "cylindrical.glsl"
 #include "meridian.glsl"
+#include "unproject.glsl"
 }
 namespace miller
 {
 #include "miller.glsl"
 #include "cylindrical.glsl"
 #include "meridian.glsl"
+#include "unproject.glsl"
 }
 namespace mercator
 {
 #include "mercator.glsl"
 #include "cylindrical.glsl"
 #include "meridian.glsl"
+#include "unproject.glsl"
 }
 namespace central_cylindrical
 {
 #include "central-cylindrical.glsl"
 #include "cylindrical.glsl"
 #include "meridian.glsl"
+#include "unproject.glsl"
 }
 namespace sinusoidal
 {
 #include "sinusoidal.glsl"
 #include "pseudocylindrical.glsl"
 #include "meridian.glsl"
+#include "unproject.glsl"
 }
 namespace mollweide
 {
@@ -55,6 +61,7 @@ namespace mollweide
 #include "mollweide.glsl"
 #include "pseudocylindrical.glsl"
 #include "meridian.glsl"
+#include "unproject.glsl"
 }
 namespace eckert_iv
 {
@@ -62,63 +69,75 @@ namespace eckert_iv
 #include "eckert-iv.glsl"
 #include "pseudocylindrical.glsl"
 #include "meridian.glsl"
+#include "unproject.glsl"
 }
 namespace hammer
 {
 #include "hammer.glsl"
 #include "half_longitude.glsl"
 #include "meridian.glsl"
+#include "unproject.glsl"
 }
 namespace aitoff
 {
 #include "aitoff.glsl"
 #include "half_longitude.glsl"
 #include "meridian.glsl"
+#include "unproject.glsl"
 }
 namespace winkel_tripel
 {
 #include "winkel-tripel.glsl"
 #include "half_longitude.glsl"
 #include "meridian.glsl"
+#include "unproject.glsl"
 }
 namespace panini
 {
 #include "panini.glsl"
 #include "meridian.glsl"
+#include "unproject.glsl"
 }
 namespace azimuthal_equidistant
 {
 #include "azimuthal-equidistant.glsl"
 #include "azimuthal.glsl"
+#include "unproject.glsl"
 }
 namespace azimuthal_equal_area
 {
 #include "azimuthal-equal-area.glsl"
 #include "azimuthal.glsl"
+#include "unproject.glsl"
 }
 namespace stereographic
 {
 #include "stereographic.glsl"
 #include "azimuthal.glsl"
+#include "unproject.glsl"
 }
 namespace orthographic
 {
 #include "orthographic.glsl"
 #include "azimuthal.glsl"
+#include "unproject.glsl"
 }
 namespace equi_angular_cubemap
 {
 #include "cube_faces.glsl"
 #include "equi-angular-cubemap.glsl"
+#include "unproject.glsl"
 }
 namespace perspective
 {
 #include "perspective.glsl"
+#include "unproject.glsl"
 }
 namespace direction_map
 {
 #include "cube_faces.glsl"
 #include "direction-map.glsl"
+#include "unproject.glsl"
 }
 }
 #undef float
@@ -174,6 +193,7 @@ Projection MakeProjection(const char* name, const char* title, const char* prope
   {
     p.Glsl += source;
   }
+  p.Glsl += unproject_glsl;
   return p;
 }
 

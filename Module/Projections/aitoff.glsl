@@ -14,17 +14,17 @@ WFV_FN vec2 wfvFlat(vec2 halfLambda, vec2 phi)
   return vec2(2.0 * x * k, phi.y * k);
 }
 
-WFV_FN WfvRay wfvUnproject(vec2 ndc, WfvView v)
+WFV_FN WfvRay wfvRayOfMap(vec2 m, WfvView v)
 {
-  vec2 m = wfvFinite(ndc);
-  m = vec2(0.5 * m.x / v.scale.x, m.y / v.scale.y);
+  m = vec2(0.5 * m.x, m.y);
   float r = wfvHypot(m.x, m.y);
   float rim = 0.5 * WFV_PI;
   WfvRay ray;
   ray.inside = r <= rim * WFV_BORDER;
   // outside, the nearest point of the border answers
   float a = min(r, rim);
-  float k = r > 0.0 ? sin(a) / r : 1.0;
-  ray.direction = wfvDoubleLongitude(vec3(m.x * k, m.y * k, max(0.0, cos(a))));
+  vec2 sc = wfvSinCos(a);
+  float k = r > 0.0 ? sc.x / r : 1.0;
+  ray.direction = wfvDoubleLongitude(vec3(m.x * k, m.y * k, max(0.0, sc.y)));
   return ray;
 }

@@ -22,17 +22,16 @@ WFV_FN vec2 wfvProject(vec3 p, WfvView v)
   return vec2(r * d.x * v.scale.x, r * d.y * v.scale.y);
 }
 
-WFV_FN WfvRay wfvUnproject(vec2 ndc, WfvView v)
+WFV_FN WfvRay wfvRayOfMap(vec2 m, WfvView v)
 {
-  vec2 m = wfvFinite(ndc);
-  m = vec2(m.x / v.scale.x, m.y / v.scale.y);
   float r = wfvHypot(m.x, m.y);
   WfvRay ray;
   ray.inside = r <= wfvRadius(v.maxAngle, v) * WFV_BORDER;
   float theta = min(wfvThetaAt(m, r, v), v.maxAngle);
-  float s = max(sin(theta), WFV_AT_SINGULARITY);
+  vec2 sc = wfvSinCos(theta);
+  float s = max(sc.x, WFV_AT_SINGULARITY);
   vec2 d = r > 0.0 ? vec2(m.x / r, m.y / r) : vec2(1.0, 0.0);
-  ray.direction = vec3(s * d.x, s * d.y, -cos(theta));
+  ray.direction = vec3(s * d.x, s * d.y, -sc.y);
   return ray;
 }
 

@@ -76,8 +76,9 @@ WFV_FN vec2 wfvMeridianAngles(vec3 p)
 
 WFV_FN vec3 wfvMeridianDirection(vec2 a)
 {
-  float c = cos(a.y);
-  return vec3(c * sin(a.x), sin(a.y), -c * cos(a.x));
+  vec2 lambda = wfvSinCos(a.x);
+  vec2 phi = wfvSinCos(a.y);
+  return vec3(phi.y * lambda.x, phi.x, -phi.y * lambda.y);
 }
 
 // Azimuth about -z from +x towards +y, and the angle theta in [0, pi] from -z.
@@ -88,8 +89,9 @@ WFV_FN vec2 wfvAzimuthalAngles(vec3 p)
 
 WFV_FN vec3 wfvAzimuthalDirection(vec2 a)
 {
-  float s = sin(a.y);
-  return vec3(s * cos(a.x), s * sin(a.x), -cos(a.y));
+  vec2 azimuth = wfvSinCos(a.x);
+  vec2 theta = wfvSinCos(a.y);
+  return vec3(theta.x * azimuth.y, theta.x * azimuth.x, -theta.y);
 }
 
 // The direction of twice the longitude of d, a unit vector (to the right, up, ahead) of the

@@ -18,10 +18,8 @@ WFV_FN vec2 wfvProject(vec3 p, WfvView v)
   return wfvMap(wfvMeridianAngles(p), v);
 }
 
-WFV_FN WfvRay wfvUnproject(vec2 ndc, WfvView v)
+WFV_FN WfvRay wfvRayOfMap(vec2 m, WfvView v)
 {
-  vec2 m = wfvFinite(ndc);
-  m = vec2(m.x / v.scale.x, m.y / v.scale.y);
   WfvRay ray;
   ray.inside = abs(m.x) <= WFV_PI * WFV_BORDER && abs(m.y) <= WFV_TOP * WFV_BORDER;
   ray.direction = wfvMeridianDirection(vec2(max(-WFV_PI, min(WFV_PI, m.x)),

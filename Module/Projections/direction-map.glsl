@@ -121,9 +121,8 @@ WFV_FN WfvRay wfvRayOfPixel(vec2 p, WfvView v)
   return ray;
 }
 
-WFV_FN WfvRay wfvUnproject(vec2 ndc, WfvView v)
+WFV_FN WfvRay wfvRayOfMap(vec2 m, WfvView v)
 {
-  vec2 m = wfvFinite(ndc);
   WfvRay ray = wfvRayOfPixel(wfvPixelOfNdc(m, v), v);
   ray.inside = ray.inside && abs(m.x) <= WFV_BORDER && abs(m.y) <= WFV_BORDER;
   return ray;

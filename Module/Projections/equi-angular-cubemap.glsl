@@ -51,7 +51,9 @@ WFV_FN vec3 wfvFaceDirection(vec2 onFace, int face)
   float quarter = 0.25 * WFV_PI;
   float a = quarter * onFace.x;
   float b = quarter * onFace.y;
-  vec3 q = vec3(sin(a) * cos(b), sin(b) * cos(a), cos(a) * cos(b));
+  vec2 sa = wfvSinCos(a);
+  vec2 sb = wfvSinCos(b);
+  vec3 q = vec3(sa.x * sb.y, sb.x * sa.y, sa.y * sb.y);
   return wfvFromFace(q / wfvHypot(wfvHypot(q.x, q.y), q.z), face);
 }
 
@@ -62,10 +64,8 @@ WFV_FN vec2 wfvOnFace(vec2 m, int face)
   return vec2(3.0 * (m.x - centre.x), 2.0 * (m.y - centre.y));
 }
 
-WFV_FN WfvRay wfvUnproject(vec2 ndc, WfvView v)
+WFV_FN WfvRay wfvRayOfMap(vec2 m, WfvView v)
 {
-  vec2 m = wfvFinite(ndc);
-  m = vec2(m.x / v.scale.x, m.y / v.scale.y);
   WfvRay ray;
   ray.inside = abs(m.x) <= WFV_BORDER && abs(m.y) <= WFV_BORDER;
   int face = wfvFaceAt(m);

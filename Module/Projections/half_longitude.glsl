@@ -2,7 +2,7 @@
 // Shared by the maps that are functions of half the longitude and the latitude. Included
 // after the projection, which brings
 //   vec2 wfvFlat(vec2 halfLambda, vec2 phi)  the raw map of their (cosine, sine)
-//   WfvRay wfvUnproject(vec2 ndc, WfvView v)
+//   WfvRay wfvRayOfMap(vec2 m, WfvView v)
 
 // Map of (lambda, phi) in radians.
 WFV_FN vec2 wfvMap(vec2 angles, WfvView v)

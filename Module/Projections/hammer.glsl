@@ -12,10 +12,9 @@ WFV_FN vec2 wfvFlat(vec2 halfLambda, vec2 phi)
   return vec2(2.0 * sqrt(2.0) * phi.x * halfLambda.y / d, sqrt(2.0) * phi.y / d);
 }
 
-WFV_FN WfvRay wfvUnproject(vec2 ndc, WfvView v)
+WFV_FN WfvRay wfvRayOfMap(vec2 m, WfvView v)
 {
-  vec2 m = wfvFinite(ndc);
-  m = vec2(0.5 * m.x / v.scale.x, m.y / v.scale.y);
+  m = vec2(0.5 * m.x, m.y);
   float r = wfvHypot(m.x, m.y);
   float rim = sqrt(2.0);
   WfvRay ray;

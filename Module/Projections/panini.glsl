@@ -38,11 +38,10 @@ WFV_FN vec2 wfvMap(vec2 angles, WfvView v)
   return vec2(2.0 * sin(half_) / c * v.scale.x, sin(angles.y) / d * v.scale.y);
 }
 
-WFV_FN WfvRay wfvUnproject(vec2 ndc, WfvView v)
+WFV_FN WfvRay wfvRayOfMap(vec2 m, WfvView v)
 {
-  vec2 m = wfvFinite(ndc);
-  float u = 0.5 * m.x / v.scale.x;
-  float y = m.y / v.scale.y;
+  float u = 0.5 * m.x;
+  float y = m.y;
   WfvRay ray;
   ray.inside = abs(u) <= WFV_PANINI_SIDE * WFV_BORDER;
   u = max(-WFV_PANINI_SIDE, min(WFV_PANINI_SIDE, u));

@@ -15,12 +15,12 @@ WFV_FN vec2 wfvProject(vec3 p, WfvView v)
   return vec2(p.x / w * v.scale.x, p.y / w * v.scale.y);
 }
 
-WFV_FN WfvRay wfvUnproject(vec2 ndc, WfvView v)
+WFV_FN WfvRay wfvRayOfMap(vec2 m, WfvView v)
 {
-  vec2 m = wfvFinite(ndc);
-  vec3 d = vec3(m.x / v.scale.x, m.y / v.scale.y, -1.0);
+  vec3 d = vec3(m.x, m.y, -1.0);
   WfvRay ray;
-  ray.inside = abs(m.x) < WFV_FAR_NDC && abs(m.y) < WFV_FAR_NDC;
+  ray.inside =
+    abs(m.x * v.scale.x) < WFV_FAR_NDC && abs(m.y * v.scale.y) < WFV_FAR_NDC;
   ray.direction = d / wfvHypot(wfvHypot(d.x, d.y), 1.0);
   return ray;
 }

@@ -23,14 +23,13 @@ WFV_FN vec2 wfvProject(vec3 p, WfvView v)
   return vec2(wfvAtan2(p.x, -p.z) * row.x * v.scale.x, row.y * v.scale.y);
 }
 
-WFV_FN WfvRay wfvUnproject(vec2 ndc, WfvView v)
+WFV_FN WfvRay wfvRayOfMap(vec2 m, WfvView v)
 {
-  vec2 m = wfvFinite(ndc);
-  m = vec2(m.x / v.scale.x, m.y / v.scale.y);
   vec3 row = wfvAtHeight(max(-WFV_TOP, min(WFV_TOP, m.y)));
   WfvRay ray;
   ray.inside = abs(m.y) <= WFV_TOP * WFV_BORDER && abs(m.x) <= WFV_PI * row.x * WFV_BORDER;
   float lambda = row.x > 0.0 ? max(-WFV_PI, min(WFV_PI, m.x / row.x)) : 0.0;
-  ray.direction = vec3(row.y * sin(lambda), row.z, -row.y * cos(lambda));
+  vec2 sc = wfvSinCos(lambda);
+  ray.direction = vec3(row.y * sc.x, row.z, -row.y * sc.y);
   return ray;
 }

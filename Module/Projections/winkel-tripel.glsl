@@ -60,10 +60,8 @@ WFV_FN vec2 wfvWinkelStep(vec2 a, vec2 m)
   return vec2((yp * e.x - xp * e.y) / det, (xl * e.y - yl * e.x) / det);
 }
 
-WFV_FN WfvRay wfvUnproject(vec2 ndc, WfvView v)
+WFV_FN WfvRay wfvRayOfMap(vec2 m, WfvView v)
 {
-  vec2 m = wfvFinite(ndc);
-  m = vec2(m.x / v.scale.x, m.y / v.scale.y);
   float rim = 0.5 * WFV_PI;
   float y = min(rim, abs(m.y));
   float border = wfvWinkelBorder(y);

@@ -43,7 +43,7 @@ vec3 wfvEdgesAt(vec3 direction)
 vec3 wfvWeigh(vec3 e)
 {
   float sum = e.x + e.y + e.z;
-  return sum > 0.0 ? e / sum : vec3(1.0 / 3.0);
+  return sum > 0.0 ? e * (1.0 / sum) : vec3(1.0 / 3.0);
 }
 
 // Of the triangle's own plane, towards the eye, view coordinates. Differences between

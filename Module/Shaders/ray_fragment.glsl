@@ -15,10 +15,17 @@ vec2 wfvPlaceBeside(vec2 offset)
   return (ndc - wfvTile.zw) / wfvTile.xy;
 }
 
+// The picture's centre, pixels of the window, and the raw map's units a pixel.
+uniform vec4 wfvPixelToMap;
+
 // Its ray.
 WfvRay wfvRayAt(vec2 offset)
 {
+#if WFV_FLAT_RIM
   return wfvUnproject(wfvPlaceBeside(offset), wfvView);
+#else
+  return wfvRayOfMap((gl_FragCoord.xy + offset - wfvPixelToMap.xy) * wfvPixelToMap.zw, wfvView);
+#endif
 }
 
 #if WFV_SAMPLED
