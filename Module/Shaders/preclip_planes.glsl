@@ -26,20 +26,21 @@ dvec3 wfvWhole(int i)
   return p / double(wfvScale());
 }
 
-vec3 wfvWholeEdgePlane(int i, int j)
+// From corner i on, or from j.
+vec3 wfvWholeEdgePlane(int i, int j, bool first)
 {
-  dvec3 p = wfvWhole(i);
-  return wfvTilt(vec3(cross(p, wfvWhole(j) - p)), wfvView);
+  dvec3 a = wfvWhole(i);
+  dvec3 b = wfvWhole(j);
+  return wfvTilt(vec3(first ? cross(a, b - a) : cross(b, a - b)), wfvView);
 }
 
-// From corner k on.
-vec4 wfvWholePlane(int k)
+vec4 wfvWholePlane(int nearest)
 {
-  dvec3 p = wfvWhole(k);
-  dvec3 q = wfvWhole((k + 1) % 3);
-  dvec3 r = wfvWhole((k + 2) % 3);
+  dvec3 p = wfvWhole(0);
+  dvec3 q = wfvWhole(1);
+  dvec3 r = wfvWhole(2);
   dvec3 normal = cross(q - p, r - p);
-  double w = dot(normal, p);
+  double w = dot(normal, nearest == 0 ? p : (nearest == 1 ? q : r));
   bool edgeOn = abs(w) <= WFV_EDGE_ON * length(p) * length(q) * length(r);
   return vec4(wfvTilt(vec3(normal), wfvView), edgeOn ? 0.0 : float(w));
 }
@@ -60,7 +61,7 @@ vec3 wfvEdgePlane(int i, int j)
 #ifdef GL_ARB_gpu_shader_fp64
   if (dot(p, q) < 0.0)
   {
-    n = wfvWholeEdgePlane(ordered ? i : j, ordered ? j : i);
+    n = wfvWholeEdgePlane(i, j, ordered);
   }
 #endif
   return ordered ? n : -n;
@@ -75,23 +76,23 @@ const float WFV_LONG = 0.5;
 // below may have either sign in float32, whose rounding is a twentieth.
 const float WFV_UNSURE = 1e-6;
 
-// The triangle's own plane, from its nearest corner, whose rounding is the least; w is 0
-// where it is seen edge-on.
+// The triangle's own plane; w, of the nearest corner, whose rounding is the least, is 0 where
+// it is seen edge-on. (No index is computed: that would put the corners into memory.)
 vec4 wfvTrianglePlane(vec3 lengths)
 {
-  int k = lengths.x < lengths.y ? (lengths.x < lengths.z ? 0 : 2) : (lengths.y < lengths.z ? 1 : 2);
-  vec3 p = wfvP[k];
-  vec3 a = wfvP[(k + 1) % 3] - p;
-  vec3 b = wfvP[(k + 2) % 3] - p;
+  int nearest = lengths.x < lengths.y ? 0 : 1;
+  nearest = lengths.z < min(lengths.x, lengths.y) ? 2 : nearest;
+  vec3 a = wfvP[1] - wfvP[0];
+  vec3 b = wfvP[2] - wfvP[0];
   vec3 normal = cross(a, b);
-  float w = dot(normal, p);
+  float w = dot(normal, nearest == 0 ? wfvP[0] : (nearest == 1 ? wfvP[1] : wfvP[2]));
 #ifdef GL_ARB_gpu_shader_fp64
   float far = max(lengths.x, max(lengths.y, lengths.z));
   float longest = max(length(a), max(length(b), length(b - a)));
   bool beside = longest > WFV_LONG * far && abs(w) < WFV_BESIDE * far * length(normal);
   if (beside || abs(w) < WFV_UNSURE * far * far * longest)
   {
-    return wfvWholePlane(k);
+    return wfvWholePlane(nearest);
   }
 #endif
   return vec4(normal, w);
