@@ -263,6 +263,12 @@ void vtkWideFoVStage::SetPropParameters(
   {
     program->SetUniformf("wfvLineWidth", wfv::LineWidth(polydata, actor));
   }
+  if (actor && program->IsUniformUsed("wfvFrontCulled"))
+  {
+    vtkProperty* property = actor->GetProperty();
+    const bool front = property->GetFrontfaceCulling() && !property->GetBackfaceCulling();
+    program->SetUniformi("wfvFrontCulled", front);
+  }
   if (polydata && actor && program->IsUniformUsed("wfvPointSize"))
   {
     program->SetUniformf("wfvPointSize", wfv::PointSize(polydata, actor));

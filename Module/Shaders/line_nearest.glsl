@@ -28,6 +28,9 @@ const int WFV_LINE_STEPS = 5;
 #endif
 const int WFV_LINE_SAMPLE_STEPS = 2;
 
+// Pixels: behind a step so short one more is the last.
+const float WFV_LINE_STEP = 0.002;
+
 // Pixels that the differences reach, each way, by which slopes are measured.
 const float WFV_LINE_DIFFERENCE = 2.0;
 
@@ -46,8 +49,9 @@ float wfvStepped(float a, float turn)
   return base + b * cosh(turn) + sqrt(b * b + wfvArcDelta * wfvArcDelta) * sinh(turn);
 }
 
-// Newton's step on the squared distance of p, from the angle c; in turns of wfvStepped.
-float wfvNewtonTurn(vec2 p, float c, float ref)
+// Newton's step on the squared distance of p, from the angle c; in turns of wfvStepped, and in
+// pixels.
+vec2 wfvNewtonTurn(vec2 p, float c, float ref)
 {
   float h = WFV_LINE_DIFFERENCE * wfvPixelAngle();
   vec2 before = wfvArcPixel(wfvStepped(c, -h), ref);
@@ -59,7 +63,8 @@ float wfvNewtonTurn(vec2 p, float c, float ref)
   float speed = dot(slope, slope);
   float m = max(speed - dot(r, bend), WFV_LINE_DAMPING * speed);
   float turn = m > 0.0 ? dot(r, slope) / m : 0.0;
-  return clamp(turn, -WFV_LINE_LONGEST_STEP, WFV_LINE_LONGEST_STEP);
+  turn = clamp(turn, -WFV_LINE_LONGEST_STEP, WFV_LINE_LONGEST_STEP);
+  return vec2(turn, abs(turn) * sqrt(speed));
 }
 
 // Takes the place at the angle a for the nearest one if it is; its distance from p.
@@ -77,9 +82,11 @@ float wfvTry(vec2 p, float a, float ref)
 }
 
 // Newton's method from a start, which it leaves at the result; a step that leads away is
-// halved.
-void wfvRefine(vec2 p, int which, int steps)
+// halved. Lines that are their chords take no step: software renderers run both sides of a
+// branch for every pixel, but leave a loop when none needs it, unless it is unrolled.
+void wfvRefine(vec2 p, int which, int most)
 {
+  int steps = wfvLineKind == 0 ? -1 : most;
   WfvStart s = wfvStarts[which];
   float h = WFV_LINE_DIFFERENCE * wfvPixelAngle();
   float nearest = 1e9;
@@ -97,7 +104,9 @@ void wfvRefine(vec2 p, int which, int steps)
     // no slopes across a jump
     float c = s.lo == wfvArcCut ? max(a, wfvStepped(s.lo, h)) : a;
     c = s.hi == wfvBeforeCut ? min(c, wfvStepped(s.hi, -h)) : c;
-    s.a = clamp(wfvStepped(c, wfvNewtonTurn(p, c, s.ref)), s.lo, s.hi);
+    vec2 turn = wfvNewtonTurn(p, c, s.ref);
+    s.a = clamp(wfvStepped(c, turn.x), s.lo, s.hi);
+    steps = turn.y < WFV_LINE_STEP ? min(steps, i + 1) : steps;
   }
   wfvStarts[which].a = a;
 }
@@ -110,7 +119,9 @@ void wfvScan(vec2 p, float lo, float hi, float ref)
   float a = lo;
   vec2 from = wfvArcPixel(lo, ref);
   int last = -2;
-  for (int i = 1; i <= 4 * WFV_KNOTS; i++)
+  // see wfvRefine
+  int knots = wfvLineKind == 2 ? 4 * WFV_KNOTS : 0;
+  for (int i = 1; i <= knots; i++)
   {
     float b = i == 4 * WFV_KNOTS ? hi : clamp(wfvKnot(i), lo, hi);
     if (!(b > a))

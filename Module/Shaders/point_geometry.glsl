@@ -19,6 +19,7 @@ layout(points) in;
 layout(triangle_strip, max_vertices = 8) out;
 
 uniform float wfvPointSize; // pixels
+uniform int wfvFrontCulled; // what is seen from its front is not drawn: points always are
 
 flat out float wfvPointDepth; // window depth, 0 to 1
 out vec2 wfvPointCoord;       // what gl_PointCoord is for OpenGL's own points
@@ -38,7 +39,8 @@ void wfvEmitSquare(vec2 centre, float rho, vec2 first, vec2 last)
   }
   for (int i = 0; i < 4; i++)
   {
-    vec2 at = vec2((i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y);
+    int right = wfvFrontCulled != 0 ? 2 : 1;
+    vec2 at = vec2((i & right) != 0 ? high.x : low.x, (i & (3 - right)) != 0 ? high.y : low.y);
     gl_Position = wfvClip(at, rho);
     wfvPointDepth = wfvDepthOf(rho, wfvView);
     wfvPointCoord = vec2(0.5, -0.5) * (at - centre) / half_ + 0.5;

@@ -90,30 +90,38 @@ TEST(Selection, HardwareSelectionIsTheDrawnCell)
   }
 }
 
-// A point beside the seam, on the right border, whose square is continued on the left one.
+// Three points behind the eye, twenty pixels large; the last one beside the seam, on the right
+// border, so that its square is continued on the left one.
+vtkSmartPointer<vtkActor> PointsAtTheSeam(const double eye[3])
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  for (int i = 0; i < 3; i++)
+  {
+    const double x = i == 2 ? 0.05 : 0.8;
+    cells->InsertNextCell(1);
+    cells->InsertCellPoint(points->InsertNextPoint(eye[0] + x, eye[1] + 0.5 * i - 1, eye[2] + 1));
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetVerts(cells);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(data);
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetPointSize(20);
+  return actor;
+}
+
 TEST(Selection, APointIsSelectedOnBothSidesOfTheSeam)
 {
   for (const char* projection : { "equirectangular", "hammer" })
   {
     WideFoVTestWindow test(projection, 200, 100);
-    double eye[3];
-    test.Camera->GetPosition(eye);
-    vtkNew<vtkPoints> points;
-    vtkNew<vtkCellArray> cells;
-    for (int i = 0; i < 3; i++)
-    {
-      const double x = i == 2 ? 0.05 : 0.8;
-      cells->InsertNextCell(1);
-      cells->InsertCellPoint(points->InsertNextPoint(eye[0] + x, eye[1] + 0.5 * i - 1, eye[2] + 1));
-    }
-    vtkNew<vtkPolyData> data;
-    data->SetPoints(points);
-    data->SetVerts(cells);
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputData(data);
-    vtkNew<vtkActor> actor;
-    actor->SetMapper(mapper);
-    actor->GetProperty()->SetPointSize(20);
+    auto actor = PointsAtTheSeam(test.Camera->GetPosition());
+    // whatever is culled, points are not
+    actor->GetProperty()->SetFrontfaceCulling(projection[0] == 'h');
+    actor->GetProperty()->SetBackfaceCulling(projection[0] == 'e');
     test.Renderer->AddActor(actor);
     test.Window->Render();
     for (unsigned int x : { 5, 197 })
