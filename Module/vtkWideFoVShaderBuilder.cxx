@@ -99,7 +99,7 @@ std::string CoverFragment(
     return wfv::line::FragmentSource(varyings, fragment);
   }
   return std::string(ray_fragment_glsl) + cover_fragment_glsl + chord_fragment_glsl +
-    surface_fragment_glsl + CornerInputs(varyings, { "wfvB.x", "wfvB.y", "wfvB.z" });
+    CornerInputs(varyings, { "wfvB.x", "wfvB.y", "wfvB.z" });
 }
 
 // What the debug view adds to the fragment stage.

@@ -66,8 +66,8 @@ std::string ViewSource(const Request& r)
     Define("WFV_MERIDIAN", meridian) + Define("WFV_FACES", faces) +
     Define("WFV_STRAIGHT_SEAM", r.Projection->StraightSeam) +
     Define("WFV_FLAT_RIM", r.Projection->FlatRim) +
-    Define("WFV_EXACT", r.Stage == vtkWideFoVShaderBuilder::Variant::Exact) +
-    Define("WFV_TESSELLATE", r.Stage == vtkWideFoVShaderBuilder::Variant::Tessellate) +
+    Define("WFV_EXACT", r.ByRays || r.Stage == vtkWideFoVShaderBuilder::Variant::Exact) +
+    Define("WFV_BY_RAYS", r.ByRays) +
     Define("WFV_WIDE_LINES", r.WideLines) + Define("WFV_EDGES", r.Edges || r.DebugView) +
     Define("WFV_EDGE_FLAGS", r.EdgeFlags) + Define("WFV_DEBUG_VIEW", r.DebugView) +
     "#define WFV_ANGLES " + (meridian ? "wfvMeridianAngles" : "wfvAzimuthalAngles") + "\n" +

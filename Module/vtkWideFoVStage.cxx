@@ -142,10 +142,15 @@ vtkWideFoVShaderBuilder::Request vtkWideFoVStage::MakeRequest(
   {
     request.Stage = vtkWideFoVShaderBuilder::Variant::PreClip;
   }
+  request.ByRays =
+    this->ByRays && request.Kind == vtkWideFoVShaderBuilder::Primitive::Triangles;
   const bool lines = request.Kind == vtkWideFoVShaderBuilder::Primitive::Lines;
-  if (lines && polydata && this->ExactLines && wfv::HasFewLines(polydata))
+  if (lines && polydata && this->ExactLines)
   {
-    request.Stage = vtkWideFoVShaderBuilder::Variant::Exact;
+    // few are exact, many are not, whatever the triangles of the prop are
+    using Variant = vtkWideFoVShaderBuilder::Variant;
+    const Variant chords = request.Stage == Variant::Exact ? Variant::PreClip : request.Stage;
+    request.Stage = wfv::HasFewLines(polydata) ? Variant::Exact : chords;
   }
   // only our own mapper draws patches; the pieces' edges must not show as the cell's
   const bool patches = vtkWideFoVPolyDataMapper::SafeDownCast(mapper) &&
@@ -180,7 +185,6 @@ bool vtkWideFoVStage::SetShaderParameters(
   program->SetUniform4f("wfvTile", this->Tile);
   program->SetUniformf("wfvTolerance", this->Tolerance);
   program->SetUniformi("wfvHeadlights", this->Headlights);
-  program->SetUniformi("wfvByRay", this->ByRay);
 
   int viewport[4] = { 0, 0, 1, 1 };
   if (auto* renderer = vtkOpenGLRenderer::SafeDownCast(this->Renderer))

@@ -60,8 +60,16 @@ public:
   }
 
   // Of all, and those of them that were tessellated.
-  // What is seen where a chord covers a pixel: by the pixel's ray, not interpolated.
-  void SetByRay(bool byRay) { this->ByRay = byRay; }
+  // Triangles covered by each pixel's ray behind every geometry stage, whatever the variant:
+  // the techniques "auto" and "tessellate".
+  void SetByRays(bool byRays)
+  {
+    if (byRays != this->ByRays)
+    {
+      this->ByRays = byRays;
+      this->SourceTime.Modified();
+    }
+  }
 
   int GetNumberOfDraws() const { return this->NumberOfDraws; }
   int GetNumberOfTessellateDraws() const { return this->NumberOfTessellateDraws; }
@@ -104,7 +112,7 @@ private:
   float Tolerance = 0.25f;
   int Headlights = 0;
   bool Clipless = false;
-  bool ByRay = false;
+  bool ByRays = false;
   bool ExactLines = false;
   bool DebugView = false;
   int NumberOfDraws = 0;

@@ -61,8 +61,8 @@ void vtkWideFoVStages::Begin(
   {
     stage->SetView(renderer, camera, tolerance);
     stage->SetClipless(technique == vtkWideFoVPass::VERTEX);
-    stage->SetByRay(technique == vtkWideFoVPass::TESSELLATE ||
-      (technique == vtkWideFoVPass::AUTO && tolerance < PlainTolerance));
+    stage->SetByRays(
+      this->Technique == vtkWideFoVPass::TESSELLATE || this->Technique == vtkWideFoVPass::AUTO);
     stage->SetExactLines(this->Technique == vtkWideFoVPass::AUTO);
     stage->ResetNumberOfDraws();
   }

@@ -89,9 +89,6 @@ bool wfvCovered()
   return wfvCoverage(ray, e, pixel, rim) && sum > 0.0;
 }
 
-uniform int wfvByRay;  // what is seen of triangles that are not covered, too
-void wfvMeetSurface(); // surface_fragment.glsl
-
 void wfvPrepare()
 {
 #ifdef GL_ARB_sample_shading
@@ -99,10 +96,6 @@ void wfvPrepare()
 #endif
   wfvB = wfvBary / (wfvBary.x + wfvBary.y + wfvBary.z);
   wfvDepth = wfvWindowDepth(length(wfvPosition));
-  if (wfvByRay != 0 && (wfvMode & 1) == 0)
-  {
-    wfvMeetSurface();
-  }
   wfvFront = (wfvMode & 1) == 0 ? gl_FrontFacing : wfvPlane.w < 0.0;
   bool covered = (wfvMode & 1) == 0 || wfvCovered();
   covered = covered && wfvDepth >= 0.0 && wfvDepth <= 1.0;

@@ -93,6 +93,8 @@ bool wfvOutside(vec3 lengths)
 #endif
 }
 
+bool wfvBent; // an edge of the triangle bends by more than the tolerance
+
 // True where the triangle holds a pole or an edge of it bends too much; sets wfvS.
 bool wfvMustCover(float facing)
 {
@@ -101,16 +103,16 @@ bool wfvMustCover(float facing)
   vec2 e2 = wfvChordError(wfvP[0], wfvP[1]);
   wfvS = vec3(e0.x, e1.x, e2.x);
   wfvReach = max(e0.y, max(e1.y, e2.y));
+  wfvBent = min(wfvS.x, min(wfvS.y, wfvS.z)) < 0.0;
 #if WFV_EXACT
   wfvS = vec3(WFV_CURVED);
-#endif
-  bool bent = min(wfvS.x, min(wfvS.y, wfvS.z)) < 0.0;
-#if WFV_FACES
-  return bent;
+  return true;
+#elif WFV_FACES
+  return wfvBent;
 #elif WFV_MERIDIAN
-  return bent || wfvHolds(1, 1.0, facing) || wfvHolds(1, -1.0, facing);
+  return wfvBent || wfvHolds(1, 1.0, facing) || wfvHolds(1, -1.0, facing);
 #else
-  return bent || wfvHolds(2, 1.0, facing);
+  return wfvBent || wfvHolds(2, 1.0, facing);
 #endif
 }
 
@@ -140,15 +142,34 @@ void wfvReadCorners()
   }
 }
 
+// Of a triangle that wfvMustCover has measured.
+void wfvCoverCurved(bool seam, bool tear, float facing)
+{
+  wfvVertexMode = WFV_COVERED;
+#if !WFV_EXACT
+  wfvPlaceCorners(seam);
+#endif
+#if WFV_DEBUG_VIEW
+  wfvVertexMode += WFV_KIND_UNIT * wfvCoverKind(seam, tear, facing);
+#endif
+  if (seam || !wfvCoverNarrow(facing < 0.0))
+  {
+    wfvCover(facing < 0.0, facing);
+  }
+}
+
 #if WFV_EXACT
+// Of one that wfvEasy has measured.
 void wfvCoverEasy(float facing)
 {
   wfvVertexMode = WFV_COVERED;
   wfvS = vec3(WFV_CURVED);
+  float reach = wfvReach;
 #if WFV_DEBUG_VIEW
-  wfvVertexMode += WFV_KIND_UNIT * WFV_KIND_EXACT;
+  wfvMustCover(facing);
+  wfvVertexMode += WFV_KIND_UNIT * wfvCoverKind(false, false, facing);
 #endif
-  wfvCoverTight(wfvReach + WFV_TIGHT_PAD, facing < 0.0);
+  wfvCoverTight(reach + WFV_TIGHT_PAD, facing < 0.0);
 }
 #endif
 
@@ -181,15 +202,7 @@ void main()
   // wfvMustCover also prepares the covering: it runs wherever one may follow
   if ((tear || !easy) && (wfvMustCover(facing) || tear))
   {
-    wfvVertexMode = WFV_COVERED;
-    wfvPlaceCorners(seam);
-#if WFV_DEBUG_VIEW
-    wfvVertexMode += WFV_KIND_UNIT * wfvCoverKind(tear, facing);
-#endif
-    if (seam || !wfvCoverNarrow(facing < 0.0))
-    {
-      wfvCover(facing < 0.0, facing);
-    }
+    wfvCoverCurved(seam, tear, facing);
     return;
   }
   wfvVertexMode = 0;
