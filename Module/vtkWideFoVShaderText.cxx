@@ -67,11 +67,11 @@ std::string ViewSource(const Request& r)
     Define("WFV_STRAIGHT_SEAM", r.Projection->StraightSeam) +
     Define("WFV_FLAT_RIM", r.Projection->FlatRim) +
     Define("WFV_EXACT", r.ByRays || r.Stage == vtkWideFoVShaderBuilder::Variant::Exact) +
-    Define("WFV_BY_RAYS", r.ByRays) +
-    Define("WFV_WIDE_LINES", r.WideLines) + Define("WFV_EDGES", r.Edges || r.DebugView) +
-    Define("WFV_EDGE_FLAGS", r.EdgeFlags) + Define("WFV_DEBUG_VIEW", r.DebugView) +
-    "#define WFV_ANGLES " + (meridian ? "wfvMeridianAngles" : "wfvAzimuthalAngles") + "\n" +
-    wfv::MathGlsl() + wfv::CommonGlsl() + wfv::DepthGlsl() + r.Projection->Glsl + interface_glsl;
+    Define("WFV_BY_RAYS", r.ByRays) + Define("WFV_WIDE_LINES", r.WideLines) +
+    Define("WFV_EDGES", r.Edges || r.DebugView) + Define("WFV_EDGE_FLAGS", r.EdgeFlags) +
+    Define("WFV_DEBUG_VIEW", r.DebugView) + "#define WFV_ANGLES " +
+    (meridian ? "wfvMeridianAngles" : "wfvAzimuthalAngles") + "\n" + wfv::MathGlsl() +
+    wfv::CommonGlsl() + wfv::DepthGlsl() + r.Projection->Glsl + interface_glsl;
 }
 
 std::string Corner(size_t varying, int corner)

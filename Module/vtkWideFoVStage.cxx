@@ -142,8 +142,7 @@ vtkWideFoVShaderBuilder::Request vtkWideFoVStage::MakeRequest(
   {
     request.Stage = vtkWideFoVShaderBuilder::Variant::PreClip;
   }
-  request.ByRays =
-    this->ByRays && request.Kind == vtkWideFoVShaderBuilder::Primitive::Triangles;
+  request.ByRays = this->ByRays && request.Kind == vtkWideFoVShaderBuilder::Primitive::Triangles;
   const bool lines = request.Kind == vtkWideFoVShaderBuilder::Primitive::Lines;
   if (lines && polydata && this->ExactLines)
   {

@@ -93,9 +93,8 @@ bool wfvOutside(vec3 lengths)
 #endif
 }
 
-bool wfvBent; // an edge of the triangle bends by more than the tolerance
-
-// True where the triangle holds a pole or an edge of it bends too much; sets wfvS.
+// True where the triangle holds a pole or an edge of it bends too much; sets wfvS
+// and wfvBent.
 bool wfvMustCover(float facing)
 {
   vec2 e0 = wfvChordError(wfvP[1], wfvP[2]);
