@@ -33,11 +33,12 @@ public:
    */
   enum Techniques
   {
-    AUTO = 0,   ///< per primitive the cheapest that keeps the tolerance
+    AUTO = 0,   ///< per prop the cheapest that keeps the tolerance: the vertex stage alone, or
+                ///< every triangle by the ray of each pixel
     EXACT,      ///< every triangle by the ray of each pixel; the tolerance has no part in it
     TESSELLATE, ///< triangles of a vtkWideFoVPolyDataMapper are tessellated to the tolerance,
-                ///< then as PRECLIP; other mappers and primitives as PRECLIP. An OpenGL
-                ///< without tessellation shaders: a warning, and AUTO
+                ///< the pieces by rays; of other mappers, triangles by rays and the rest as
+                ///< PRECLIP. An OpenGL without tessellation shaders: a warning, and AUTO
     PRECLIP,    ///< clipped at the discontinuities, projected per vertex
     VERTEX      ///< projected per vertex, not clipped: for comparison only
   };

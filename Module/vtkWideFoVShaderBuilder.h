@@ -40,10 +40,10 @@ public:
     bool WideLines = false;     // lines wider than the hardware draws
     bool Edges = false;         // surface with edges
     bool EdgeFlags = false;     // some edges of the triangles are inside a cell
+    bool ByRays = false;        // triangles are covered, whatever their edges: no chords
     bool DebugView = false;     // coloured by what happens to each primitive
     bool FragmentDepth = false; // depth is not what the rasterizer interpolates
     bool Multisample = false;   // the framebuffer may have several samples a pixel
-    bool ByRay = false;         // chords decide on coverage only, the ray what is seen
     int DepthMapping = 0;       // wfv::DepthMapping
   };
 

@@ -68,14 +68,14 @@ std::string ViewSource(const Request& r)
     Define("WFV_ROUND", r.Projection->Axis == wfv::Family::Azimuthal) +
     Define("WFV_STRAIGHT_SEAM", r.Projection->StraightSeam) +
     Define("WFV_FLAT_RIM", r.Projection->FlatRim) +
-    Define("WFV_EXACT", r.Stage == vtkWideFoVShaderBuilder::Variant::Exact) +
-    Define("WFV_TESSELLATE", r.Stage == vtkWideFoVShaderBuilder::Variant::Tessellate) +
-    Define("WFV_DEPTH_MAPPING(v)", r.DepthMapping) + Define("WFV_MULTISAMPLE", r.Multisample) +
-    Define("WFV_BY_RAY", r.ByRay) + Define("WFV_WIDE_LINES", r.WideLines) + Define("WFV_EDGES", r.Edges || r.DebugView) +
-    Define("WFV_EDGE_FLAGS", r.EdgeFlags) + Define("WFV_DEBUG_VIEW", r.DebugView) +
-    "#define WFV_ANGLES " + (meridian ? "wfvMeridianAngles" : "wfvAzimuthalAngles") + "\n" +
-    wfv::MathGlsl() + wfv::CommonGlsl() + wfv::DepthGlsl() +
-    (sampled ? directions_glsl : "") + r.Projection->Glsl + interface_glsl;
+    Define("WFV_EXACT", r.ByRays || r.Stage == vtkWideFoVShaderBuilder::Variant::Exact) +
+    Define("WFV_BY_RAYS", r.ByRays) + Define("WFV_DEPTH_MAPPING(v)", r.DepthMapping) +
+    Define("WFV_MULTISAMPLE", r.Multisample) + Define("WFV_WIDE_LINES", r.WideLines) +
+    Define("WFV_EDGES", r.Edges || r.DebugView) + Define("WFV_EDGE_FLAGS", r.EdgeFlags) +
+    Define("WFV_DEBUG_VIEW", r.DebugView) + "#define WFV_ANGLES " +
+    (meridian ? "wfvMeridianAngles" : "wfvAzimuthalAngles") + "\n" + wfv::MathGlsl() +
+    wfv::CommonGlsl() + wfv::DepthGlsl() + (sampled ? directions_glsl : "") +
+    r.Projection->Glsl + interface_glsl;
 }
 
 std::string Corner(size_t varying, int corner)

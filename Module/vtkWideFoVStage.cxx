@@ -168,7 +168,6 @@ vtkWideFoVShaderBuilder::Request vtkWideFoVStage::MakeRequest(
   request.FragmentDepth = this->View.depthMapping != wfv::WFV_DEPTH_LINEAR;
   request.DepthMapping = this->View.depthMapping;
   request.Multisample = this->Multisample;
-  request.ByRay = this->ByRay;
   auto* polydata = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
   auto* actor = vtkActor::SafeDownCast(prop);
   if (polydata && actor && this->Renderer)
@@ -181,6 +180,7 @@ vtkWideFoVShaderBuilder::Request vtkWideFoVStage::MakeRequest(
   {
     request.Stage = vtkWideFoVShaderBuilder::Variant::PreClip;
   }
+  request.ByRays = this->ByRays && request.Kind == vtkWideFoVShaderBuilder::Primitive::Triangles;
   const bool lines = request.Kind == vtkWideFoVShaderBuilder::Primitive::Lines;
   if (lines && polydata && this->ExactLines)
   {

@@ -60,12 +60,13 @@ public:
     }
   }
 
-  // What is seen where a chord covers a pixel: by the pixel's ray, not interpolated.
-  void SetByRay(bool byRay)
+  // Triangles covered by each pixel's ray behind every geometry stage, whatever the variant:
+  // the techniques "auto" and "tessellate".
+  void SetByRays(bool byRays)
   {
-    if (byRay != this->ByRay)
+    if (byRays != this->ByRays)
     {
-      this->ByRay = byRay;
+      this->ByRays = byRays;
       this->SourceTime.Modified();
     }
   }
@@ -116,11 +117,11 @@ private:
   float Tolerance = 0.25f;
   int Headlights = 0;
   bool Clipless = false;
-  bool ByRay = false;
   // Shaders reckon with several samples a pixel from the first draw on that has them, and no
   // longer after a frame without one: passes that draw now so and now so share a shader.
   bool Multisample = false;
   bool SawSamples = false;
+  bool ByRays = false;
   bool ExactLines = false;
   bool DebugView = false;
   int NumberOfDraws = 0;

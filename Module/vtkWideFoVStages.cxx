@@ -76,7 +76,8 @@ void vtkWideFoVStages::Begin(
     stage->SetView(renderer, camera, tolerance);
     stage->SetTextures(&this->Textures);
     stage->SetClipless(technique == vtkWideFoVPass::VERTEX);
-    stage->SetByRay(technique == vtkWideFoVPass::TESSELLATE);
+    stage->SetByRays(
+      this->Technique == vtkWideFoVPass::TESSELLATE || this->Technique == vtkWideFoVPass::AUTO);
     stage->SetExactLines(this->Technique == vtkWideFoVPass::AUTO);
     stage->ResetNumberOfDraws();
   }

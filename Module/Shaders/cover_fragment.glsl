@@ -137,13 +137,8 @@ void wfvPrepare()
 #else
   wfvByChord = (wfvMode & 1) == 0;
   wfvFront = wfvByChord ? gl_FrontFacing : wfvPlane.w < 0.0;
-  // What is seen where a chord covers the pixel: what lies at this place along it or, by ray,
-  // where the ray meets the triangle, or surfaces close behind one another change places.
-  // Between an edge and its chord the ray misses.
-  bool byRay = WFV_BY_RAY != 0 && ray.inside && sum > 0.0 && all(greaterThanEqual(e, vec3(0.0)));
-  bool place = wfvByChord && !byRay;
-  wfvB = place ? wfvBary / (wfvBary.x + wfvBary.y + wfvBary.z) : wfvWeigh(e);
-  wfvSetDistance(place ? length(wfvPosition) : facing * wfvPlane.w / sum);
+  wfvB = wfvByChord ? wfvBary / (wfvBary.x + wfvBary.y + wfvBary.z) : wfvWeigh(e);
+  wfvSetDistance(wfvByChord ? length(wfvPosition) : facing * wfvPlane.w / sum);
   bool meets = wfvByChord || sum > 0.0;
 #endif
   bool covered = wfvCovered(ray, e) && meets && wfvDepth >= 0.0 && wfvDepth <= 1.0;

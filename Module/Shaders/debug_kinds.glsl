@@ -2,8 +2,8 @@
 // Debug view: what can happen to a primitive, and its colour. Documentation/debug-view.md
 // shows them; a test holds that page against this file.
 
-const int WFV_KIND_PLAIN = 0;       // the geometry stage let it through as it is
-const int WFV_KIND_REAR = 1;        // split where it meets a straight seam
+const int WFV_KIND_PLAIN = 0;       // no edge bends by more than the tolerance
+const int WFV_KIND_REAR = 1;        // meets a straight seam: split, or covered on both sides
 const int WFV_KIND_POLE = 2;        // covered: holds a pole or the antipode, or is torn
 const int WFV_KIND_EXACT = 3;       // covered: bent by more than the tolerance, or all are
 const int WFV_KIND_VERTEX = 4;      // of a prop without a geometry stage

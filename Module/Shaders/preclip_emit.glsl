@@ -46,6 +46,7 @@ vec3 wfvS;
 vec2 wfvC[3]; // corners in the picture
 vec4 wfvSeamPlaces;
 float wfvReach; // pixels: how far the edges surely stay from their chords
+bool wfvBent;   // an edge bends by more than the tolerance
 int wfvEmitted;
 
 void wfvEmit(vec4 position, vec3 bary)

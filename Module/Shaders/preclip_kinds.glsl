@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Debug view: what the pre-clip did to a triangle.
+// Debug view: what the pre-clip did to a triangle, or would do where all go by rays.
 
 int wfvSplitKind(bool seam)
 {
@@ -12,16 +12,19 @@ int wfvSplitKind(bool seam)
 #endif
 }
 
-int wfvCoverKind(bool tear, float facing)
+// Of a triangle that wfvMustCover has measured.
+int wfvCoverKind(bool seam, bool tear, float facing)
 {
-#if WFV_EXACT
-  return WFV_KIND_EXACT;
-#elif WFV_MERIDIAN
+#if WFV_MERIDIAN
   bool pole = wfvHolds(1, 1.0, facing) || wfvHolds(1, -1.0, facing);
 #else
   bool pole = wfvHolds(2, 1.0, facing);
 #endif
-#if !WFV_EXACT
+#if WFV_BY_RAYS
+  return pole || tear ? WFV_KIND_POLE : wfvBent ? WFV_KIND_EXACT : wfvSplitKind(seam);
+#elif WFV_EXACT
+  return WFV_KIND_EXACT;
+#else
   return pole || tear ? WFV_KIND_POLE : WFV_KIND_EXACT;
 #endif
 }

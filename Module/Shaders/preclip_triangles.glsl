@@ -87,30 +87,29 @@ bool wfvOutside(vec3 lengths)
 #endif
 }
 
-// True where the triangle holds a pole or an edge of it bends too much; sets wfvS.
+// True where the triangle holds a pole or an edge of it bends too much; sets wfvS
+// and wfvBent.
 bool wfvMustCover(float facing)
 {
-#if WFV_SAMPLED
-  return true; // tables say nothing of chords
-#endif
   vec2 e0 = wfvChordError(wfvP[1], wfvP[2]);
   vec2 e1 = wfvChordError(wfvP[2], wfvP[0]);
   vec2 e2 = wfvChordError(wfvP[0], wfvP[1]);
   wfvS = vec3(e0.x, e1.x, e2.x);
   wfvReach = max(e0.y, max(e1.y, e2.y));
+  wfvBent = min(wfvS.x, min(wfvS.y, wfvS.z)) < 0.0;
 #if WFV_EXACT
   wfvS = vec3(WFV_CURVED);
-#endif
-  bool bent = min(wfvS.x, min(wfvS.y, wfvS.z)) < 0.0;
-#if WFV_FACES
-  return bent;
+  return true;
+#elif WFV_FACES
+  return wfvBent;
 #elif WFV_MERIDIAN
-  return bent || wfvHolds(1, 1.0, facing) || wfvHolds(1, -1.0, facing);
+  return wfvBent || wfvHolds(1, 1.0, facing) || wfvHolds(1, -1.0, facing);
 #else
-  return bent || wfvHolds(2, 1.0, facing);
+  return wfvBent || wfvHolds(2, 1.0, facing);
 #endif
 }
 
+#if !WFV_EXACT
 void wfvEmitSides(bool seam)
 {
 #if WFV_MERIDIAN
@@ -127,6 +126,7 @@ void wfvEmitSides(bool seam)
   wfvEmitWhole(0.0);
 #endif
 }
+#endif
 
 void wfvReadCorners()
 {
@@ -137,15 +137,63 @@ void wfvReadCorners()
   }
 }
 
+// Of a triangle that wfvMustCover has measured.
+void wfvCoverCurved(bool seam, bool tear, float facing)
+{
+  wfvVertexMode = WFV_COVERED;
+#if !WFV_EXACT
+  wfvPlaceCorners(seam);
+#endif
+#if WFV_DEBUG_VIEW
+  wfvVertexMode += WFV_KIND_UNIT * wfvCoverKind(seam, tear, facing);
+#endif
+  if (seam || !wfvCoverNarrow(facing < 0.0))
+  {
+    wfvCover(facing < 0.0, facing);
+  }
+}
+
 #if WFV_EXACT
+// Of one that wfvEasy has measured.
 void wfvCoverEasy(float facing)
 {
   wfvVertexMode = WFV_COVERED;
   wfvS = vec3(WFV_CURVED);
+  float reach = wfvReach;
 #if WFV_DEBUG_VIEW
-  wfvVertexMode += WFV_KIND_UNIT * WFV_KIND_EXACT;
+  wfvMustCover(facing);
+  wfvVertexMode += WFV_KIND_UNIT * wfvCoverKind(false, false, facing);
 #endif
-  wfvCoverTight(wfvReach + WFV_TIGHT_PAD, facing < 0.0);
+  wfvCoverTight(reach + WFV_TIGHT_PAD, facing < 0.0);
+}
+#endif
+
+#if WFV_EXACT
+void wfvDraw(bool seam, bool easy, float facing)
+{
+  if (easy && !seam)
+  {
+    wfvCoverEasy(facing);
+    return;
+  }
+  wfvMustCover(facing);
+  wfvCoverCurved(seam, seam && WFV_STRAIGHT_SEAM == 0, facing);
+}
+#else
+void wfvDraw(bool seam, bool easy, float facing)
+{
+  bool tear = seam && WFV_STRAIGHT_SEAM == 0;
+  // wfvMustCover also prepares the covering: it runs wherever one may follow
+  if ((tear || !easy) && (wfvMustCover(facing) || tear))
+  {
+    wfvCoverCurved(seam, tear, facing);
+    return;
+  }
+  wfvVertexMode = 0;
+#if WFV_DEBUG_VIEW
+  wfvVertexMode += WFV_KIND_UNIT * wfvSplitKind(seam);
+#endif
+  wfvEmitSides(seam);
 }
 #endif
 
@@ -164,35 +212,10 @@ void main()
   wfvN[1] = wfvEdgePlane(2, 0);
   wfvN[2] = wfvEdgePlane(0, 1);
   bool seam = wfvReachesSeam();
-  bool easy = wfvEasy(lengths);
-  bool tear = seam && WFV_STRAIGHT_SEAM == 0;
-#if WFV_EXACT
-  if (easy && !seam)
-  {
-    wfvCoverEasy(facing);
-    return;
-  }
-  easy = false;
+#if WFV_SAMPLED
+  wfvVertexMode = WFV_COVERED;
+  wfvCover(facing < 0.0, facing);
+#else
+  wfvDraw(seam, wfvEasy(lengths), facing);
 #endif
-  // wfvMustCover also prepares the covering: it runs wherever one may follow
-  if ((tear || !easy) && (wfvMustCover(facing) || tear))
-  {
-    wfvVertexMode = WFV_COVERED;
-#if !WFV_EXACT
-    wfvPlaceCorners(seam);
-#endif
-#if WFV_DEBUG_VIEW
-    wfvVertexMode += WFV_KIND_UNIT * wfvCoverKind(tear, facing);
-#endif
-    if (seam || WFV_SAMPLED != 0 || !wfvCoverNarrow(facing < 0.0))
-    {
-      wfvCover(facing < 0.0, facing);
-    }
-    return;
-  }
-  wfvVertexMode = 0;
-#if WFV_DEBUG_VIEW
-  wfvVertexMode += WFV_KIND_UNIT * wfvSplitKind(seam);
-#endif
-  wfvEmitSides(seam);
 }

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The techniques auto and tessellate on scenes of the benchmark, small: whatever the
+// tolerance, no pixel shows what is seen farther away than that.
+#include "Drawing.h"
+#include "vtkWideFoVPass.h"
+
+#include "Scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <vtkAppendPolyData.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkTriangleFilter.h>
+
+#include <iostream>
+
+using namespace wfv;
+using namespace wfv::test;
+
+namespace
+{
+const double Tolerances[] = { 0.05, 0.25, 1 }; // pixels
+
+// Pixels: behind the geometry stage both techniques decide by rays, as `exact` does.
+constexpr double ByRays = 0.02;
+
+class SceneDrawing
+{
+public:
+  explicit SceneDrawing(const std::string& name)
+  {
+    const widefov::Scene scene = widefov::MakeScene(name);
+    vtkNew<vtkAppendPolyData> whole;
+    for (const widefov::SceneProp& prop : scene.Props)
+    {
+      whole->AddInputData(prop.Surface);
+    }
+    vtkNew<vtkTriangleFilter> triangles;
+    triangles->SetInputConnection(whole->GetOutputPort());
+    triangles->PassVertsOff();
+    triangles->PassLinesOff();
+    triangles->Update();
+    this->Picture.SetMesh(triangles->GetOutput());
+    const widefov::Vector3 eye = widefov::SceneEye(scene);
+    this->View.Width = 256;
+    this->View.Height = 128;
+    this->View.Eye = vec3(eye[0], eye[1], eye[2]);
+    const double length = triangles->GetOutput()->GetLength();
+    this->View.Options.Radii = { { 1e-4 * length, length } };
+  }
+
+  reference::Metrics Measure(int technique, double tolerance)
+  {
+    this->Picture.SetTechnique(technique);
+    this->Picture.SetTolerance(tolerance);
+    const reference::DrawnPicture picture = this->Picture.Draw(this->View);
+    if (!this->Caster)
+    {
+      this->Caster.reset(new reference::RayCaster(
+        this->Picture.GetMesh(), this->Picture.GetView(), this->Picture.GetPose()));
+      this->Truth = this->Caster->Render(this->View.Width, this->View.Height);
+    }
+    return reference::Compare(picture, *this->Caster, this->Truth, tolerance);
+  }
+
+  Drawing Picture;
+  Shot View;
+
+private:
+  std::unique_ptr<reference::RayCaster> Caster;
+  reference::HitPicture Truth;
+};
+
+class Scenes : public ::testing::TestWithParam<std::string>
+{
+};
+}
+
+TEST_P(Scenes, KeepTheTolerance)
+{
+  SceneDrawing drawing(this->GetParam());
+  for (const int technique : { vtkWideFoVPass::AUTO, vtkWideFoVPass::TESSELLATE })
+  {
+    for (const double tolerance : Tolerances)
+    {
+      const reference::Metrics m = drawing.Measure(technique, tolerance);
+      const std::string name = this->GetParam() +
+        (technique == vtkWideFoVPass::AUTO ? ", auto" : ", tessellate") + ", t " +
+        std::to_string(tolerance);
+      std::cout << Row(drawing.View, name, m) << std::endl;
+      EXPECT_LE(m.MaxPx, ByRays) << name << "\n"
+                                 << Details(drawing.View, drawing.Picture.GetView(), m);
+      EXPECT_GT(m.DomainPixels, 0);
+    }
+  }
+}
+
+// The check can tell: chords at a tolerance of 1 pixel show what nobody sees.
+TEST_P(Scenes, ChordsDoNot)
+{
+  SceneDrawing drawing(this->GetParam());
+  EXPECT_GT(drawing.Measure(vtkWideFoVPass::PRECLIP, 1).MaxPx, 0.25);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Scenes, ::testing::Values("atrium", "flow", "vector-cloud"),
+  [](const ::testing::TestParamInfo<std::string>& info) {
+    return info.param.substr(0, info.param.find('-'));
+  });
