@@ -61,19 +61,10 @@ vec4 wfvClose(WfvPlaces cell, vec3 a, vec3 b, vec3 c)
 }
 
 // Padded, and clipped to the window.
-vec4 wfvPadded(vec4 r)
+vec4 wfvGrown(vec4 r)
 {
   vec2 pad = 2.0 * WFV_PAD / (wfvViewport.zw * wfvTile.xy);
   return vec4(max(r.xy - pad, vec2(-1.0)), min(r.zw + pad, vec2(1.0)));
-}
-
-void wfvEmitPlace(vec4 r, bool front)
-{
-  if (r.x < r.z && r.y < r.w)
-  {
-    vec2 size = (r.zw - r.xy) * wfvTile.xy;
-    wfvEmitQuad(r.xy * wfvTile.xy + wfvTile.zw, vec2(size.x, 0.0), vec2(0.0, size.y), front);
-  }
 }
 
 // The parts of a triangle that is larger than a cell.
@@ -112,15 +103,15 @@ void wfvCover(bool front, float facing)
     places = wfvPart(a, b, c);
     places.first = wfvClose(places, a, b, c);
   }
-  vec4 first = wfvPadded(places.first);
-  vec4 second = wfvPadded(places.second);
+  vec4 first = wfvGrown(places.first);
+  vec4 second = wfvGrown(places.second);
   bool both = places.second.x <= places.second.z;
   bool overlap = max(first.x, second.x) < min(first.z, second.z) &&
     max(first.y, second.y) < min(first.w, second.w);
   // in one, lest a pixel be hit twice
-  wfvEmitPlace(both && overlap ? wfvUnited(first, second) : first, front);
+  wfvEmitRectangle(both && overlap ? wfvUnited(first, second) : first, front);
   if (both && !overlap)
   {
-    wfvEmitPlace(second, front);
+    wfvEmitRectangle(second, front);
   }
 }
