@@ -51,8 +51,7 @@ void vtkWideFoVDirectionTextures::Bind(vtkShaderProgram* program)
 
 void vtkWideFoVDirectionTextures::Unbind()
 {
-  for (vtkTextureObject* texture :
-    { this->Directions.Get(), this->Cells.Get(), this->Seeds.Get() })
+  for (vtkTextureObject* texture : { this->Directions.Get(), this->Cells.Get(), this->Seeds.Get() })
   {
     if (texture->GetHandle() != 0)
     {

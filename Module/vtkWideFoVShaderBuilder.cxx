@@ -79,16 +79,20 @@ std::string PrimitiveSource(const Request& r, const std::vector<Varying>& varyin
   }
   // copies of every vertex output at the three corners, which the fragment stage weighs:
   // exact wherever the geometry stage cuts
-  return CornerOutputs(varyings, 3) + preclip_emit_glsl + preclip_planes_glsl +
-    preclip_cover_glsl + preclip_narrow_glsl + CoverSource(*r.Projection) + (r.DebugView ? preclip_kinds_glsl : "") + preclip_triangles_glsl;
+  return CornerOutputs(varyings, 3) + preclip_emit_glsl + preclip_planes_glsl + preclip_cover_glsl +
+    preclip_narrow_glsl + CoverSource(*r.Projection) + (r.DebugView ? preclip_kinds_glsl : "") +
+    preclip_triangles_glsl;
 }
 
-// rest: of the view coordinates of each vertex float32 left something off, which is here.
-std::string GeometrySource(const Request& r, const std::vector<Varying>& varyings, bool rest)
+// toView: the name of the matrix from the vertex buffer to view coordinates; empty where the
+// coordinates of the buffer do not come along.
+std::string GeometrySource(
+  const Request& r, const std::vector<Varying>& varyings, const std::string& toView)
 {
   std::string source = std::string("//VTK::System::Dec\n") + (CoversTriangles(r) ? Doubles : "") +
-    Define("WFV_REST", rest) + ViewSource(r) + (r.Kind == Primitive::Points ? "" : preclip_glsl) +
-    (r.DebugView ? debug_kinds_glsl : "") + PrimitiveSource(r, varyings);
+    Define("WFV_MODEL", !toView.empty()) + "#define WFV_TO_VIEW " + toView + "\n" + ViewSource(r) +
+    (r.Kind == Primitive::Points ? "" : preclip_glsl) + (r.DebugView ? debug_kinds_glsl : "") +
+    PrimitiveSource(r, varyings);
   if (r.Stage == vtkWideFoVShaderBuilder::Variant::Tessellate)
   {
     ReplaceAll(source, "gl_PrimitiveIDIn", "wfvPrimitive[0]");
@@ -100,23 +104,19 @@ std::string GeometrySource(const Request& r, const std::vector<Varying>& varying
 void FinishVertices(const Request& r, const std::vector<Varying>& varyings, std::string& vertex,
   std::string& geometry)
 {
-  // the pieces of a tessellation are made of what float32 has
-  const bool mayRest =
+  // the pieces of a tessellation have no place in the buffer
+  const bool keepModel =
     CoversTriangles(r) && r.Stage != vtkWideFoVShaderBuilder::Variant::Tessellate;
-  const bool rest = TakeFromEye(vertex, mayRest) && mayRest;
+  const std::string toView = TakeFromEye(vertex, keepModel);
   if (vtkWideFoVShaderBuilder::NeedsGeometryStage(r))
   {
-    geometry = GeometrySource(r, varyings, rest);
+    geometry = GeometrySource(r, varyings, keepModel ? toView : "");
   }
   else
   {
     vtkWideFoVShaderBuilder::WrapMain(
       vertex, "", "  gl_Position = wfvProjectVertex(gl_Position.xyz);\n");
     vtkWideFoVShaderBuilder::Declare(vertex, ViewSource(r));
-  }
-  if (rest)
-  {
-    vtkWideFoVShaderBuilder::Declare(vertex, Doubles);
   }
 }
 

@@ -74,8 +74,8 @@ std::string ViewSource(const Request& r)
     Define("WFV_EDGES", r.Edges || r.DebugView) + Define("WFV_EDGE_FLAGS", r.EdgeFlags) +
     Define("WFV_DEBUG_VIEW", r.DebugView) + "#define WFV_ANGLES " +
     (meridian ? "wfvMeridianAngles" : "wfvAzimuthalAngles") + "\n" + wfv::MathGlsl() +
-    wfv::CommonGlsl() + wfv::DepthGlsl() + (sampled ? directions_glsl : "") +
-    r.Projection->Glsl + interface_glsl;
+    wfv::CommonGlsl() + wfv::DepthGlsl() + (sampled ? directions_glsl : "") + r.Projection->Glsl +
+    interface_glsl;
 }
 
 std::string Corner(size_t varying, int corner)
@@ -155,18 +155,18 @@ void RewriteFlatNormal(std::string& fragment)
   ReplaceAll(fragment, "normalize(cross(fdx,fdy))", "wfvFlatNormal()");
 }
 
-bool TakeFromEye(std::string& vertex, bool rest)
+std::string TakeFromEye(std::string& vertex, bool keepModel)
 {
   static const std::regex product(R"(\bMC[DV]CMatrix\s*\*\s*vertexMC\b)");
   if (!std::regex_search(vertex, product))
   {
-    return false;
+    return "";
   }
   const bool both = vertex.find("MCDCMatrix") != std::string::npos;
   const std::string matrix = both ? "MCDCMatrix" : "MCVCMatrix";
   vertex = std::regex_replace(vertex, product, "wfvFromEyeOf(" + matrix + ", vertexMC)");
-  vtkWideFoVShaderBuilder::Declare(vertex, Define("WFV_REST", rest) + eye_vertex_glsl);
-  return true;
+  vtkWideFoVShaderBuilder::Declare(vertex, Define("WFV_MODEL", keepModel) + eye_vertex_glsl);
+  return matrix;
 }
 
 std::string RewriteDepth(std::string& fragment)

@@ -63,9 +63,10 @@ int CornerComponents(const std::vector<Varying>& varyings, int corners);
 std::string ViewSource(const Request& request);
 
 // The wide camera's view and clip coordinates are the same; both stock statements are
-// replaced, so that neighbours and attributes agree to the bit. False where there are none.
-// rest: what float32 leaves off goes on to the next stage, as wfvRest.
-bool TakeFromEye(std::string& vertex, bool rest = false);
+// replaced, so that neighbours and attributes agree to the bit. Returns the name of the
+// matrix, empty where there is none. keepModel: the vertex as the buffer has it goes on to the
+// next stage, as wfvModel.
+std::string TakeFromEye(std::string& vertex, bool keepModel = false);
 
 // The normal of a surface without normals: of the triangle, not from differences between
 // pixels. For a fragment stage that knows it (cover_fragment.glsl).

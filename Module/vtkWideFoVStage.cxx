@@ -131,6 +131,11 @@ void vtkWideFoVStage::SetView(vtkRenderer* renderer, vtkWideFoVCamera* camera, d
     this->Tile[i + 2] = static_cast<float>((2 * (vp[i] - a) + whole) / (b - a) - 1);
   }
 
+  this->FindHeadlights(renderer);
+}
+
+void vtkWideFoVStage::FindHeadlights(vtkRenderer* renderer)
+{
   this->Headlights = 0;
   int bit = 0;
   vtkCollectionSimpleIterator it;
@@ -161,6 +166,7 @@ vtkMTimeType vtkWideFoVStage::GetShaderStageMTime()
 vtkWideFoVShaderBuilder::Request vtkWideFoVStage::MakeRequest(
   vtkAbstractMapper* mapper, vtkProp* prop) const
 {
+  using Variant = vtkWideFoVShaderBuilder::Variant;
   vtkWideFoVShaderBuilder::Request request;
   request.Projection = this->Projection;
   request.Stage = this->Variant;
@@ -175,26 +181,24 @@ vtkWideFoVShaderBuilder::Request vtkWideFoVStage::MakeRequest(
     MapperAccess::Describe(polydata, this->Renderer, actor, request);
   }
   // stock VTK draws these with a geometry stage of its own, straight in the picture
-  const bool plain = request.Stage == vtkWideFoVShaderBuilder::Variant::Plain;
-  if ((request.Edges || request.WideLines) && plain && !this->Clipless)
+  if ((request.Edges || request.WideLines) && request.Stage == Variant::Plain && !this->Clipless)
   {
-    request.Stage = vtkWideFoVShaderBuilder::Variant::PreClip;
+    request.Stage = Variant::PreClip;
   }
   request.ByRays = this->ByRays && request.Kind == vtkWideFoVShaderBuilder::Primitive::Triangles;
   const bool lines = request.Kind == vtkWideFoVShaderBuilder::Primitive::Lines;
   if (lines && polydata && this->ExactLines)
   {
     // few are exact, many are not, whatever the triangles of the prop are
-    using Variant = vtkWideFoVShaderBuilder::Variant;
     const Variant chords = request.Stage == Variant::Exact ? Variant::PreClip : request.Stage;
     request.Stage = wfv::HasFewLines(polydata) ? Variant::Exact : chords;
   }
   // only our own mapper draws patches; the pieces' edges must not show as the cell's
   const bool patches = vtkWideFoVPolyDataMapper::SafeDownCast(mapper) &&
     request.Kind == vtkWideFoVShaderBuilder::Primitive::Triangles && !request.Edges;
-  if (request.Stage == vtkWideFoVShaderBuilder::Variant::Tessellate && !patches)
+  if (request.Stage == Variant::Tessellate && !patches)
   {
-    request.Stage = vtkWideFoVShaderBuilder::Variant::PreClip;
+    request.Stage = Variant::PreClip;
   }
   return request;
 }

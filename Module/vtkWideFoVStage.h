@@ -103,6 +103,9 @@ private:
   // as spheres; the width of lines.
   void SetPropParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop) const;
 
+  // Which of the renderer's lights are headlights.
+  void FindHeadlights(vtkRenderer* renderer);
+
   // How the bound framebuffer is sampled, for the coverage of the pre-clip.
   static void SetSampleParameters(vtkShaderProgram* program);
 

@@ -73,7 +73,8 @@ std::vector<float> ReadDirections(
   {
     for (int column = 0; column < spec.width; column++)
     {
-      const float* const pixel = &all[stride * (static_cast<std::size_t>(row) * spec.width + column)];
+      const float* const pixel =
+        &all[stride * (static_cast<std::size_t>(row) * spec.width + column)];
       for (const int channel : channels)
       {
         directions.push_back(pixel[channel]);

@@ -58,6 +58,16 @@ void CompletePlanar(Options& o, const wfv::Projection& p, const FieldsOfView& fo
   }
 }
 
+void CheckDirectionMap(const Options& o, const wfv::Projection& p)
+{
+  const bool sampled = p.Axis == wfv::Family::Sampled;
+  if (sampled == o.DirectionMap.empty())
+  {
+    FailUsage(sampled ? "--projection direction-map needs --direction-map FILE.exr"
+                      : "--direction-map goes with --projection direction-map alone");
+  }
+}
+
 void CompleteView(Options& o, const FieldsOfView& fov)
 {
   const wfv::Projection& p = CheckProjection(o);
@@ -83,12 +93,7 @@ void CompleteView(Options& o, const FieldsOfView& fov)
     v.HorizontalFov = fov.Horizontal.value_or(std::min(360., p.MaxHorizontalFov));
     v.VerticalFov = fov.Vertical.value_or(std::min(180., p.MaxVerticalFov));
   }
-  const bool sampled = p.Axis == wfv::Family::Sampled;
-  if (sampled == o.DirectionMap.empty())
-  {
-    FailUsage(sampled ? "--projection direction-map needs --direction-map FILE.exr"
-                      : "--direction-map goes with --projection direction-map alone");
-  }
+  CheckDirectionMap(o, p);
   std::copy(fov.Lens.begin(), fov.Lens.end(), v.Lens.begin());
   if (!fov.Lens.empty() &&
     std::all_of(fov.Lens.begin(), fov.Lens.end(), [](double c) { return c == 0; }))

@@ -1,36 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DirectionMap.h"
 
+#include "DirectionTables.h"
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"
-#pragma GCC diagnostic ignored "-Wunused-parameter"
-#endif
-#define float double
 namespace wfv
 {
+using namespace tables;
+
 namespace
 {
-#include "cube_faces.glsl"
-#include "direction-map.glsl"
-#include "unproject.glsl"
-}
-}
-#undef float
-#if defined(__GNUC__)
-#pragma GCC diagnostic pop
-#endif
-
-namespace wfv
-{
-namespace
-{
-using Texel = DirectionMap::Texel;
-
 // Neighbours are torn apart where their step is longer than so many times the shorter of
 // the steps before and behind it, and than so many times the usual step.
 constexpr double TornRatio = 4;
@@ -53,25 +35,8 @@ constexpr double JustInside = 0.4999;
 // Cells along a face at the most: 50 MB of tables.
 constexpr int MostCells = 512;
 
-// Pixels: seeds of one cell that are farther apart lie on different pieces of the map.
-constexpr double SeedGap = 8;
-
-// Cells that the seeds of one spread to.
-constexpr int SpreadRounds = 4;
-
 // Pixels looked at for what is usual.
 constexpr std::size_t MostSamples = 100000;
-
-Texel TexelOf(const vec4& v)
-{
-  return { { static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z),
-    static_cast<float>(v.w) } };
-}
-
-vec3 DirectionOf(const Texel& t)
-{
-  return vec3(t[0], t[1], t[2]);
-}
 
 unsigned long NextSerial()
 {
@@ -88,11 +53,6 @@ double Median(std::vector<double> values)
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
-}
-
-void Unite(WfvPlaces& a, const WfvPlaces& b)
-{
-  a = wfvWithPlaces(a, b);
 }
 
 // Lengths of the steps along one axis; negative where there is none.
@@ -161,73 +121,10 @@ private:
   std::vector<float> Lengths;
   double Usual = 0;
 };
-
-// The cells of one level.
-struct Level
-{
-  int Cells;
-  std::vector<WfvPlaces> Bounds;
-
-  explicit Level(int cells)
-    : Cells(cells)
-    , Bounds(6 * static_cast<std::size_t>(cells) * cells, wfvNoPlaces())
-  {
-  }
-  WfvPlaces& At(int column, int row)
-  {
-    return this->Bounds[static_cast<std::size_t>(row) * 6 * this->Cells + column];
-  }
-  const WfvPlaces& At(int column, int row) const
-  {
-    return this->Bounds[static_cast<std::size_t>(row) * 6 * this->Cells + column];
-  }
-};
-
-// Unites a cell with what lies around it across a border of its face: seven by seven
-// places up to a cell's width away.
-WfvPlaces AroundBorder(const Level& level, int column, int row)
-{
-  const int face = column / level.Cells;
-  const double angle = 0.5 * WFV_PI / level.Cells;
-  WfvPlaces all = wfvNoPlaces();
-  for (int i = -2; i <= 4; i++)
-  {
-    for (int j = -2; j <= 4; j++)
-    {
-      const double u = (column % level.Cells + 0.5 * i) * angle - 0.25 * WFV_PI;
-      const double v = (row + 0.5 * j) * angle - 0.25 * WFV_PI;
-      const vec3 d = wfvFromFace(vec3(std::tan(u), std::tan(v), 1), face);
-      Unite(all, level.At(wfvCellColumn(d, level.Cells), wfvCellRow(d, level.Cells)));
-    }
-  }
-  return all;
 }
 
-// Every cell with its eight neighbours.
-Level Dilate(const Level& level)
+namespace tables
 {
-  Level wide(level.Cells);
-  const int last = level.Cells - 1;
-  for (int row = 0; row <= last; row++)
-  {
-    for (int column = 0; column < 6 * level.Cells; column++)
-    {
-      const int i = column % level.Cells;
-      if (i == 0 || i == last || row == 0 || row == last)
-      {
-        wide.At(column, row) = AroundBorder(level, column, row);
-        continue;
-      }
-      for (int k = 0; k < 9; k++)
-      {
-        Unite(wide.At(column, row), level.At(column - 1 + k % 3, row - 1 + k / 3));
-      }
-    }
-  }
-  return wide;
-}
-
-// Angle from a pixel's own direction to the farthest that it shows.
 double RadiusOf(const DirectionMap& map, int x, int y)
 {
   const std::vector<Texel>& all = map.GetDirections();
@@ -254,184 +151,6 @@ double RadiusOf(const DirectionMap& map, int x, int y)
   }
   return RadiusSafety * AngleOfChord * chord;
 }
-
-// Stores each pixel in the cell of its direction, on the finest level that is coarse enough
-// for it; level 0 holds those for which none is.
-std::vector<Level> StorePixels(const DirectionMap& map)
-{
-  std::vector<Level> levels{ Level(WFV_COARSEST_CELLS / 2) };
-  for (int cells = WFV_COARSEST_CELLS; cells <= map.GetCells(); cells *= 2)
-  {
-    levels.emplace_back(cells);
-  }
-  const int width = map.GetWidth();
-  const int height = map.GetHeight();
-  for (std::size_t i = 0; i < map.GetDirections().size(); i++)
-  {
-    const Texel& texel = map.GetDirections()[i];
-    if (texel[3] == 0)
-    {
-      continue;
-    }
-    const int x = static_cast<int>(i % width);
-    const int y = static_cast<int>(i / width);
-    const double radius = RadiusOf(map, x, y);
-    std::size_t l = levels.size() - 1;
-    while (l > 0 && radius * levels[l].Cells > WFV_CAP_SHARE * 0.5 * WFV_PI)
-    {
-      l--;
-    }
-    const vec3 d = DirectionOf(texel);
-    WfvPlaces pixel = wfvNoPlaces();
-    pixel.first = vec4(2. * x / width - 1, 2. * y / height - 1, 2. * (x + 1) / width - 1,
-      2. * (y + 1) / height - 1);
-    pixel.calm = (static_cast<int>(texel[3]) & WFV_PIXEL_CALM) != 0;
-    Unite(levels[l].At(wfvCellColumn(d, levels[l].Cells), wfvCellRow(d, levels[l].Cells)), pixel);
-  }
-  WfvPlaces everywhere = wfvNoPlaces();
-  for (const WfvPlaces& cell : levels[0].Bounds)
-  {
-    Unite(everywhere, cell);
-  }
-  std::fill(levels[0].Bounds.begin(), levels[0].Bounds.end(), everywhere);
-  return levels;
-}
-
-// Unites each cell with the one that holds it on the next coarser level.
-void UniteWithCoarser(Level& level, const Level& coarser)
-{
-  for (int row = 0; row < level.Cells; row++)
-  {
-    for (int column = 0; column < 6 * level.Cells; column++)
-    {
-      Unite(level.At(column, row), coarser.At(column / 2, row / 2));
-    }
-  }
-}
-
-// Unites each cell with the four that it holds on the next finer level.
-void UniteWithFiner(Level& level, const Level& finer)
-{
-  for (int row = 0; row < finer.Cells; row++)
-  {
-    for (int column = 0; column < 6 * finer.Cells; column++)
-    {
-      Unite(level.At(column / 2, row / 2), finer.At(column, row));
-    }
-  }
-}
-
-// The seeds of the cells of one level, a round at a time: in each round the pixel nearest to
-// the middle of its cell that is far from the cell's earlier seeds.
-class SeedBed
-{
-public:
-  explicit SeedBed(const DirectionMap& map)
-    : Map(map)
-    , Columns(6 * map.GetCells())
-    , Cells(map.GetDirections().size(), -1)
-    , Seeds(static_cast<std::size_t>(this->Columns) * map.GetCells())
-  {
-    const int cells = map.GetCells();
-    for (std::size_t i = 0; i < this->Cells.size(); i++)
-    {
-      const Texel& texel = map.GetDirections()[i];
-      if (texel[3] != 0)
-      {
-        const vec3 d = DirectionOf(texel);
-        this->Cells[i] = wfvCellRow(d, cells) * this->Columns + wfvCellColumn(d, cells);
-      }
-    }
-    for (int round = 0; round < WFV_CELL_SEEDS; round++)
-    {
-      this->Plant(round);
-    }
-    this->Spread();
-  }
-
-  std::vector<Texel> GetTexels() const
-  {
-    std::vector<Texel> texels;
-    for (const auto& seeds : this->Seeds)
-    {
-      for (int i = 0; i < WFV_CELL_SEEDS; i += 2)
-      {
-        texels.push_back({ { static_cast<float>(seeds[i].x), static_cast<float>(seeds[i].y),
-          static_cast<float>(seeds[i + 1].x), static_cast<float>(seeds[i + 1].y) } });
-      }
-    }
-    return texels;
-  }
-
-private:
-  struct CellSeeds : std::array<vec2, WFV_CELL_SEEDS>
-  {
-    CellSeeds() { this->fill(vec2(-1, -1)); }
-  };
-
-  vec3 MiddleOf(std::size_t cell) const
-  {
-    const int cells = this->Map.GetCells();
-    const int column = static_cast<int>(cell % this->Columns);
-    const int row = static_cast<int>(cell / this->Columns);
-    const double angle = 0.5 * WFV_PI / cells;
-    const vec3 q(std::tan((column % cells + 0.5) * angle - 0.25 * WFV_PI),
-      std::tan((row + 0.5) * angle - 0.25 * WFV_PI), 1);
-    return glm::normalize(wfvFromFace(q, column / cells));
-  }
-
-  void Plant(int round)
-  {
-    std::vector<double> best(this->Seeds.size(), -2);
-    for (std::size_t i = 0; i < this->Cells.size(); i++)
-    {
-      const int cell = this->Cells[i];
-      if (cell < 0)
-      {
-        continue;
-      }
-      const vec2 pixel(i % this->Map.GetWidth(), i / this->Map.GetWidth());
-      CellSeeds& seeds = this->Seeds[cell];
-      const bool apart = std::all_of(seeds.begin(), seeds.begin() + round,
-        [&](const vec2& s) { return s.x >= 0 && glm::distance(s, pixel) > SeedGap; });
-      if (!apart)
-      {
-        continue;
-      }
-      const double near = glm::dot(this->MiddleOf(cell), DirectionOf(this->Map.GetDirections()[i]));
-      if (near > best[cell])
-      {
-        best[cell] = near;
-        seeds[round] = pixel;
-      }
-    }
-  }
-
-  // A cell without pixels takes the seeds of a neighbour in its row or column: between the
-  // pixels of a coarse map, and beside its borders.
-  void Spread()
-  {
-    for (int round = 0; round < SpreadRounds; round++)
-    {
-      const std::vector<CellSeeds> before = this->Seeds;
-      for (std::size_t i = 0; i < before.size(); i++)
-      {
-        for (std::size_t j : { i - 1, i + 1, i - this->Columns, i + this->Columns })
-        {
-          if (this->Seeds[i][0].x < 0 && j < before.size())
-          {
-            this->Seeds[i] = before[j];
-          }
-        }
-      }
-    }
-  }
-
-  const DirectionMap& Map;
-  int Columns;
-  std::vector<int> Cells; // of each pixel
-  std::vector<CellSeeds> Seeds;
-};
 }
 
 std::string DirectionMap::Check(int width, int height, const std::vector<float>& directions)
@@ -531,55 +250,5 @@ void DirectionMap::ChooseCells()
   {
     this->Cells *= 2;
   }
-}
-
-namespace
-{
-// Writes a level into its rows of the table.
-void WriteLevel(const Level& level, int cells, std::vector<Texel>& table)
-{
-  for (int row = 0; row < level.Cells; row++)
-  {
-    for (int column = 0; column < 6 * level.Cells; column++)
-    {
-      const WfvPlaces& cell = level.At(column, row);
-      const std::size_t line = level.Cells - WFV_COARSEST_CELLS + row;
-      Texel* const texels = &table[2 * (line * 6 * cells + column)];
-      texels[0] = TexelOf(cell.first);
-      texels[1] = TexelOf(cell.second);
-      texels[0][0] += cell.calm && cell.first.x <= 1 ? static_cast<float>(WFV_CALM_CELL) : 0.f;
-    }
-  }
-}
-}
-
-// A cell has what lies in it and its neighbours, on its own level and all finer ones, and
-// what of coarser ones lies round the cell that holds it.
-void DirectionMap::BoundCells()
-{
-  const std::vector<Level> own = StorePixels(*this);
-  std::vector<Level> whole = own;
-  for (std::size_t l = whole.size() - 1; l > 1; l--)
-  {
-    UniteWithFiner(whole[l - 1], whole[l]);
-  }
-  Level coarser = own[0];
-  this->CellBounds.assign(
-    12 * static_cast<std::size_t>(this->Cells) * this->GetCellBoundsHeight(),
-    TexelOf(wfvNoPlaces().first));
-  for (std::size_t l = 1; l < own.size(); l++)
-  {
-    Level wide = Dilate(whole[l]);
-    UniteWithCoarser(wide, coarser);
-    WriteLevel(wide, this->Cells, this->CellBounds);
-    Level next = Dilate(own[l]);
-    UniteWithCoarser(next, coarser);
-    coarser = next;
-  }
-}
-
-void DirectionMap::PlantSeeds()
-{
-  this->Seeds = SeedBed(*this).GetTexels();
 }
 }

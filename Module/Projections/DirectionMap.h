@@ -4,11 +4,11 @@
 #ifndef WideFoVDirectionMap_h
 #define WideFoVDirectionMap_h
 
+#include "Projection.h"
+
 #include <array>
 #include <string>
 #include <vector>
-
-#include "Projection.h"
 
 namespace wfv
 {
@@ -41,7 +41,8 @@ public:
   int GetCells() const { return this->Cells; }
 
   // The tables, rows from the bottom: width x height; 12 cells wide, two rectangles a cell,
-  // all levels one above the other; 12 cells wide, two seeds a texel, negative where there are no more.
+  // all levels one above the other; 12 cells wide, two seeds a texel, negative where there
+  // are no more.
   const std::vector<Texel>& GetDirections() const { return this->Directions; }
   const std::vector<Texel>& GetCellBounds() const { return this->CellBounds; }
   const std::vector<Texel>& GetSeeds() const { return this->Seeds; }

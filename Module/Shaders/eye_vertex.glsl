@@ -5,25 +5,15 @@ uniform int wfvEyeKnown;
 uniform vec3 wfvEyeHigh;
 uniform vec3 wfvEyeLow;
 
-#if WFV_REST && defined(GL_ARB_gpu_shader_fp64)
-out vec3 wfvRest; // what float32 leaves off, for preclip_planes.glsl
-
-vec3 wfvRotated(mat3 toView, vec3 p)
-{
-  dvec3 whole = dmat3(toView) * ((dvec3(p) - dvec3(wfvEyeHigh)) - dvec3(wfvEyeLow));
-  vec3 high = vec3(whole);
-  wfvRest = wfvEyeKnown != 0 ? vec3(whole - dvec3(high)) : vec3(0.0);
-  return high;
-}
-#else
-vec3 wfvRotated(mat3 toView, vec3 p)
-{
-  return toView * ((p - wfvEyeHigh) - wfvEyeLow);
-}
+#if WFV_MODEL
+out vec3 wfvModel; // as the buffer has it, for preclip_planes.glsl
 #endif
 
 vec4 wfvFromEyeOf(mat4 toView, vec4 p)
 {
-  vec3 relative = wfvRotated(mat3(toView), p.xyz);
-  return wfvEyeKnown != 0 ? vec4(relative, 1.0) : toView * p;
+#if WFV_MODEL
+  wfvModel = p.xyz;
+#endif
+  vec3 relative = (p.xyz - wfvEyeHigh) - wfvEyeLow;
+  return wfvEyeKnown != 0 ? vec4(mat3(toView) * relative, 1.0) : toView * p;
 }

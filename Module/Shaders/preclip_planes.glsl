@@ -4,24 +4,29 @@
 // View coordinates of a corner are rounded by its own distance from the eye. Seen at that
 // distance the angle is nothing, but not where an edge or the triangle passes the eye much
 // nearer than its corners are; nor does float32 tell from which side a triangle is seen that
-// is nearly edge-on. There, and only there, the corners count with what float32 left off,
-// and the planes are computed in double.
+// is nearly edge-on. There, and only there, the planes are computed in double, from
+// the coordinates of the vertex buffer.
 
-#ifdef GL_ARB_gpu_shader_fp64
-#if WFV_REST
-in vec3 wfvRest[]; // view coordinates: what float32 left off
+#if WFV_MODEL
+in vec3 wfvModel[]; // eye_vertex.glsl
+uniform mat4 WFV_TO_VIEW;
+uniform int wfvEyeKnown;
+uniform vec3 wfvEyeHigh;
+uniform vec3 wfvEyeLow;
 #endif
 
+#ifdef GL_ARB_gpu_shader_fp64
 // Share of the product of the corners' distances below which a determinant is rounding:
-// view coordinates have 48 bits here, there are three of them, and some room.
+// the eye has 48 bits here, there are three corners, and some room.
 const double WFV_EDGE_ON = 1e-14lf;
 
 // Corner i in the stage's own units, not tilted: planes are tilted once they are known.
 dvec3 wfvWhole(int i)
 {
   dvec3 p = dvec3(gl_in[i].gl_Position.xyz);
-#if WFV_REST
-  p += dvec3(wfvRest[i]);
+#if WFV_MODEL
+  dvec3 relative = (dvec3(wfvModel[i]) - dvec3(wfvEyeHigh)) - dvec3(wfvEyeLow);
+  p = wfvEyeKnown != 0 ? dmat3(mat3(WFV_TO_VIEW)) * relative : p;
 #endif
   return p / double(wfvScale());
 }

@@ -77,7 +77,7 @@ TEST(ShaderBuilder, PreClipCarriesEveryOutputByThreeCorners)
   EXPECT_TRUE(Has(s.FragmentStage, "gl_FragDepth = wfvDepth;"));
 }
 
-// What float32 leaves off goes from the vertex to the geometry stage, and no farther.
+// The coordinates of the buffer go from the vertex to the geometry stage, and no farther.
 TEST(ShaderBuilder, TrianglesKeepAllDigitsOfTheirCorners)
 {
   Builder::Request request;
@@ -91,13 +91,13 @@ TEST(ShaderBuilder, TrianglesKeepAllDigitsOfTheirCorners)
                     "  gl_Position = MCDCMatrix * vertexMC;\n}\n";
     Builder::Finish(request, s.VertexStage, s.GeometryStage, s.FragmentStage);
     EXPECT_TRUE(Has(s.VertexStage, "gl_Position = wfvFromEyeOf(MCDCMatrix, vertexMC);"));
-    const bool rest = variant == Builder::Variant::Exact;
-    EXPECT_EQ(Has(s.VertexStage, "#define WFV_REST 1"), rest);
-    EXPECT_EQ(Has(s.GeometryStage, "#define WFV_REST 1"), rest);
+    const bool model = variant == Builder::Variant::Exact;
+    EXPECT_EQ(Has(s.VertexStage, "#define WFV_MODEL 1"), model);
+    EXPECT_EQ(Has(s.GeometryStage, "#define WFV_MODEL 1\n#define WFV_TO_VIEW MCDCMatrix\n"), model);
     // extensions come before anything else
     const std::string head = "//VTK::System::Dec\n#extension GL_ARB_gpu_shader_fp64 : enable\n";
-    EXPECT_EQ(s.VertexStage.find(head) == 0, rest);
-    EXPECT_FALSE(Has(s.FragmentStage, "wfvRest"));
+    EXPECT_EQ(s.GeometryStage.find(head) == 0, variant != Builder::Variant::Plain);
+    EXPECT_FALSE(Has(s.FragmentStage, "wfvModel"));
   }
 }
 
