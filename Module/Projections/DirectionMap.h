@@ -48,6 +48,10 @@ public:
   const std::vector<Texel>& GetSeeds() const { return this->Seeds; }
   int GetCellBoundsHeight() const { return 2 * this->Cells - 4; }
 
+  // NDC of a unit vector from the pixel that looks nearest to it, found among all that may;
+  // outside the picture where none does. For what the search from the seeds has missed.
+  vec2 Find(const vec3& direction) const;
+
 private:
   void MarkPixels();
   void ChooseCells();

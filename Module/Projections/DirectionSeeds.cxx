@@ -130,6 +130,37 @@ private:
 };
 }
 
+vec2 DirectionMap::Find(const vec3& direction) const
+{
+  WfvView view{};
+  view.tables = vec3(this->Width, this->Height, this->Cells);
+  view.map = this;
+  const WfvPlaces places = wfvCapPlaces(direction, 0, view);
+  double nearest = -2;
+  vec2 pixel(0);
+  for (const vec4& r : { places.first, places.second })
+  {
+    const int x1 = std::min(this->Width - 1, static_cast<int>(0.5 * (r.z + 1) * this->Width));
+    const int y1 = std::min(this->Height - 1, static_cast<int>(0.5 * (r.w + 1) * this->Height));
+    for (int y = std::max(0, static_cast<int>(0.5 * (r.y + 1) * this->Height)); y <= y1; y++)
+    {
+      for (int x = std::max(0, static_cast<int>(0.5 * (r.x + 1) * this->Width)); x <= x1; x++)
+      {
+        const Texel& texel = this->Directions[static_cast<std::size_t>(y) * this->Width + x];
+        const double near = texel[3] != 0 ? glm::dot(DirectionOf(texel), direction) : -2;
+        if (near > nearest)
+        {
+          nearest = near;
+          pixel = vec2(x, y);
+        }
+      }
+    }
+  }
+  const vec3 found = nearest > -2 ? wfvFindFrom(pixel, direction, view) : vec3(0, 0, 1e9);
+  return found.z < WFV_SEARCH_REST ? wfvNdcOfPixel(vec2(found.x, found.y), view)
+                                   : vec2(WFV_ELSEWHERE, WFV_ELSEWHERE);
+}
+
 void DirectionMap::PlantSeeds()
 {
   this->Seeds = SeedBed(*this).GetTexels();

@@ -187,7 +187,11 @@ NdcPoint View::Forward(vec3 point) const
   {
     return result;
   }
-  const vec2 xy = this->Map->Project(p / rho, v);
+  vec2 xy = this->Map->Project(p / rho, v);
+  if (v.map && std::abs(xy.x) > 1)
+  {
+    xy = v.map->Find(p / rho);
+  }
   result.Ndc.x = xy.x;
   result.Ndc.y = xy.y;
   result.Inside = std::abs(xy.x) <= 1 && std::abs(xy.y) <= 1 && std::abs(result.Ndc.z) <= 1 &&

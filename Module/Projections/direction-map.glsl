@@ -83,8 +83,16 @@ WFV_FN int wfvNearestIndex(float p, float count)
   return int(max(0.0, min(count - 1.0, floor(p + 0.5))));
 }
 
-// The ray through a place in the map, pixels.
-WFV_FN WfvRay wfvRayOfPixel(vec2 p, WfvView v)
+// The direction at a place in the map, in pixels, not of unit length, and its slopes there.
+struct WfvAround
+{
+  vec3 direction;
+  vec3 x;
+  vec3 y;
+  bool inside;
+};
+
+WFV_FN WfvAround wfvAround(vec2 p, WfvView v)
 {
   int x = wfvNearestIndex(p.x, v.tables.x);
   int y = wfvNearestIndex(p.y, v.tables.y);
@@ -98,26 +106,37 @@ WFV_FN WfvRay wfvRayOfPixel(vec2 p, WfvView v)
   {
     corner = wfvDirectionTexel(v, x0, y0);
   }
-  vec3 d;
+  WfvAround r;
+  r.inside = (int(here.w) & WFV_PIXEL_VALID) != 0;
   if ((int(corner.w) & WFV_PIXEL_SQUARE) != 0)
   {
     float a = p.x - float(x0);
     float b = p.y - float(y0);
-    vec3 low = wfvTexelDirection(corner) * (1.0 - a) +
-      wfvTexelDirection(wfvDirectionTexel(v, x0 + 1, y0)) * a;
-    vec3 high = wfvTexelDirection(wfvDirectionTexel(v, x0, y0 + 1)) * (1.0 - a) +
-      wfvTexelDirection(wfvDirectionTexel(v, x0 + 1, y0 + 1)) * a;
-    d = low * (1.0 - b) + high * b;
+    vec3 d00 = wfvTexelDirection(corner);
+    vec3 low = wfvTexelDirection(wfvDirectionTexel(v, x0 + 1, y0)) - d00;
+    vec3 left = wfvTexelDirection(wfvDirectionTexel(v, x0, y0 + 1)) - d00;
+    vec3 twist = wfvTexelDirection(wfvDirectionTexel(v, x0 + 1, y0 + 1)) - d00 - low - left;
+    r.x = low + twist * b;
+    r.y = left + twist * a;
+    r.direction = d00 + r.x * a + left * b;
   }
   else
   {
-    d = wfvTexelDirection(here) + wfvStepBeside(here, x, y, 1, s, v) * s +
-      wfvStepBeside(here, x, y, 0, t, v) * t;
+    r.x = wfvStepBeside(here, x, y, 1, s, v);
+    r.y = wfvStepBeside(here, x, y, 0, t, v);
+    r.direction = wfvTexelDirection(here) + r.x * s + r.y * t;
   }
+  return r;
+}
+
+// The ray through a place in the map, pixels.
+WFV_FN WfvRay wfvRayOfPixel(vec2 p, WfvView v)
+{
+  WfvAround here = wfvAround(p, v);
+  float l = wfvHypot(wfvHypot(here.direction.x, here.direction.y), here.direction.z);
   WfvRay ray;
-  ray.inside = (int(here.w) & WFV_PIXEL_VALID) != 0;
-  float l = wfvHypot(wfvHypot(d.x, d.y), d.z);
-  ray.direction = ray.inside && l > 0.0 ? d / l : vec3(0.0, 0.0, -1.0);
+  ray.inside = here.inside;
+  ray.direction = ray.inside && l > 0.0 ? here.direction / l : vec3(0.0, 0.0, -1.0);
   return ray;
 }
 
@@ -237,12 +256,10 @@ WFV_FN vec3 wfvFindFrom(vec2 start, vec3 d, WfvView v)
   float rest = 1e9;
   for (int i = 0; i < WFV_SEARCH_STEPS; i++)
   {
-    int x = wfvNearestIndex(p.x, v.tables.x);
-    int y = wfvNearestIndex(p.y, v.tables.y);
-    vec4 here = wfvDirectionTexel(v, x, y);
-    vec3 e = d - wfvRayOfPixel(p, v).direction;
-    vec3 gx = wfvStepBeside(here, x, y, 1, p.x - float(x), v);
-    vec3 gy = wfvStepBeside(here, x, y, 0, p.y - float(y), v);
+    WfvAround here = wfvAround(p, v);
+    vec3 e = d - here.direction / wfvHypot(wfvHypot(here.direction.x, here.direction.y), here.direction.z);
+    vec3 gx = here.x;
+    vec3 gy = here.y;
     float a = dot(gx, gx);
     float b = dot(gx, gy);
     float c = dot(gy, gy);

@@ -54,6 +54,9 @@ COMMAND_LINE = [
     usage("good.vtk --projection mercator --vfov 180", "infinitely far"),
     usage("good.vtk --projection orthographic --fov 181", "181"),
     usage("good.vtk --projection equi-angular-cubemap --hfov 90", "whole sphere"),
+    usage("good.vtk --projection direction-map", "--direction-map"),
+    usage("good.vtk --direction-map map.exr", "direction-map alone"),
+    usage("good.vtk --projection direction-map --direction-map map.exr --hfov 90", "its file"),
     usage("good.vtk --tilt nan", "nan"),
     usage("good.vtk --clip 2,1", "near"),
     usage("good.vtk --clip 1,1", "near"),
@@ -112,6 +115,19 @@ DATA = [
     failed("good.vtk --streamlines cold", "cold"),
     failed("good.vtk --streamlines heat", "heat"),
 ]
+MAP = "good.vtk --projection direction-map --direction-map "
+DATA += [
+    failed(MAP + "missing.exr", "missing.exr"),
+    failed(MAP + "good.vtk", "OpenEXR"),
+    failed(MAP + "map.exr --size 64x16", "64x32"),
+    failed(MAP + "map-nan.exr", "column 5 of row 3"),
+    failed(MAP + "map-infinite.exr", "not a number"),
+    failed(MAP + "map-long.exr", "length"),
+    failed(MAP + "map-empty.exr", "no pixel"),
+    failed(MAP + "map-channels.exr", "channels U, V"),
+    failed(MAP + "map-line.exr --size 64x1", "2 x 2"),
+    failed(MAP + "map-cut.exr", "map-cut.exr"),
+]
 DATA += [failed("empty." + ending, "empty." + ending) for ending in ENDINGS]
 DATA += [failed("noise." + ending, "noise." + ending) for ending in ENDINGS]
 
@@ -123,6 +139,7 @@ TOLERATED = [
     Case("only-zero-area.vtk", DONE, None),
     Case("no-cells.vtk", DONE, None),
     Case("good.vtk", DONE, None),
+    Case(MAP + "map.exr", DONE, None),
 ]
 
 DISPLAY = [

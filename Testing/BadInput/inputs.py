@@ -4,6 +4,12 @@
 import os
 import random
 import struct
+import sys
+
+import numpy
+
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "..", "Utilities"))
+from exr import exr_bytes  # pylint: disable=wrong-import-position
 
 NAN = float("nan")
 INFINITY = float("inf")
@@ -90,12 +96,39 @@ def texts():
     return files
 
 
+def direction_maps():
+    """File name -> OpenEXR image: direction maps, a good one of 64 x 32 pixels, the size that
+    the runner asks for, and bad ones."""
+    x, y = numpy.meshgrid((numpy.arange(64) - 31.5) / 32, (15.5 - numpy.arange(32)) / 32)
+    length = numpy.sqrt(x * x + y * y + 1)
+    good = {"X": x / length, "Y": y / length, "Z": -1 / length}
+
+    def with_pixel(**values):
+        channels = {name: values_.copy() for name, values_ in good.items()}
+        for name, value in values.items():
+            channels[name][3, 5] = value
+        return exr_bytes(channels)
+
+    zero = {name: 0 * values for name, values in good.items()}
+    return {
+        "map.exr": exr_bytes(good),
+        "map-nan.exr": with_pixel(X=NAN),
+        "map-infinite.exr": with_pixel(Y=INFINITY),
+        "map-long.exr": with_pixel(Z=-2),
+        "map-empty.exr": exr_bytes(zero),
+        "map-channels.exr": exr_bytes({"U": x, "V": y}),
+        "map-line.exr": exr_bytes({name: values[:1] for name, values in good.items()}),
+        "map-cut.exr": exr_bytes(good)[:2000],
+    }
+
+
 def write_inputs(folder):
     """Writes all of them below folder, with a folder, a pipe and a link that loops."""
     files = {name: text.encode() for name, text in texts().items()}
     files["nan.vtk"] = binary(replaced(2, (NAN, 1, -2)))
     files["infinite.vtk"] = binary(replaced(2, (0, INFINITY, -2)))
     files["only-nan.vtk"] = binary([(NAN, NAN, NAN)] * len(POINTS))
+    files.update(direction_maps())
     noise = random.Random(1).randbytes(4096)
     files.update(("noise." + ending, noise) for ending in ENDINGS)
     for name, content in files.items():

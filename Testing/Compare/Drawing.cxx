@@ -109,6 +109,7 @@ void PlaceCamera(vtkWideFoVCamera* camera, const Shot& s)
   camera->SetFieldOfView(1);
   camera->SetVerticalFieldOfView(1);
   camera->SetProjection(s.Projection.c_str());
+  camera->SetDirectionMap(s.Options.Map);
   camera->SetHorizontalFieldOfView(s.Options.HorizontalFov);
   camera->SetVerticalFieldOfView(s.Options.VerticalFov);
   camera->SetTilt(s.Options.Tilt);

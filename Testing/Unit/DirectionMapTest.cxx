@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Direction maps made from views whose formulas are known, with seams, tears and holes.
+#include "DirectionMap.h"
+#include "SampledMap.h"
+#include "Views.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+using namespace wfv;
+using namespace wfv::test;
+
+namespace
+{
+// Radians: float32 in the tables.
+constexpr double Rounding = 2e-7;
+
+// Pixels: what the search counts as found (WFV_SEARCH_REST), and some.
+constexpr double Found = 0.02;
+
+// Of 4,000: in the outer half of a pixel on a border, which the search leaves again.
+constexpr int MostLost = 2;
+
+struct Case
+{
+  const char* Projection;
+  double Fov;
+  int Width;
+  int Height;
+};
+
+// The whole sphere with a seam; a disc with nothing round it, which sees behind; a break
+// between rows of faces; a window.
+const Case Cases[] = { { "equirectangular", 360, 128, 64 },
+  { "azimuthal-equidistant", 300, 96, 96 }, { "equi-angular-cubemap", 360, 120, 80 },
+  { "perspective", 100, 64, 48 }, { "hammer", 360, 128, 64 } };
+
+View FormulaOf(const Case& c)
+{
+  ViewOptions o;
+  const Projection& p = *FindProjection(c.Projection);
+  o.HorizontalFov = c.Fov;
+  o.VerticalFov = p.Axis == Family::Azimuthal || p.Axis == Family::Planar ? c.Fov : c.Fov / 2;
+  o.Aspect = double(c.Width) / c.Height;
+  return View(p, o);
+}
+
+View SampledOf(const std::shared_ptr<const DirectionMap>& map)
+{
+  ViewOptions o;
+  o.Map = map;
+  return View(SampledProjection(), o);
+}
+
+vec2 NdcOf(const DirectionMap& map, double x, double y)
+{
+  return vec2(2 * (x + 0.5) / map.GetWidth() - 1, 2 * (y + 0.5) / map.GetHeight() - 1);
+}
+}
+
+TEST(DirectionMap, RaysOfPixelsAreTheFiles)
+{
+  for (const Case& c : Cases)
+  {
+    const View formula = FormulaOf(c);
+    const auto map = SampleView(formula, c.Width, c.Height);
+    const View sampled = SampledOf(map);
+    for (int y = 0; y < c.Height; y++)
+    {
+      for (int x = 0; x < c.Width; x++)
+      {
+        const ViewRay a = formula.Ray(NdcOf(*map, x, y));
+        const ViewRay b = sampled.Ray(NdcOf(*map, x, y));
+        ASSERT_EQ(a.Inside, b.Inside) << c.Projection << " " << x << " " << y;
+        if (a.Inside)
+        {
+          ASSERT_LT(glm::length(a.Direction - b.Direction), Rounding) << c.Projection;
+        }
+      }
+    }
+    EXPECT_FALSE(sampled.Ray(vec2(1.01, 0)).Inside);
+    EXPECT_NEAR(glm::length(sampled.Ray(vec2(0, std::nan(""))).Direction), 1, Rounding);
+  }
+}
+
+TEST(DirectionMap, ForwardFindsTheRayAgain)
+{
+  for (const Case& c : Cases)
+  {
+    const View formula = FormulaOf(c);
+    const auto map = SampleView(formula, c.Width, c.Height);
+    const View sampled = SampledOf(map);
+    int lost = 0;
+    for (int i = 0; i < 4000; i++)
+    {
+      const vec2 at =
+        NdcOf(*map, std::fmod(i * 7.31, c.Width - 1.0), std::fmod(i * 3.77, c.Height - 1.0));
+      const ViewRay ray = sampled.Ray(at);
+      if (!ray.Inside)
+      {
+        continue;
+      }
+      const NdcPoint found = sampled.Forward(ray.Direction * 10.0);
+      const ViewRay again = sampled.Ray(vec2(found.Ndc.x, found.Ndc.y));
+      const vec3 right = sampled.Ray(at + vec2(2.0 / c.Width, 0)).Direction - ray.Direction;
+      const vec3 up = sampled.Ray(at + vec2(0, 2.0 / c.Height)).Direction - ray.Direction;
+      const double pixel = std::max(glm::length(right), glm::length(up));
+      // the same direction, wherever it is found: some are shown twice
+      lost +=
+        !found.Inside || glm::length(again.Direction - ray.Direction) > Found * pixel + Rounding;
+    }
+    EXPECT_LE(lost, MostLost) << c.Projection;
+  }
+}
+
+TEST(DirectionMap, CapsBoundAllThatIsSeenOfThem)
+{
+  for (const Case& c : Cases)
+  {
+    const auto map = SampleView(FormulaOf(c), c.Width, c.Height);
+    const View sampled = SampledOf(map);
+    for (const vec3& centre : RandomDirections(200))
+    {
+      for (double angle : { 1e-4, 0.01, 0.04, 0.1, 0.3 })
+      {
+        const Boxes boxes = CapBoxes(centre, angle, sampled.GetParameters());
+        for (int i = 0; i < 16 * c.Width * c.Height; i += 13)
+        {
+          const double x = 0.25 * (i % (4 * c.Width)) - 0.375;
+          const double y = 0.25 * (i / (4 * c.Width)) - 0.375;
+          const vec2 ndc = NdcOf(*map, x, y);
+          const ViewRay ray = sampled.Ray(ndc);
+          if (ray.Inside && glm::length(ray.Direction - centre) < angle * 0.99)
+          {
+            ASSERT_TRUE(boxes.Hold(ndc))
+              << c.Projection << " " << Text(centre) << " " << angle << " " << Text(ndc);
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(DirectionMap, RefusesWhatIsNoMap)
+{
+  std::vector<float> good;
+  for (int i = 0; i < 6; i++)
+  {
+    good.insert(good.end(), { 0.f, 0.6f, -0.8f });
+  }
+  EXPECT_EQ(DirectionMap::Check(3, 2, good), "");
+  EXPECT_NE(DirectionMap::Check(2, 2, good), "");
+  EXPECT_NE(DirectionMap::Check(6, 1, good), "");
+  EXPECT_NE(DirectionMap::Check(3, 2, std::vector<float>(18, 0.f)), "");
+  std::vector<float> bad = good;
+  bad[4] = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_NE(DirectionMap::Check(3, 2, bad).find("column 1 of row 1 has a direction that is not"),
+    std::string::npos);
+  bad[4] = 0.7f;
+  EXPECT_NE(DirectionMap::Check(3, 2, bad).find("length"), std::string::npos);
+}
+
+TEST(DirectionMap, WithoutAMapNothingIsSeen)
+{
+  const View view(SampledProjection(), ViewOptions());
+  EXPECT_FALSE(view.Ray(vec2(0, 0)).Inside);
+  EXPECT_FALSE(view.Forward(vec3(0, 0, -5)).Inside);
+}
