@@ -75,7 +75,8 @@ std::string PrimitiveSource(const Request& r, const std::vector<Varying>& varyin
   if (r.Kind == Primitive::Lines)
   {
     return LineOutputs(varyings) + preclip_lines_glsl +
-      (r.Projection->Axis == wfv::Family::Faces ? lines_faces_glsl : "");
+      (r.Projection->Axis == wfv::Family::Faces ? lines_faces_glsl : "") +
+      (r.Projection->Axis == wfv::Family::Sampled ? lines_sampled_glsl : "");
   }
   // copies of every vertex output at the three corners, which the fragment stage weighs:
   // exact wherever the geometry stage cuts

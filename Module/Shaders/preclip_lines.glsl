@@ -141,6 +141,8 @@ void wfvEmitBroken(float t0, float t1, float side)
 
 #if WFV_FACES
 void wfvEmitOnFaces(); // lines_faces.glsl
+#elif WFV_SAMPLED
+void wfvEmitSampled(); // lines_sampled.glsl
 #endif
 
 void main()
@@ -169,6 +171,8 @@ void main()
   wfvEmitBroken(0.0, 1.0, touches ? (a + b < 0.0 ? -1.0 : 1.0) : 0.0);
 #elif WFV_FACES
   wfvEmitOnFaces();
+#elif WFV_SAMPLED
+  wfvEmitSampled();
 #else
   wfvEmitBroken(0.0, 1.0, 0.0);
 #endif

@@ -214,6 +214,9 @@ void main()
   bool seam = wfvReachesSeam();
 #if WFV_SAMPLED
   wfvVertexMode = WFV_COVERED;
+#if WFV_DEBUG_VIEW
+  wfvVertexMode += WFV_KIND_UNIT * WFV_KIND_EXACT;
+#endif
   wfvCover(facing < 0.0, facing);
 #else
   wfvDraw(seam, wfvEasy(lengths), facing);
