@@ -19,8 +19,7 @@ WFV_FN WfvRay wfvRayOfMap(vec2 m, WfvView v)
 {
   vec3 d = vec3(m.x, m.y, -1.0);
   WfvRay ray;
-  ray.inside =
-    abs(m.x * v.scale.x) < WFV_FAR_NDC && abs(m.y * v.scale.y) < WFV_FAR_NDC;
+  ray.inside = true;
   ray.direction = d / wfvHypot(wfvHypot(d.x, d.y), 1.0);
   return ray;
 }

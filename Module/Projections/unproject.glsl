@@ -7,5 +7,7 @@
 WFV_FN WfvRay wfvUnproject(vec2 ndc, WfvView v)
 {
   vec2 m = wfvFinite(ndc);
-  return wfvRayOfMap(vec2(m.x / v.scale.x, m.y / v.scale.y), v);
+  WfvRay ray = wfvRayOfMap(vec2(m.x / v.scale.x, m.y / v.scale.y), v);
+  ray.inside = ray.inside && abs(m.x) < WFV_FAR_NDC && abs(m.y) < WFV_FAR_NDC;
+  return ray;
 }
