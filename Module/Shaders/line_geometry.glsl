@@ -43,13 +43,11 @@ const float WFV_LINE_ANGLE_PAD = 2e-6;
 // Cosine of the longest arc that is judged by three points between its ends: 60 degrees.
 const float WFV_LINE_LONG = 0.5;
 
-uniform int wfvFrontCulled; // what is seen from its front is not drawn: lines always are
-
 vec4 wfvMapOut;
 int wfvModeOut;
 int wfvQuadsLeft;
 
-// A rectangle in pixels of the tile, wound to be seen whatever is culled.
+// A rectangle in pixels of the tile, wound to be seen from its front.
 void wfvEmitPixels(vec2 corner, vec2 right, vec2 up)
 {
   if (wfvQuadsLeft <= 0)
@@ -60,8 +58,7 @@ void wfvEmitPixels(vec2 corner, vec2 right, vec2 up)
   vec2 ndc = 2.0 / wfvViewport.zw;
   for (int i = 0; i < 4; i++)
   {
-    int r = wfvFrontCulled != 0 ? 2 : 1;
-    vec2 p = corner + ((i & r) != 0 ? right : vec2(0.0)) + ((i & (3 - r)) != 0 ? up : vec2(0.0));
+    vec2 p = corner + ((i & 1) != 0 ? right : vec2(0.0)) + ((i & 2) != 0 ? up : vec2(0.0));
     gl_Position = vec4(p * ndc, 0.0, 1.0);
     // flat outputs count at a strip's third and later vertices only
     if (i > 1)
