@@ -81,7 +81,9 @@ const int WFV_COLUMNS = 4;
 
 void wfvCover(bool front, float facing)
 {
-  bool pole = wfvHolds(1, 1.0, facing) || wfvHolds(1, -1.0, facing);
+  // with a corner at the pole it has the azimuths of the other two
+  bool pole = (wfvHolds(1, 1.0, facing) || wfvHolds(1, -1.0, facing)) &&
+    !wfvCornerAtPole(vec3(0.0, 1.0, 0.0));
   vec4 a = wfvAngularBounds(vec3(0.0, 1.0, 0.0));
   bool round_ = pole || a.z - a.x >= 2.0 * WFV_PI;
   vec2 here = round_ ? vec2(-WFV_PI, WFV_PI) : vec2(max(a.x, -WFV_PI), min(a.z, WFV_PI));
