@@ -178,7 +178,7 @@ void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std:
     ReplaceAll(fragment, "gl_FrontFacing", "wfvFront");
     before += RewriteDepth(fragment);
   }
-  else if (r.FragmentDepth)
+  else if (r.DepthMapping != wfv::WFV_DEPTH_LINEAR)
   {
     declarations = depth_fragment_glsl;
     before = "  wfvPrepareDepth();\n" + RewriteDepth(fragment);
@@ -283,7 +283,7 @@ void vtkWideFoVShaderBuilder::Finish(
   {
     wfv::FlattenArrays(vertex, fragment);
   }
-  if (r.FragmentDepth && !Covers(r))
+  if (r.DepthMapping != wfv::WFV_DEPTH_LINEAR && !Covers(r))
   {
     WrapMain(vertex, "", "  wfvPlaceVSOutput = gl_Position.xyz;\n");
     Declare(vertex, depth_vertex_glsl);

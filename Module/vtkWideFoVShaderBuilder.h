@@ -42,9 +42,8 @@ public:
     bool EdgeFlags = false;     // some edges of the triangles are inside a cell
     bool ByRays = false;        // triangles are covered, whatever their edges: no chords
     bool DebugView = false;     // coloured by what happens to each primitive
-    bool FragmentDepth = false; // depth is not what the rasterizer interpolates
     bool Multisample = false;   // the framebuffer may have several samples a pixel
-    int DepthMapping = 0;       // wfv::DepthMapping
+    int DepthMapping = 0;       // wfv::DepthMapping; all but linear by the fragment stage
   };
 
   // True where this request needs the pre-clip's own geometry stage.

@@ -171,7 +171,6 @@ vtkWideFoVShaderBuilder::Request vtkWideFoVStage::MakeRequest(
   request.Projection = this->Projection;
   request.Stage = this->Variant;
   request.DebugView = this->DebugView;
-  request.FragmentDepth = this->View.depthMapping != wfv::WFV_DEPTH_LINEAR;
   request.DepthMapping = this->View.depthMapping;
   request.Multisample = this->Multisample;
   auto* polydata = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the sources of wfv::DirectionMap share: direction-map.glsl as C++.
+// What the sources of wfv::DirectionMap and the registry share: direction-map.glsl as C++.
 #ifndef WideFoVDirectionTables_h
 #define WideFoVDirectionTables_h
 
@@ -16,6 +16,7 @@ namespace tables
 {
 #include "cube_faces.glsl"
 #include "direction-map.glsl"
+#include "unproject.glsl"
 }
 }
 #undef float

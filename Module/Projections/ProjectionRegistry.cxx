@@ -2,7 +2,7 @@
 // What there is: the projection files compiled as C++, and one entry for each.
 #include "Projection.h"
 
-#include "DirectionMap.h"
+#include "DirectionTables.h"
 #include "WideFoVGlsl.h"
 
 // A file may leave out what its family offers it, such as the view.
@@ -131,12 +131,6 @@ namespace equi_angular_cubemap
 namespace perspective
 {
 #include "perspective.glsl"
-#include "unproject.glsl"
-}
-namespace direction_map
-{
-#include "cube_faces.glsl"
-#include "direction-map.glsl"
 #include "unproject.glsl"
 }
 }
@@ -351,8 +345,8 @@ const std::vector<Projection>& Projections()
 const Projection& SampledProjection()
 {
   static const Projection sampled = [] {
-    Projection p = WFV_PROJECTION(direction_map, "direction-map", "Direction map", "sampled",
-      cube_faces_glsl, direction_map_glsl);
+    Projection p = WFV_PROJECTION(
+      tables, "direction-map", "Direction map", "sampled", cube_faces_glsl, direction_map_glsl);
     p.Axis = Family::Sampled;
     p.MinHorizontalFov = 360;
     p.MinVerticalFov = 180;

@@ -203,7 +203,7 @@ TEST(ShaderBuilder, WrappingNests)
 TEST(ShaderBuilder, ADepthMappingIsWrittenInTheFragmentStage)
 {
   Builder::Request request;
-  request.FragmentDepth = true;
+  request.DepthMapping = wfv::WFV_DEPTH_LOGARITHMIC;
   for (auto kind : { Builder::Primitive::Triangles, Builder::Primitive::Points })
   {
     const Sources s = Build("hammer", Builder::Variant::Plain, kind, request);
