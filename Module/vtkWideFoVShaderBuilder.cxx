@@ -58,6 +58,15 @@ bool CoversTriangles(const Request& r)
   return vtkWideFoVShaderBuilder::NeedsGeometryStage(r) && r.Kind == Primitive::Triangles;
 }
 
+// What follows from the ray and the distance, where triangles are covered whatever their edges.
+Known KnownOf(const Request& r)
+{
+  const bool exact = r.ByRays || r.Stage == vtkWideFoVShaderBuilder::Variant::Exact;
+  return exact ? Known{ { "vertexVCVSOutput", "vec4(wfvSurface, 1.0)" },
+    { "wfvPositionVSOutput", "wfvSurface" } }
+               : Known{};
+}
+
 // For the few planes that float32 is too coarse for; without it they are as good as it is.
 const char* const Doubles = "#extension GL_ARB_gpu_shader_fp64 : enable\n";
 
@@ -80,9 +89,9 @@ std::string PrimitiveSource(const Request& r, const std::vector<Varying>& varyin
   }
   // copies of every vertex output at the three corners, which the fragment stage weighs:
   // exact wherever the geometry stage cuts
-  return CornerOutputs(varyings, 3) + preclip_emit_glsl + preclip_planes_glsl + preclip_cover_glsl +
-    preclip_narrow_glsl + CoverSource(*r.Projection) + (r.DebugView ? preclip_kinds_glsl : "") +
-    preclip_triangles_glsl;
+  return CornerOutputs(varyings, 3, KnownOf(r)) + preclip_emit_glsl + preclip_planes_glsl +
+    preclip_cover_glsl + preclip_narrow_glsl + CoverSource(*r.Projection) +
+    (r.DebugView ? preclip_kinds_glsl : "") + preclip_triangles_glsl;
 }
 
 // toView: the name of the matrix from the vertex buffer to view coordinates; empty where the
@@ -142,7 +151,7 @@ std::string CoverFragment(
   RewriteFlatNormal(fragment);
   return std::string(ray_fragment_glsl) + cover_fragment_glsl + chord_fragment_glsl +
     (r.Edges || r.DebugView ? edge_distance_glsl : "") +
-    CornerInputs(varyings, { "wfvB.x", "wfvB.y", "wfvB.z" });
+    CornerInputs(varyings, { "wfvB.x", "wfvB.y", "wfvB.z" }, KnownOf(r));
 }
 
 // What the debug view adds to the fragment stage.
@@ -190,6 +199,7 @@ void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std:
     after += "  if (wfvOutsideDomain()) { discard; }\n";
   }
   declarations += DebugSource(r);
+  FoldMaterial(r.Surface, fragment);
   RewriteLights(fragment);
   if (!before.empty() || !after.empty())
   {

@@ -31,6 +31,16 @@ public:
     Tubes         // lines rendered as tubes
   };
 
+  // What of the material is known to be simple: constants in the shader, which is built anew
+  // whenever the property changes.
+  struct Material
+  {
+    bool NoAmbient = false;   // intensity 0
+    bool FullDiffuse = false; // intensity 1
+    bool NoSpecular = false;  // intensity 0
+    bool Opaque = false;      // opacity 1
+  };
+
   struct Request
   {
     const wfv::Projection* Projection = nullptr;
@@ -43,6 +53,8 @@ public:
     bool ByRays = false;      // triangles are covered, whatever their edges: no chords
     bool DebugView = false;   // coloured by what happens to each primitive
     bool Multisample = false; // the framebuffer may have several samples a pixel
+    bool Tilted = false;      // the view may have a tilt
+    Material Surface;         // of triangles
     int DepthMapping = 0;     // wfv::DepthMapping; all but linear by the fragment stage
   };
 

@@ -53,6 +53,21 @@ void ReplaceAll(std::string& text, const std::string& from, const std::string& t
   }
 }
 
+void FoldMaterial(const vtkWideFoVShaderBuilder::Material& surface, std::string& fragment)
+{
+  const auto fold = [&fragment](bool known, const std::string& name, const std::string& value) {
+    if (known)
+    {
+      ReplaceAll(
+        fragment, "uniform float " + name + ";", "const float " + name + " = " + value + ";");
+    }
+  };
+  fold(surface.NoAmbient, "ambientIntensity", "0.0");
+  fold(surface.FullDiffuse, "diffuseIntensity", "1.0");
+  fold(surface.NoSpecular, "specularIntensity", "0.0");
+  fold(surface.Opaque, "opacityUniform", "1.0");
+}
+
 std::string Define(const char* name, int value)
 {
   return std::string("#define ") + name + " " + std::to_string(value) + "\n";
@@ -72,10 +87,10 @@ std::string ViewSource(const Request& r)
     Define("WFV_BY_RAYS", r.ByRays) + Define("WFV_DEPTH_MAPPING(v)", r.DepthMapping) +
     Define("WFV_MULTISAMPLE", r.Multisample) + Define("WFV_WIDE_LINES", r.WideLines) +
     Define("WFV_EDGES", r.Edges || r.DebugView) + Define("WFV_EDGE_FLAGS", r.EdgeFlags) +
-    Define("WFV_DEBUG_VIEW", r.DebugView) + "#define WFV_ANGLES " +
-    (meridian ? "wfvMeridianAngles" : "wfvAzimuthalAngles") + "\n" + wfv::MathGlsl() +
-    wfv::CommonGlsl() + wfv::DepthGlsl() + (sampled ? directions_glsl : "") + r.Projection->Glsl +
-    interface_glsl;
+    Define("WFV_DEBUG_VIEW", r.DebugView) + "#define WFV_TILTED " + (r.Tilted ? "true" : "false") +
+    "\n" + "#define WFV_ANGLES " + (meridian ? "wfvMeridianAngles" : "wfvAzimuthalAngles") + "\n" +
+    wfv::MathGlsl() + wfv::CommonGlsl() + wfv::DepthGlsl() + (sampled ? directions_glsl : "") +
+    r.Projection->Glsl + interface_glsl;
 }
 
 std::string Corner(size_t varying, int corner)
@@ -83,13 +98,17 @@ std::string Corner(size_t varying, int corner)
   return "wfvCorner" + std::to_string(varying) + "_" + std::to_string(corner);
 }
 
-std::string CornerOutputs(const std::vector<Varying>& varyings, int corners)
+std::string CornerOutputs(const std::vector<Varying>& varyings, int corners, const Known& known)
 {
   std::string declarations;
   std::string body;
   for (size_t i = 0; i < varyings.size(); i++)
   {
     const Varying& v = varyings[i];
+    if (known.count(v.Name) > 0)
+    {
+      continue;
+    }
     declarations += v.Input();
     for (int c = v.Flat ? corners - 1 : 0; c < corners; c++)
     {
@@ -101,7 +120,7 @@ std::string CornerOutputs(const std::vector<Varying>& varyings, int corners)
 }
 
 std::string CornerInputs(
-  const std::vector<Varying>& varyings, const std::vector<std::string>& weights)
+  const std::vector<Varying>& varyings, const std::vector<std::string>& weights, const Known& known)
 {
   const int corners = static_cast<int>(weights.size());
   std::string declarations;
@@ -110,6 +129,12 @@ std::string CornerInputs(
   {
     const Varying& v = varyings[i];
     declarations += v.Declaration(v.Name);
+    const auto value = known.find(v.Name);
+    if (value != known.end())
+    {
+      body += "  " + v.Name + " = " + value->second + ";\n";
+      continue;
+    }
     std::string sum;
     for (int c = v.Flat ? corners - 1 : 0; c < corners; c++)
     {
@@ -143,7 +168,7 @@ void RewriteLights(std::string& fragment)
   std::string head = fragment.substr(0, inside);
   std::string body = fragment.substr(inside);
   vtkWideFoVShaderBuilder::Declare(head, light_fragment_glsl);
-  ReplaceAll(body, position, position + "\n  wfvFromEye = normalize(vertexVC.xyz);");
+  ReplaceAll(body, position, position + "\n  wfvFromEye = WFV_FROM_EYE;");
   ReplaceAll(body, "max(0.0,normalVCVSOutput.z)", "max(0.0, dot(normalVCVSOutput, -wfvFromEye))");
   body = std::regex_replace(
     body, std::regex(R"(\blightDirectionVC(\d+))"), "wfvLightDirection($1, lightDirectionVC$1)");

@@ -5,6 +5,7 @@
 
 #include "vtkWideFoVShaderBuilder.h"
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,10 @@ std::vector<Varying> FindVaryings(const std::string& vertex);
 // Takes the fragment stage's declarations of these inputs out.
 void RemoveInputs(std::string& fragment, const std::vector<Varying>& varyings);
 
+// Turns what is known of the material from uniforms into constants, so that a compiler drops
+// what they multiply.
+void FoldMaterial(const vtkWideFoVShaderBuilder::Material& surface, std::string& fragment);
+
 void ReplaceAll(std::string& text, const std::string& from, const std::string& to);
 
 std::string Define(const char* name, int value);
@@ -46,15 +51,19 @@ std::string Define(const char* name, int value);
 // Name of the copy of an output at a corner of the primitive.
 std::string Corner(size_t varying, int corner);
 
+// Outputs that the fragment stage knows without copies, and what it takes for them.
+using Known = std::map<std::string, std::string>;
+
 // For the geometry stage: declares the copies for primitives of so many corners, and
 // wfvWriteCorners(), which sets them.
-std::string CornerOutputs(const std::vector<Varying>& varyings, int corners);
+std::string CornerOutputs(
+  const std::vector<Varying>& varyings, int corners, const Known& known = {});
 
 // For the fragment stage: declares the outputs as plain variables, and wfvInterpolate(),
 // which sets them from the copies and one weight a corner, an expression in GLSL. What is
 // flat has the value of the last corner.
-std::string CornerInputs(
-  const std::vector<Varying>& varyings, const std::vector<std::string>& weights);
+std::string CornerInputs(const std::vector<Varying>& varyings,
+  const std::vector<std::string>& weights, const Known& known = {});
 
 // Components of all copies.
 int CornerComponents(const std::vector<Varying>& varyings, int corners);

@@ -30,6 +30,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
 
 vtkStandardNewMacro(vtkWideFoVStage);
 
@@ -60,6 +62,29 @@ public:
     request.EdgeFlags =
       request.Edges && type == PrimitiveTris && !(mapper->*(&MapperAccess::EdgeValues)).empty();
     request.Kind = wfv::quadric::KindOf(mapper, actor, request.Kind);
+    request.Surface = DescribeMaterial(mapper, renderer, actor, buffer);
+  }
+
+private:
+  // Of the stock mappers that take the property as it is; of composite ones each block may
+  // have its own, and what is selected has a colour of its own.
+  static vtkWideFoVShaderBuilder::Material DescribeMaterial(vtkOpenGLPolyDataMapper* mapper,
+    vtkRenderer* renderer, vtkActor* actor, const vtkOpenGLHelper* buffer)
+  {
+    static const std::set<std::string> simple{ "vtkOpenGLPolyDataMapper",
+      "vtkWideFoVPolyDataMapper", "vtkOpenGLGlyph3DHelper" };
+    const vtkOpenGLHelper* own = mapper->*(&MapperAccess::Primitives);
+    const bool surface = buffer == own + PrimitiveTris || buffer == own + PrimitiveTriStrips;
+    vtkWideFoVShaderBuilder::Material material;
+    if (surface && !renderer->GetSelector() && simple.count(mapper->GetClassName()) > 0)
+    {
+      vtkProperty* property = actor->GetProperty();
+      material.NoAmbient = property->GetAmbient() == 0;
+      material.FullDiffuse = property->GetDiffuse() == 1;
+      material.NoSpecular = property->GetSpecular() == 0;
+      material.Opaque = property->GetOpacity() == 1;
+    }
+    return material;
   }
 };
 
@@ -90,7 +115,10 @@ void SetViewParameters(vtkShaderProgram* program, const wfv::WfvView& v)
   program->SetUniformf("wfvView.lens5", static_cast<float>(v.lens5));
   program->SetUniformf("wfvView.maxAngle", static_cast<float>(v.maxAngle));
   program->SetUniformf("wfvView.bend", static_cast<float>(v.bend));
-  program->SetUniformf("wfvUnit", static_cast<float>(std::exp2(std::floor(std::log2(v.radii.y)))));
+  const double unit = std::exp2(std::floor(std::log2(v.radii.y)));
+  program->SetUniformf("wfvUnit", static_cast<float>(unit));
+  const double depth = v.radii.y - v.radii.x;
+  set2("wfvUnitDepth", wfv::vec2(unit / depth, -v.radii.x / depth));
   if (v.map)
   {
     const float tables[3] = { static_cast<float>(v.tables.x), static_cast<float>(v.tables.y),
@@ -104,10 +132,12 @@ void SetViewParameters(vtkShaderProgram* program, const wfv::WfvView& v)
 void vtkWideFoVStage::SetView(vtkRenderer* renderer, vtkWideFoVCamera* camera, double tolerance)
 {
   const wfv::View& view = camera->GetView(renderer->GetTiledAspectRatio());
-  if (&view.GetProjection() != this->Projection ||
+  const bool tilts = !this->Tilted && view.GetParameters().tilt != wfv::vec2(1, 0);
+  if (&view.GetProjection() != this->Projection || tilts ||
     view.GetParameters().depthMapping != this->View.depthMapping)
   {
     this->Projection = &view.GetProjection();
+    this->Tilted = this->Tilted || tilts;
     this->SourceTime.Modified();
   }
   if (this->Multisample && !this->SawSamples)
@@ -173,6 +203,7 @@ vtkWideFoVShaderBuilder::Request vtkWideFoVStage::MakeRequest(
   request.DebugView = this->DebugView;
   request.DepthMapping = this->View.depthMapping;
   request.Multisample = this->Multisample;
+  request.Tilted = this->Tilted;
   auto* polydata = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
   auto* actor = vtkActor::SafeDownCast(prop);
   if (polydata && actor && this->Renderer)

@@ -124,6 +124,7 @@ private:
   // longer after a frame without one: passes that draw now so and now so share a shader.
   bool Multisample = false;
   bool SawSamples = false;
+  bool Tilted = false; // once, and from then on
   bool ByRays = false;
   bool ExactLines = false;
   bool DebugView = false;

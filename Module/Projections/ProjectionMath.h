@@ -66,12 +66,14 @@ constexpr double WFV_ROOT_STEP = 1e-8;
 #define WFV_FN inline
 #define WFV_TABLES const DirectionMap*
 #define WFV_DEPTH_MAPPING(v) (v).depthMapping
+#define WFV_TILTED true
 #define float double
 #include "common.glsl"
 #include "depth.glsl"
 #undef float
 #undef WFV_TABLES
 #undef WFV_DEPTH_MAPPING
+#undef WFV_TILTED
 }
 
 #endif

@@ -57,14 +57,23 @@ WFV_FN float wfvInsideCircle(vec2 p)
   return max(0.0, (1.0 - big) * (1.0 + big) - small * small);
 }
 
-// Raises the axis of the projection by the tilt from -z towards +y.
+// Raises the axis of the projection by the tilt from -z towards +y. WFV_TILTED is false in a
+// shader of a view without one.
 WFV_FN vec3 wfvTilt(vec3 p, WfvView v)
 {
+  if (!WFV_TILTED)
+  {
+    return p;
+  }
   return vec3(p.x, v.tilt.x * p.y + v.tilt.y * p.z, v.tilt.x * p.z - v.tilt.y * p.y);
 }
 
 WFV_FN vec3 wfvUntilt(vec3 p, WfvView v)
 {
+  if (!WFV_TILTED)
+  {
+    return p;
+  }
   return vec3(p.x, v.tilt.x * p.y - v.tilt.y * p.z, v.tilt.x * p.z + v.tilt.y * p.y);
 }
 

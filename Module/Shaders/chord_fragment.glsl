@@ -26,9 +26,8 @@ const float WFV_LENS_PAD = 0.02;
 // A ray that lies in the plane of an edge is decided as if it were shifted by a hair along
 // x, by less along y and by less again along z: the same shift for every edge, so what is
 // shown there is what the shifted ray sees, and neighbours still decide apart.
-bool wfvInside(float e, vec3 plane)
+bool wfvInside(float e, vec3 n)
 {
-  vec3 n = wfvPlane.w > 0.0 ? plane : -plane;
   float shifted = n.x != 0.0 ? n.x : (n.y != 0.0 ? n.y : n.z);
   return e > 0.0 || (e == 0.0 && shifted > 0.0);
 }
@@ -94,7 +93,11 @@ float wfvToChordOf(int i, float e, vec2 slope, float slack, vec2 a, vec2 b)
 // Pixels from each edge within which its chord counts.
 vec3 wfvChordReach()
 {
+#if WFV_EXACT
+  return vec3(0.0);
+#else
   return step(0.0, wfvSlack) * (WFV_LENS_SAFETY * wfvSlack + WFV_LENS_PAD);
+#endif
 }
 
 // What to add to the edge functions e, whose slopes per pixel are dx and dy, to have those

@@ -2,11 +2,11 @@
 // Covers a triangle for round maps: a ring sector in four pieces, whose chords lie
 // outside the outer circle and inside the inner one.
 
-void wfvCover(bool front, float facing)
+void wfvCover(bool front)
 {
   const int pieces = 4;
-  bool centre = wfvHolds(2, -1.0, facing);
-  bool antipode = wfvHolds(2, 1.0, facing);
+  bool centre = wfvHolds(2, -1.0);
+  bool antipode = wfvHolds(2, 1.0);
   vec4 a = wfvAngularBounds(vec3(0.0, 0.0, 1.0));
   a = vec4(a.x, centre ? 0.0 : max(a.y, 0.0), a.z, antipode ? WFV_PI : a.w);
   a.w = min(a.w, min(WFV_PI, wfvView.maxAngle + WFV_ANGLE_PAD));

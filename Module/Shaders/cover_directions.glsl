@@ -87,7 +87,7 @@ WfvPlaces wfvParts()
   return places;
 }
 
-void wfvCover(bool front, float facing)
+void wfvCover(bool front)
 {
   vec3 a = wfvPartCorner(0, 0);
   vec3 b = wfvPartCorner(WFV_PARTS, 0);

@@ -84,7 +84,7 @@ vec4 wfvFaceBounds(int face)
   return vec4(max(r.xy, centre - half_), min(r.zw, centre + half_));
 }
 
-void wfvCover(bool front, float facing)
+void wfvCover(bool front)
 {
   for (int row = 0; row < 2; row++)
   {

@@ -2,14 +2,18 @@
 // Fragment side of the pre-clip: barycentric coordinates, coverage and depth of the
 // primitive at this pixel, before the stock shader runs.
 
-in vec3 wfvBary;
-in vec3 wfvPosition;
 flat in vec3 wfvEdge0;
 flat in vec3 wfvEdge1;
 flat in vec3 wfvEdge2;
 flat in vec4 wfvPlane;
+#if !WFV_EXACT
+in vec3 wfvBary;
+in vec3 wfvPosition;
 flat in vec3 wfvSlack;
+#endif
+#if !WFV_EXACT || WFV_DEBUG_VIEW
 flat in int wfvMode;
+#endif
 
 vec3 wfvB;       // barycentric coordinates here
 float wfvRho;    // distance from the eye here, in the stage's own units
@@ -34,8 +38,7 @@ bool wfvAllInside(vec3 e, vec3 toChords);
 // Positive inside.
 vec3 wfvEdgesAt(vec3 direction)
 {
-  vec3 e = vec3(dot(direction, wfvEdge0), dot(direction, wfvEdge1), dot(direction, wfvEdge2));
-  return wfvPlane.w > 0.0 ? e : -e;
+  return vec3(dot(direction, wfvEdge0), dot(direction, wfvEdge1), dot(direction, wfvEdge2));
 }
 
 // Barycentric coordinates from the edge functions. Where a triangle is seen edge-on they
@@ -52,7 +55,7 @@ vec3 wfvWeigh(vec3 e)
 #define WFV_FLAT_NORMAL
 vec3 wfvFlatNormal()
 {
-  vec3 n = wfvUntilt(wfvPlane.w > 0.0 ? -wfvPlane.xyz : wfvPlane.xyz, wfvView);
+  vec3 n = wfvUntilt(-wfvPlane.xyz, wfvView);
   return n / wfvLength(n);
 }
 
@@ -62,13 +65,30 @@ const float WFV_SAMPLE_REACH = 0.5;
 // Safety over first-order bounds of what changes inside a pixel.
 const float WFV_PIXEL_SAFETY = 1.5;
 
+// Linear depth is x times the distance in the stage's own units, plus y.
+uniform vec2 wfvUnitDepth;
+
 // By the plane; interpolated depth would err along edges that run away from the eye, and
 // the position that corners are weighed to, beside the eye, where they are far.
 void wfvSetDistance(float rho)
 {
   wfvRho = rho;
-  wfvDepth = wfvDepthOf(rho * wfvScale(), wfvView);
+  wfvDepth = WFV_DEPTH_MAPPING(wfvView) == WFV_DEPTH_LINEAR ? wfvUnitDepth.x * rho + wfvUnitDepth.y
+                                                            : wfvDepthOf(rho * wfvScale(), wfvView);
 }
+
+#if WFV_EXACT
+// The point itself and the direction from the eye to it, view coordinates.
+vec3 wfvSurface;
+vec3 wfvSight;
+#define WFV_FROM_EYE wfvSight
+
+void wfvSetSurface(vec3 direction)
+{
+  wfvSight = wfvUntilt(direction, wfvView);
+  wfvSurface = wfvSight * (wfvRho * wfvScale());
+}
+#endif
 
 // For the data pass.
 #define WFV_DISTANCE (wfvRho * wfvScale())
@@ -127,18 +147,18 @@ void wfvPrepare()
 {
   WfvRay ray = wfvRayAt(vec2(0.0));
   vec3 e = wfvEdgesAt(ray.direction);
-  float facing = wfvPlane.w > 0.0 ? 1.0 : -1.0;
-  float sum = facing * dot(ray.direction, wfvPlane.xyz);
+  float sum = dot(ray.direction, wfvPlane.xyz);
 #if WFV_EXACT
   wfvFront = wfvPlane.w < 0.0;
   wfvB = wfvWeigh(e);
-  wfvSetDistance(facing * wfvPlane.w / sum);
+  wfvSetDistance(abs(wfvPlane.w) / sum);
+  wfvSetSurface(ray.direction);
   bool meets = sum > 0.0;
 #else
   wfvByChord = (wfvMode & 1) == 0;
   wfvFront = wfvByChord ? gl_FrontFacing : wfvPlane.w < 0.0;
   wfvB = wfvByChord ? wfvBary / (wfvBary.x + wfvBary.y + wfvBary.z) : wfvWeigh(e);
-  wfvSetDistance(wfvByChord ? length(wfvPosition) : facing * wfvPlane.w / sum);
+  wfvSetDistance(wfvByChord ? length(wfvPosition) : abs(wfvPlane.w) / sum);
   bool meets = wfvByChord || sum > 0.0;
 #endif
   bool covered = wfvCovered(ray, e) && meets && wfvDepth >= 0.0 && wfvDepth <= 1.0;

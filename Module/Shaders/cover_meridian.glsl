@@ -28,12 +28,12 @@ vec2 wfvEdgeRange(vec3 n, vec2 lambda)
 }
 
 // NDC of the lowest and the highest latitude of the triangle between two longitudes.
-vec2 wfvColumn(vec2 lambda, float facing)
+vec2 wfvColumn(vec2 lambda)
 {
   vec2 r = vec2(-1e30, 1e30);
   for (int i = 0; i < 3; i++)
   {
-    vec2 edge = wfvEdgeRange(facing * wfvN[i], lambda);
+    vec2 edge = wfvEdgeRange(wfvN[i], lambda);
     r = vec2(max(r.x, edge.x), min(r.y, edge.y));
   }
   if (r.x > r.y)
@@ -50,14 +50,14 @@ vec2 wfvColumn(vec2 lambda, float facing)
 
 // From one longitude to another, in so many columns, each as high as the triangle is there:
 // one strip, that hits no pixel twice.
-void wfvEmitColumns(vec2 lambda, int columns, bool front, float facing)
+void wfvEmitColumns(vec2 lambda, int columns, bool front)
 {
   float pad = 2.0 * WFV_PAD / (wfvViewport.z * wfvTile.x);
   vec2 before = vec2(1e9, -1e9);
   for (int i = 0; i <= columns; i++)
   {
     vec2 at = mix(lambda.xx, lambda.yy, vec2(float(i), float(i + 1)) / float(columns));
-    vec2 here = i < columns ? wfvColumn(at, facing) : vec2(1e9, -1e9);
+    vec2 here = i < columns ? wfvColumn(at) : vec2(1e9, -1e9);
     vec2 y = vec2(min(before.x, here.x), max(before.y, here.y));
     float x = wfvMap(vec2(at.x, 0.0), wfvView).x;
     x = clamp(x + (i == 0 ? -pad : (i == columns ? pad : 0.0)), -1.0, 1.0);
@@ -77,12 +77,12 @@ void wfvEmitColumns(vec2 lambda, int columns, bool front, float facing)
 }
 
 // Columns that the stage may emit in all.
-const int WFV_COLUMNS = 4;
+const int WFV_COLUMNS = 6;
 
-void wfvCover(bool front, float facing)
+void wfvCover(bool front)
 {
   // with a corner at the pole it has the azimuths of the other two
-  bool pole = (wfvHolds(1, 1.0, facing) || wfvHolds(1, -1.0, facing)) &&
+  bool pole = (wfvHolds(1, 1.0) || wfvHolds(1, -1.0)) &&
     !wfvCornerAtPole(vec3(0.0, 1.0, 0.0));
   vec4 a = wfvAngularBounds(vec3(0.0, 1.0, 0.0));
   bool round_ = pole || a.z - a.x >= 2.0 * WFV_PI;
@@ -98,17 +98,17 @@ void wfvCover(bool front, float facing)
   }
   bool two = across.x < across.y;
   bool wide = here.y - here.x > across.y - across.x;
-  wfvEmitColumns(here, two ? (wide ? 2 : 1) : WFV_COLUMNS, front, facing);
+  wfvEmitColumns(here, two ? (wide ? 2 : 1) : WFV_COLUMNS, front);
   if (two)
   {
-    wfvEmitColumns(across, wide ? 1 : 2, front, facing);
+    wfvEmitColumns(across, wide ? 1 : 2, front);
   }
 }
 #else
-void wfvCover(bool front, float facing)
+void wfvCover(bool front)
 {
-  bool north = wfvHolds(1, 1.0, facing);
-  bool south = wfvHolds(1, -1.0, facing);
+  bool north = wfvHolds(1, 1.0);
+  bool south = wfvHolds(1, -1.0);
   vec4 a = wfvAngularBounds(vec3(0.0, 1.0, 0.0));
   a = vec4(a.x, south ? -0.5 * WFV_PI : max(a.y, -0.5 * WFV_PI), a.z,
     north ? 0.5 * WFV_PI : min(a.w, 0.5 * WFV_PI));

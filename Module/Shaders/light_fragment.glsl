@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A headlight shines from the eye in every direction, not along the view axis.
 uniform int wfvHeadlights; // one bit a light
+#ifndef WFV_FROM_EYE
+#define WFV_FROM_EYE normalize(vertexVC.xyz)
+#endif
 vec3 wfvFromEye;           // unit vector from the eye to this fragment, view coordinates
 
 vec3 wfvLightDirection(int light, vec3 direction)

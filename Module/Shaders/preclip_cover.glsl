@@ -3,11 +3,11 @@
 
 // True where the ray from the eye along the axis (index 1: y, 2: z; sign s) meets
 // the triangle, ties included.
-bool wfvHolds(int axis, float s, float facing)
+bool wfvHolds(int axis, float s)
 {
   for (int i = 0; i < 3; i++)
   {
-    if (facing * s * wfvN[i][axis] < -WFV_POLE_SLACK * length(wfvN[i]))
+    if (s * wfvN[i][axis] < -WFV_POLE_SLACK * length(wfvN[i]))
     {
       return false;
     }

@@ -9,23 +9,25 @@
 //                 picture, and the fragment stage decides by the pixel's ray.
 
 layout(triangles) in;
-layout(triangle_strip, max_vertices = 10) out;
+layout(triangle_strip, max_vertices = 14) out;
 
-out vec3 wfvBary;        // barycentric coordinates, used where not covered
-out vec3 wfvPosition;    // the surface, where not covered
 flat out vec3 wfvEdge0;  // planes through the eye and the edge opposite to corner i
 flat out vec3 wfvEdge1;
 flat out vec3 wfvEdge2;
-flat out vec4 wfvPlane;  // the triangle's own plane: dot(xyz, p) = w
-flat out vec3 wfvSlack;  // pixels by which edge i is widened to meet its chord; < 0: none
+flat out vec4 wfvPlane;  // the triangle's own: dot(xyz, p) = |w|; w < 0: seen from its front
 #if !WFV_EXACT
+out vec3 wfvBary;        // barycentric coordinates, used where not covered
+out vec3 wfvPosition;    // the surface, where not covered
+flat out vec3 wfvSlack;  // pixels by which edge i is widened to meet its chord; < 0: none
 flat out vec4 wfvCorners01; // corners in the picture, see chord_fragment.glsl
 flat out vec2 wfvCorner2;
 #if WFV_MERIDIAN && WFV_STRAIGHT_SEAM
 flat out vec4 wfvSeam; // where the edges cross the seam: three heights, and the seam's x
 #endif
 #endif
+#if !WFV_EXACT || WFV_DEBUG_VIEW
 flat out int wfvMode;    // bits: 1 covered, more in wfvPlaceCorners
+#endif
 
 const int WFV_COVERED = 1;
 
@@ -52,8 +54,10 @@ int wfvEmitted;
 void wfvEmit(vec4 position, vec3 bary)
 {
   gl_Position = position;
+#if !WFV_EXACT
   wfvBary = bary;
   wfvPosition = bary.x * wfvP[0] + bary.y * wfvP[1] + bary.z * wfvP[2];
+#endif
   // flat outputs count at a strip's third and later vertices only
   if (wfvEmitted > 1)
   {
@@ -61,15 +65,17 @@ void wfvEmit(vec4 position, vec3 bary)
     wfvEdge1 = wfvN[1];
     wfvEdge2 = wfvN[2];
     wfvPlane = wfvT;
-    wfvSlack = wfvS;
 #if !WFV_EXACT
+    wfvSlack = wfvS;
     wfvCorners01 = vec4(wfvC[0], wfvC[1]);
     wfvCorner2 = wfvC[2];
 #if WFV_MERIDIAN && WFV_STRAIGHT_SEAM
     wfvSeam = wfvSeamPlaces;
 #endif
 #endif
+#if !WFV_EXACT || WFV_DEBUG_VIEW
     wfvMode = wfvVertexMode;
+#endif
     wfvWriteCorners();
     gl_PrimitiveID = gl_PrimitiveIDIn;
   }

@@ -13,12 +13,12 @@ int wfvSplitKind(bool seam)
 }
 
 // Of a triangle that wfvMustCover has measured.
-int wfvCoverKind(bool seam, bool tear, float facing)
+int wfvCoverKind(bool seam, bool tear)
 {
 #if WFV_MERIDIAN
-  bool pole = wfvHolds(1, 1.0, facing) || wfvHolds(1, -1.0, facing);
+  bool pole = wfvHolds(1, 1.0) || wfvHolds(1, -1.0);
 #else
-  bool pole = wfvHolds(2, 1.0, facing);
+  bool pole = wfvHolds(2, 1.0);
 #endif
 #if WFV_BY_RAYS
   return pole || tear ? WFV_KIND_POLE : wfvBent ? WFV_KIND_EXACT : wfvSplitKind(seam);

@@ -89,7 +89,7 @@ bool wfvOutside(vec3 lengths)
 
 // True where the triangle holds a pole or an edge of it bends too much; sets wfvS
 // and wfvBent.
-bool wfvMustCover(float facing)
+bool wfvMustCover()
 {
   vec2 e0 = wfvChordError(wfvP[1], wfvP[2]);
   vec2 e1 = wfvChordError(wfvP[2], wfvP[0]);
@@ -103,9 +103,9 @@ bool wfvMustCover(float facing)
 #elif WFV_FACES
   return wfvBent;
 #elif WFV_MERIDIAN
-  return wfvBent || wfvHolds(1, 1.0, facing) || wfvHolds(1, -1.0, facing);
+  return wfvBent || wfvHolds(1, 1.0) || wfvHolds(1, -1.0);
 #else
-  return wfvBent || wfvHolds(2, 1.0, facing);
+  return wfvBent || wfvHolds(2, 1.0);
 #endif
 }
 
@@ -138,55 +138,55 @@ void wfvReadCorners()
 }
 
 // Of a triangle that wfvMustCover has measured.
-void wfvCoverCurved(bool seam, bool tear, float facing)
+void wfvCoverCurved(bool seam, bool tear)
 {
   wfvVertexMode = WFV_COVERED;
 #if !WFV_EXACT
   wfvPlaceCorners(seam);
 #endif
 #if WFV_DEBUG_VIEW
-  wfvVertexMode += WFV_KIND_UNIT * wfvCoverKind(seam, tear, facing);
+  wfvVertexMode += WFV_KIND_UNIT * wfvCoverKind(seam, tear);
 #endif
-  if (seam || !wfvCoverNarrow(facing < 0.0))
+  if (seam || !wfvCoverNarrow(wfvT.w < 0.0))
   {
-    wfvCover(facing < 0.0, facing);
+    wfvCover(wfvT.w < 0.0);
   }
 }
 
 #if WFV_EXACT
 // Of one that wfvEasy has measured.
-void wfvCoverEasy(float facing)
+void wfvCoverEasy()
 {
   wfvVertexMode = WFV_COVERED;
   wfvS = vec3(WFV_CURVED);
   float reach = wfvReach;
 #if WFV_DEBUG_VIEW
-  wfvMustCover(facing);
-  wfvVertexMode += WFV_KIND_UNIT * wfvCoverKind(false, false, facing);
+  wfvMustCover();
+  wfvVertexMode += WFV_KIND_UNIT * wfvCoverKind(false, false);
 #endif
-  wfvCoverTight(reach + WFV_TIGHT_PAD, facing < 0.0);
+  wfvCoverTight(reach + WFV_TIGHT_PAD, wfvT.w < 0.0);
 }
 #endif
 
 #if WFV_EXACT
-void wfvDraw(bool seam, bool easy, float facing)
+void wfvDraw(bool seam, bool easy)
 {
   if (easy && !seam)
   {
-    wfvCoverEasy(facing);
+    wfvCoverEasy();
     return;
   }
-  wfvMustCover(facing);
-  wfvCoverCurved(seam, seam && WFV_STRAIGHT_SEAM == 0, facing);
+  wfvMustCover();
+  wfvCoverCurved(seam, seam && WFV_STRAIGHT_SEAM == 0);
 }
 #else
-void wfvDraw(bool seam, bool easy, float facing)
+void wfvDraw(bool seam, bool easy)
 {
   bool tear = seam && WFV_STRAIGHT_SEAM == 0;
   // wfvMustCover also prepares the covering: it runs wherever one may follow
-  if ((tear || !easy) && (wfvMustCover(facing) || tear))
+  if ((tear || !easy) && (wfvMustCover() || tear))
   {
-    wfvCoverCurved(seam, tear, facing);
+    wfvCoverCurved(seam, tear);
     return;
   }
   wfvVertexMode = 0;
@@ -207,18 +207,20 @@ void main()
   {
     return;
   }
+  // inside, edge functions are positive from either side; so is the plane's
   float facing = wfvT.w > 0.0 ? 1.0 : -1.0;
-  wfvN[0] = wfvEdgePlane(1, 2);
-  wfvN[1] = wfvEdgePlane(2, 0);
-  wfvN[2] = wfvEdgePlane(0, 1);
+  wfvT = vec4(facing * wfvT.xyz, wfvT.w);
+  wfvN[0] = facing * wfvEdgePlane(1, 2);
+  wfvN[1] = facing * wfvEdgePlane(2, 0);
+  wfvN[2] = facing * wfvEdgePlane(0, 1);
   bool seam = wfvReachesSeam();
 #if WFV_SAMPLED
   wfvVertexMode = WFV_COVERED;
 #if WFV_DEBUG_VIEW
   wfvVertexMode += WFV_KIND_UNIT * WFV_KIND_EXACT;
 #endif
-  wfvCover(facing < 0.0, facing);
+  wfvCover(wfvT.w < 0.0);
 #else
-  wfvDraw(seam, wfvEasy(lengths), facing);
+  wfvDraw(seam, wfvEasy(lengths));
 #endif
 }
