@@ -5,7 +5,8 @@
 flat in vec3 wfvEdge0;
 flat in vec3 wfvEdge1;
 flat in vec3 wfvEdge2;
-flat in vec4 wfvPlane;
+flat in vec3 wfvPlane;
+flat in vec3 wfvAnchor;
 #if !WFV_EXACT
 in vec3 wfvBary;
 in vec3 wfvPosition;
@@ -55,7 +56,7 @@ vec3 wfvWeigh(vec3 e)
 #define WFV_FLAT_NORMAL
 vec3 wfvFlatNormal()
 {
-  vec3 n = wfvUntilt(-wfvPlane.xyz, wfvView);
+  vec3 n = wfvUntilt(-wfvPlane, wfvView);
   return n / wfvLength(n);
 }
 
@@ -75,6 +76,14 @@ void wfvSetDistance(float rho)
   wfvRho = rho;
   wfvDepth = WFV_DEPTH_MAPPING(wfvView) == WFV_DEPTH_LINEAR ? wfvUnitDepth.x * rho + wfvUnitDepth.y
                                                             : wfvDepthOf(rho * wfvScale(), wfvView);
+}
+
+// Distance at which a ray meets the plane, from the anchor on: what is rounded then is a share
+// of the way from there, not of the whole distance.
+float wfvMeet(vec3 direction, float sum)
+{
+  float along = dot(direction, wfvAnchor);
+  return along + dot(wfvPlane, wfvAnchor - along * direction) / sum;
 }
 
 #if WFV_EXACT
@@ -147,18 +156,18 @@ void wfvPrepare()
 {
   WfvRay ray = wfvRayAt(vec2(0.0));
   vec3 e = wfvEdgesAt(ray.direction);
-  float sum = dot(ray.direction, wfvPlane.xyz);
+  float sum = dot(ray.direction, wfvPlane);
 #if WFV_EXACT
-  wfvFront = wfvPlane.w < 0.0;
+  wfvFront = gl_FrontFacing;
   wfvB = wfvWeigh(e);
-  wfvSetDistance(abs(wfvPlane.w) / sum);
+  wfvSetDistance(wfvMeet(ray.direction, sum));
   wfvSetSurface(ray.direction);
   bool meets = sum > 0.0;
 #else
   wfvByChord = (wfvMode & 1) == 0;
-  wfvFront = wfvByChord ? gl_FrontFacing : wfvPlane.w < 0.0;
+  wfvFront = gl_FrontFacing;
   wfvB = wfvByChord ? wfvBary / (wfvBary.x + wfvBary.y + wfvBary.z) : wfvWeigh(e);
-  wfvSetDistance(wfvByChord ? length(wfvPosition) : abs(wfvPlane.w) / sum);
+  wfvSetDistance(wfvByChord ? length(wfvPosition) : wfvMeet(ray.direction, sum));
   bool meets = wfvByChord || sum > 0.0;
 #endif
   bool covered = wfvCovered(ray, e) && meets && wfvDepth >= 0.0 && wfvDepth <= 1.0;

@@ -14,7 +14,8 @@ layout(triangle_strip, max_vertices = 14) out;
 flat out vec3 wfvEdge0;  // planes through the eye and the edge opposite to corner i
 flat out vec3 wfvEdge1;
 flat out vec3 wfvEdge2;
-flat out vec4 wfvPlane;  // the triangle's own: dot(xyz, p) = |w|; w < 0: seen from its front
+flat out vec3 wfvPlane;  // normal of the triangle, away from the eye
+flat out vec3 wfvAnchor; // a point of its plane
 #if !WFV_EXACT
 out vec3 wfvBary;        // barycentric coordinates, used where not covered
 out vec3 wfvPosition;    // the surface, where not covered
@@ -43,7 +44,8 @@ const float WFV_POLE_SLACK = 1e-5;
 vec3 wfvP[3];
 int wfvVertexMode;
 vec3 wfvN[3];
-vec4 wfvT;
+vec4 wfvT; // the plane, and dot(xyz, p) of its points: below 0 where seen from its front
+vec3 wfvA;
 vec3 wfvS;
 vec2 wfvC[3]; // corners in the picture
 vec4 wfvSeamPlaces;
@@ -64,7 +66,8 @@ void wfvEmit(vec4 position, vec3 bary)
     wfvEdge0 = wfvN[0];
     wfvEdge1 = wfvN[1];
     wfvEdge2 = wfvN[2];
-    wfvPlane = wfvT;
+    wfvPlane = wfvT.xyz;
+    wfvAnchor = wfvA;
 #if !WFV_EXACT
     wfvSlack = wfvS;
     wfvCorners01 = vec4(wfvC[0], wfvC[1]);

@@ -73,9 +73,26 @@ vec3 wfvEdgePlane(int i, int j)
 }
 
 // Share of the farthest corner's distance: a plane that passes the eye nearer than this, of
-// a triangle whose longest edge is more than that, is computed in double.
+// a triangle whose longest edge is more than that, is computed in double. (And of the nearest
+// corner's: one with a longer edge may pass the eye much nearer than its corners do.)
 const float WFV_BESIDE = 0.1;
 const float WFV_LONG = 0.5;
+
+// A point of the plane, for the fragment stage: the nearest corner; for a triangle that may pass
+// the eye much nearer than its corners do, the foot of the perpendicular from the eye.
+vec3 wfvAnchorOf(vec4 plane, vec3 lengths)
+{
+  float nearest = min(lengths.x, min(lengths.y, lengths.z));
+  vec3 edges = vec3(length(wfvP[2] - wfvP[1]), length(wfvP[0] - wfvP[2]), length(wfvP[1] - wfvP[0]));
+  if (max(edges.x, max(edges.y, edges.z)) > WFV_LONG * nearest)
+  {
+    // in parts: squares of a small one's products are below the least float
+    float largest = max(abs(plane.x), max(abs(plane.y), abs(plane.z)));
+    vec3 n = plane.xyz / largest;
+    return n * (plane.w / largest / dot(n, n));
+  }
+  return lengths.x == nearest ? wfvP[0] : (lengths.y == nearest ? wfvP[1] : wfvP[2]);
+}
 
 // Share of the longest edge times the farthest corner's distance squared: a determinant
 // below may have either sign in float32, whose rounding is a twentieth.

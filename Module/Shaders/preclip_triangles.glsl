@@ -209,6 +209,7 @@ void main()
   }
   // inside, edge functions are positive from either side; so is the plane's
   float facing = wfvT.w > 0.0 ? 1.0 : -1.0;
+  wfvA = wfvAnchorOf(wfvT, lengths);
   wfvT = vec4(facing * wfvT.xyz, wfvT.w);
   wfvN[0] = facing * wfvEdgePlane(1, 2);
   wfvN[1] = facing * wfvEdgePlane(2, 0);

@@ -38,8 +38,10 @@ Json Figures(const std::optional<ErrorFigures>& error)
   const bool depth = error->HasDepth && std::isfinite(m.MaxDepthRel);
   return { { "unexplained", m.Unexplained }, { "missing", m.Missing }, { "spurious", m.Spurious },
     { "max_px", Found(m.MaxPx) }, { "p99_px", Found(m.P99Px) },
-    { "max_depth_rel", depth ? Json(m.MaxDepthRel) : Json(nullptr) }, { "b", error->Tolerance },
-    { "mismatched_pixels", m.Mismatched }, { "searched_pixels", m.Searched } };
+    { "max_depth_rel", depth ? Json(m.MaxDepthRel) : Json(nullptr) },
+    { "depth_px", depth && std::isfinite(m.DepthPx) ? Json(m.DepthPx) : Json(nullptr) },
+    { "b", error->Tolerance }, { "mismatched_pixels", m.Mismatched },
+    { "searched_pixels", m.Searched } };
 }
 }
 

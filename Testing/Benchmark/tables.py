@@ -83,11 +83,12 @@ def runs_table(bench):
                 number(error.get("max_px")),
                 number(error.get("p99_px")),
                 number(error.get("max_depth_rel")),
+                number(error.get("depth_px")),
                 r.get("note", ""),
             ]
         )
     header = ["scene", "triangles", "method", "ms", "least – most", "wrong pixels", "unexplained"]
-    return table(header + ["b, px", "max, px", "p99, px", "depth, relative", ""], rows)
+    return table(header + ["b, px", "max, px", "p99, px", "depth, relative", "depth, px", ""], rows)
 
 
 def ratios_table(bench):

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Metrics.h"
 
+#include "DepthShift.h"
 #include "NearestPlace.h"
 
 #include <vtkDataArray.h>
@@ -65,9 +66,25 @@ vtkIdType DrawnCell(float value)
   return value > 0 ? vtkIdType(value) - 1 : -1;
 }
 
+// Adds the distance drawn at a pixel whose cells agree.
+void MeasureDepth(
+  const Caster& caster, const DrawnPicture& drawn, std::size_t n, const Hit& hit, Metrics& metrics)
+{
+  const double e = std::abs(drawn.Distance[n] - hit.Distance) / hit.Distance;
+  // a NaN must not pass for agreement
+  metrics.MaxDepthRel =
+    e <= metrics.MaxDepthRel ? metrics.MaxDepthRel : (std::isnan(e) ? INFINITY : e);
+  if (!(e <= DepthRel))
+  {
+    const double shift = DepthShift(caster, drawn.Width, drawn.Height, int(n % drawn.Width),
+      int(n / drawn.Width), hit, drawn.Distance[n]);
+    metrics.DepthPx = std::max(metrics.DepthPx, shift);
+  }
+}
+
 // Adds the pixels whose cells agree to the metrics, returns the others.
 std::vector<WorstPixel> FindMismatches(
-  const DrawnPicture& drawn, const HitPicture& reference, Metrics& metrics)
+  const Caster& caster, const DrawnPicture& drawn, const HitPicture& reference, Metrics& metrics)
 {
   std::vector<WorstPixel> pixels;
   for (std::size_t n = 0; n < reference.Hits.size(); ++n)
@@ -82,10 +99,7 @@ std::vector<WorstPixel> FindMismatches(
     }
     else if (cell >= 0)
     {
-      const double e = std::abs(drawn.Distance[n] - hit.Distance) / hit.Distance;
-      // a NaN must not pass for agreement
-      metrics.MaxDepthRel =
-        e <= metrics.MaxDepthRel ? metrics.MaxDepthRel : (std::isnan(e) ? INFINITY : e);
+      MeasureDepth(caster, drawn, n, hit, metrics);
     }
   }
   return pixels;
@@ -182,7 +196,7 @@ Metrics Compare(const DrawnPicture& drawn, const Caster& caster, const HitPictur
   double tolerance, std::size_t mostSearched)
 {
   Metrics m;
-  std::vector<WorstPixel> pixels = FindMismatches(drawn, reference, m);
+  std::vector<WorstPixel> pixels = FindMismatches(caster, drawn, reference, m);
   m.Mismatched = long(pixels.size());
   Thin(pixels, mostSearched);
   vtkSMPTools::For(0, vtkIdType(pixels.size()), 16, [&](vtkIdType begin, vtkIdType end) {

@@ -51,6 +51,7 @@ struct Metrics
   double MaxPx = 0;       // pixels; over the mismatched pixels, 0 if there are none
   double P99Px = 0;
   double MaxDepthRel = 0; // relative difference of the distances where the cells agree
+  double DepthPx = 0;     // pixels: where that is more than DepthRel, what shift explains it
   long Mismatched = 0;    // pixels whose cells differ at the pixel centre
   long Searched = 0;      // of them, those that were searched for a place of agreement
   long UnexplainedPixels = 0;
@@ -58,6 +59,9 @@ struct Metrics
   std::vector<WorstPixel> Worst; // unexplained, farthest first, at most MaxWorst
   static constexpr std::size_t MaxWorst = 64;
 };
+
+// Relative: what a distance may be off wherever a surface is not seen edge-on.
+constexpr double DepthRel = 1e-5;
 
 // Pixels: a pixel that shows what the reference sees nowhere so near has the distance inf.
 constexpr double SearchLimit = 64;
