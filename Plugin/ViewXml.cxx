@@ -22,13 +22,13 @@ std::string Escape(const std::string& text)
   return escaped;
 }
 
-// What a combo box offers.
+// What a combo box offers: those that are formulas.
 std::string Choices()
 {
   std::string text;
-  for (const wfv::Projection* p : wfv::AllProjections())
+  for (const wfv::Projection& p : wfv::Projections())
   {
-    text += "          <String value=\"" + Escape(p->Name) + "\" />\n";
+    text += "          <String value=\"" + Escape(p.Name) + "\" />\n";
   }
   return text;
 }
@@ -49,13 +49,13 @@ std::string Range(double least, double most)
 std::string Help()
 {
   std::string text;
-  for (const wfv::Projection* p : wfv::AllProjections())
+  for (const wfv::Projection& p : wfv::Projections())
   {
-    const bool round = p->Axis == wfv::Family::Azimuthal;
-    text += "          " + p->Name + ": " + p->Title + " (" + p->Properties + "), up to " +
-      Range(p->MinHorizontalFov, p->MaxHorizontalFov) +
-      (round ? " across" : " by " + Range(p->MinVerticalFov, p->MaxVerticalFov)) +
-      (p->Limit.empty() ? "" : ", for " + p->Limit) + ".\n";
+    const bool round = p.Axis == wfv::Family::Azimuthal;
+    text += "          " + p.Name + ": " + p.Title + " (" + p.Properties + "), up to " +
+      Range(p.MinHorizontalFov, p.MaxHorizontalFov) +
+      (round ? " across" : " by " + Range(p.MinVerticalFov, p.MaxVerticalFov)) +
+      (p.Limit.empty() ? "" : ", for " + p.Limit) + ".\n";
   }
   return Escape(text);
 }
