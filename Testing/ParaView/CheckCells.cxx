@@ -5,18 +5,21 @@
 //
 // The request: {"mesh": FILE.vtp, "picture": FILE.png, "projection", "hfov", "vfov", "tilt"
 // (degrees), "eye", "focal", "up" (world), "clip": [near, far], "tolerance" (pixels)}. A
-// pixel's colour is 1 + the cell's id as 24 bits, red the highest; black is nothing.
+// pixel's colour is the number that the mesh's cell array "number" gives the cell, 24 bits,
+// red the highest; black is nothing.
 // The answer, on standard output: {"pixels", "hits", "mismatched", "unexplained",
 // "missing", "spurious"} in pixels, {"max_px"} and "worst", the first few of them.
 #include "Metrics.h"
 #include "RayCaster.h"
 
 #include <vtkCamera.h>
+#include <vtkCellData.h>
 #include <vtkImageData.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkPNGReader.h>
 #include <vtkPolyData.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkXMLPolyDataReader.h>
 
 #include <nlohmann/json.hpp>
@@ -31,6 +34,11 @@ using namespace wfv;
 
 namespace
 {
+int ReadNumber(const unsigned char* colour)
+{
+  return 65536 * colour[0] + 256 * colour[1] + colour[2];
+}
+
 reference::DrawnPicture ReadPicture(const std::string& file)
 {
   vtkNew<vtkPNGReader> reader;
@@ -51,7 +59,7 @@ reference::DrawnPicture ReadPicture(const std::string& file)
     for (int i = 0; i < size[0]; i++)
     {
       const auto* c = static_cast<const unsigned char*>(image->GetScalarPointer(i, j, 0));
-      const int cell = 65536 * c[0] + 256 * c[1] + c[2];
+      const int cell = ReadNumber(c);
       picture.Cell.push_back(static_cast<float>(cell));
       // a screenshot has no distance
       picture.Distance.push_back(cell ? 1 : std::numeric_limits<float>::infinity());
@@ -69,8 +77,8 @@ View MakeView(const json& request, double aspect)
   }
   ViewOptions o;
   // as far as the projection can show them, as in the view
-  o.HorizontalFov = std::clamp(request.at("hfov").get<double>(), projection->MinHorizontalFov,
-    projection->MaxHorizontalFov);
+  o.HorizontalFov = std::clamp(
+    request.at("hfov").get<double>(), projection->MinHorizontalFov, projection->MaxHorizontalFov);
   o.VerticalFov = std::clamp(
     request.at("vfov").get<double>(), projection->MinVerticalFov, projection->MaxVerticalFov);
   o.Tilt = request.value("tilt", 0.0);
@@ -95,6 +103,30 @@ reference::Pose MakePose(const json& request)
   return pose;
 }
 
+// The triangles of the mesh, each with its cell's number less one for an id.
+reference::TriangleSoup MakeSoup(const std::string& file, const reference::Pose& pose)
+{
+  vtkNew<vtkXMLPolyDataReader> mesh;
+  mesh->SetFileName(file.c_str());
+  mesh->Update();
+  auto* const numbers =
+    vtkUnsignedCharArray::SafeDownCast(mesh->GetOutput()->GetCellData()->GetArray("number"));
+  if (!numbers || numbers->GetNumberOfComponents() != 3)
+  {
+    throw std::runtime_error("no cell array \"number\" of colours: " + file);
+  }
+  reference::TriangleSoup soup = reference::Triangulate(mesh->GetOutput(), pose);
+  for (vtkIdType& id : soup.CellIds)
+  {
+    id = ReadNumber(numbers->GetPointer(3 * id)) - 1;
+  }
+  if (!std::is_sorted(soup.CellIds.begin(), soup.CellIds.end()))
+  {
+    throw std::runtime_error("the numbers of the cells do not grow: " + file);
+  }
+  return soup;
+}
+
 json Describe(const reference::WorstPixel& pixel)
 {
   return { { "x", pixel.I }, { "y", pixel.J }, { "drawn", pixel.Drawn },
@@ -104,14 +136,11 @@ json Describe(const reference::WorstPixel& pixel)
 json Check(const json& request)
 {
   const reference::DrawnPicture drawn = ReadPicture(request.at("picture"));
-  vtkNew<vtkXMLPolyDataReader> mesh;
-  mesh->SetFileName(request.at("mesh").get<std::string>().c_str());
-  mesh->Update();
   const View view = MakeView(request, static_cast<double>(drawn.Width) / drawn.Height);
-  const reference::RayCaster caster(mesh->GetOutput(), view, MakePose(request));
+  const reference::RayCaster caster(MakeSoup(request.at("mesh"), MakePose(request)), view);
   const reference::HitPicture truth = caster.Render(drawn.Width, drawn.Height);
   // more mismatches than this are a broken picture, whose every pixel need not be searched
-  constexpr std::size_t MostSearched = 5000;
+  constexpr std::size_t MostSearched = 300;
   const reference::Metrics m =
     reference::Compare(drawn, caster, truth, request.at("tolerance"), MostSearched);
   const double pixels = static_cast<double>(drawn.Width) * drawn.Height;
@@ -120,8 +149,8 @@ json Check(const json& request)
   {
     worst.push_back(Describe(m.Worst[i]));
   }
-  const long hits = std::count_if(truth.Hits.begin(), truth.Hits.end(),
-    [](const reference::Hit& hit) { return hit.Cell >= 0; });
+  const long hits = std::count_if(
+    truth.Hits.begin(), truth.Hits.end(), [](const reference::Hit& hit) { return hit.Cell >= 0; });
   return { { "pixels", pixels }, { "hits", hits }, { "mismatched", m.Mismatched },
     { "unexplained", m.Unexplained * pixels }, { "missing", m.Missing * pixels },
     { "spurious", m.Spurious * pixels }, { "max_px", m.MaxPx }, { "worst", worst } };

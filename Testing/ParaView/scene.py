@@ -5,6 +5,8 @@ import argparse
 import json
 import os
 import subprocess
+import sys
+import traceback
 
 from paraview import simple
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
@@ -14,16 +16,27 @@ from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
-SIZE = [300, 150]
+SIZE = [240, 120]
 
 # Clip spheres that hold the scene, as the automatic ones do.
 EVERYTHING = [1e-3, 1e3]
 
 
 def require(good, text):
-    """Fails the test. (Leaving by sys.exit crashes ParaView's own clean-up.)"""
+    """Fails the test with this text."""
     if not good:
         raise AssertionError(text)
+
+
+def run(main):
+    """Runs a test. A failure ends the process at once, and with it its other ranks, which
+    would wait for ever; sys.exit crashes in ParaView's own clean-up."""
+    try:
+        main(parse_arguments())
+    except BaseException:  # whatever it was, it has to end here
+        traceback.print_exc()
+        sys.stdout.flush()
+        os._exit(1)
 
 
 def parse_arguments():

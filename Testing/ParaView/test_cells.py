@@ -18,11 +18,10 @@ def check(options, view, mesh, name):
     answer = scene.check_cells(options, view, mesh, picture, TOLERANCE)
     print(name, answer)
     most = STOCK if name == "perspective" else 0
-    return answer["unexplained"] <= most and answer["hits"] > 5000
+    return answer["unexplained"] <= most and answer["hits"] > 3000
 
 
-def main():
-    options = scene.parse_arguments()
+def main(options):
     scene.load_plugin(options)
     mesh = os.path.join(options.output, "mesh.vtp")
     scene.write_mesh(mesh)
@@ -37,4 +36,4 @@ def main():
     scene.require(not wrong, "pixels that nothing explains: " + ", ".join(wrong))
 
 
-main()
+scene.run(main)

@@ -10,7 +10,8 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 
 import scene
 
-PIXELS = 1000
+# In all, of which each is a selection of its own. (1000 were right as well.)
+PIXELS = 160
 
 
 def read_cells(path):
@@ -39,8 +40,7 @@ def select(view, x, y):
     return ids.GetElement(1)
 
 
-def main():
-    options = scene.parse_arguments()
+def main(options):
     scene.load_plugin(options)
     mesh = os.path.join(options.output, "mesh.vtp")
     scene.write_mesh(mesh)
@@ -61,7 +61,7 @@ def main():
             if expected != found:
                 wrong.append((x, y, expected, found))
         print(projection, "selected", hits, "cells, wrong:", wrong)
-        scene.require(not wrong and hits > 50, projection)
+        scene.require(not wrong and hits > 10, projection)
 
 
-main()
+scene.run(main)

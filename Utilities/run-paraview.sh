@@ -3,7 +3,7 @@
 # Runs a program of the ParaView in a folder, with its own libraries and Python modules
 # before the system's.
 #
-#   paraview.sh PREFIX [RANKS] PROGRAM [ARGUMENT...]     PREFIX/bin/PROGRAM
+#   run-paraview.sh PREFIX [RANKS] PROGRAM [ARGUMENT...]     PREFIX/bin/PROGRAM
 set -euo pipefail
 prefix="$1"
 shift
