@@ -8,6 +8,7 @@
 #include <vtkPolyData.h>
 #include <vtkSMPThreadLocalObject.h>
 #include <vtkStaticCellLocator.h>
+#include <vtkVersionMacros.h>
 
 #include <algorithm>
 
@@ -58,7 +59,9 @@ struct RayCaster::Locator
   {
     this->Triangles->GetBounds(this->Bounds);
     this->Bins->SetDataSet(this->Triangles);
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 2, 0) // later versions bin without a tolerance
     this->Bins->SetUseDiagonalLengthTolerance(true);
+#endif
     this->Bins->SetTolerance(BinTolerance);
     if (this->Triangles->GetNumberOfCells() > 0)
     {

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Writes the server manager XML of the view: the template with what the registry of
+// projections knows put in.
+//
+//   widefov-view-xml TEMPLATE OUTPUT
+#include "Projection.h"
+
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <string>
+
+namespace
+{
+std::string Escape(const std::string& text)
+{
+  std::string escaped;
+  for (const char c : text)
+  {
+    escaped += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '"' ? "&quot;" : std::string(1, c);
+  }
+  return escaped;
+}
+
+// What a combo box offers: those that are formulas.
+std::string Choices()
+{
+  std::string text;
+  for (const wfv::Projection& p : wfv::Projections())
+  {
+    text += "          <String value=\"" + Escape(p.Name) + "\" />\n";
+  }
+  return text;
+}
+
+// "360 degrees", or "from 90 to 170 degrees".
+std::string Range(double least, double most)
+{
+  std::ostringstream text;
+  if (least > 0 && least < most)
+  {
+    text << "from " << least << " to ";
+  }
+  text << most << " degrees";
+  return text.str();
+}
+
+// A sentence a projection: its name for people, what it keeps, how far it reaches.
+std::string Help()
+{
+  std::string text;
+  for (const wfv::Projection& p : wfv::Projections())
+  {
+    const bool round = p.Axis == wfv::Family::Azimuthal;
+    text += "          " + p.Name + ": " + p.Title + " (" + p.Properties + "), up to " +
+      Range(p.MinHorizontalFov, p.MaxHorizontalFov) +
+      (round ? " across" : " by " + Range(p.MinVerticalFov, p.MaxVerticalFov)) +
+      (p.Limit.empty() ? "" : ", for " + p.Limit) + ".\n";
+  }
+  return Escape(text);
+}
+
+void Replace(std::string& text, const std::string& mark, const std::string& value)
+{
+  const std::string::size_type at = text.find(mark);
+  if (at == std::string::npos)
+  {
+    throw std::runtime_error("the template lacks " + mark);
+  }
+  text.replace(at, mark.size(), value);
+}
+
+void Write(const std::string& source, const std::string& output)
+{
+  std::ifstream in(source);
+  std::stringstream content;
+  content << in.rdbuf();
+  if (!in)
+  {
+    throw std::runtime_error("cannot read " + source);
+  }
+  std::string text = content.str();
+  Replace(text, "@PROJECTION_CHOICES@\n", Choices());
+  Replace(text, "@PROJECTION_HELP@\n", Help());
+  std::ofstream out(output);
+  out << text;
+  out.close();
+  if (!out)
+  {
+    throw std::runtime_error("cannot write " + output);
+  }
+}
+}
+
+int main(int argc, char* argv[])
+{
+  if (argc != 3)
+  {
+    std::cerr << "widefov-view-xml: name the template and the output\n";
+    return 2;
+  }
+  try
+  {
+    Write(argv[1], argv[2]);
+  }
+  catch (const std::exception& e)
+  {
+    std::cerr << "widefov-view-xml: " << e.what() << "\n";
+    return 1;
+  }
+  return 0;
+}

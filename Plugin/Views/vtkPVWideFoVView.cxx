@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPVWideFoVView.h"
+
+#include "Projection.h"
+#include "vtkWideFoVCamera.h"
+#include "vtkWideFoVEverywhereProp.h"
+#include "vtkWideFoVOverrides.h"
+#include "vtkWideFoVPass.h"
+
+#include "vtkCommand.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLCamera.h"
+#include "vtkPVAxesWidget.h"
+#include "vtkPVDefaultPass.h"
+#include "vtkPVSynchronizedRenderer.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+namespace
+{
+// The order of a renderer's observers: behind that which receives the client's camera.
+constexpr float AfterSynchronizer = -1.0f;
+}
+
+struct vtkPVWideFoVView::Internals
+{
+  vtkNew<vtkWideFoVPass> Pass;
+  vtkNew<vtkPVDefaultPass> Delegate;
+  vtkNew<vtkWideFoVEverywhereProp> Everywhere;
+  std::string Projection = "equirectangular";
+  double HorizontalFov = 360;
+  double VerticalFov = 180;
+  double Tilt = 0;
+  std::array<double, 5> Lens{ { 0, 0, 0, 0, 0 } };
+  bool AutomaticClipSpheres = true;
+  std::array<double, 2> ClipSpheres{ { 0.01, 1000 } };
+  int DepthMapping = vtkWideFoVCamera::LINEAR;
+};
+
+// Not the standard macro: the renderers are made by the superclass's constructor.
+vtkPVWideFoVView* vtkPVWideFoVView::New()
+{
+  vtkWideFoVOverrides wide;
+  auto* view = new vtkPVWideFoVView;
+  view->InitializeObjectBase();
+  return view;
+}
+
+vtkPVWideFoVView::vtkPVWideFoVView()
+  : Internal(new Internals)
+{
+  Internals& in = *this->Internal;
+  in.Pass->SetDelegatePass(in.Delegate);
+  this->SynchronizedRenderers->SetRenderPass(in.Pass);
+  // a compass is no part of the scene
+  vtkSmartPointer<vtkCamera> plain;
+  plain.TakeReference(vtkOpenGLCamera::New());
+  this->OrientationWidget->GetRenderer()->SetActiveCamera(plain);
+
+  this->GetRenderer()->AddViewProp(in.Everywhere);
+  this->GetRenderer()->AddObserver(
+    vtkCommand::StartEvent, this, &vtkPVWideFoVView::StartFrame, AfterSynchronizer);
+  this->GetRenderer()->AddObserver(vtkCommand::EndEvent, this, &vtkPVWideFoVView::EndFrame);
+  this->UpdateCamera();
+}
+
+vtkPVWideFoVView::~vtkPVWideFoVView()
+{
+  if (vtkRenderWindow* window = this->GetRenderWindow())
+  {
+    this->Internal->Pass->ReleaseGraphicsResources(window);
+  }
+}
+
+void vtkPVWideFoVView::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const Internals& in = *this->Internal;
+  os << indent << "Projection: " << in.Projection << "\n"
+     << indent << "HorizontalFieldOfView: " << in.HorizontalFov << "\n"
+     << indent << "VerticalFieldOfView: " << in.VerticalFov << "\n"
+     << indent << "Tilt: " << in.Tilt << "\n"
+     << indent << "AutomaticClipSpheres: " << in.AutomaticClipSpheres << "\n"
+     << indent << "ClipSpheres: " << in.ClipSpheres[0] << ", " << in.ClipSpheres[1] << "\n"
+     << indent << "DepthMapping: " << in.DepthMapping << "\n"
+     << indent << "Pass:\n";
+  in.Pass->PrintSelf(os, indent.GetNextIndent());
+}
+
+void vtkPVWideFoVView::SetProjection(const char* name)
+{
+  const std::string wanted = name ? name : "";
+  if (wanted == this->Internal->Projection)
+  {
+    return;
+  }
+  // the camera knows the names, and says so in an error
+  vtkNew<vtkWideFoVCamera> trial;
+  trial->SetProjection(wanted.c_str());
+  if (wanted == trial->GetProjection())
+  {
+    this->Internal->Projection = wanted;
+    this->UpdateCamera();
+  }
+}
+
+void vtkPVWideFoVView::SetHorizontalFieldOfView(double degrees)
+{
+  this->Internal->HorizontalFov = degrees;
+  this->UpdateCamera();
+}
+
+void vtkPVWideFoVView::SetVerticalFieldOfView(double degrees)
+{
+  this->Internal->VerticalFov = degrees;
+  this->UpdateCamera();
+}
+
+void vtkPVWideFoVView::SetTilt(double degrees)
+{
+  this->Internal->Tilt = degrees;
+  this->UpdateCamera();
+}
+
+void vtkPVWideFoVView::SetLens(double c1, double c2, double c3, double c4, double c5)
+{
+  this->Internal->Lens = { { c1, c2, c3, c4, c5 } };
+  this->UpdateCamera();
+}
+
+void vtkPVWideFoVView::SetAutomaticClipSpheres(bool automatic)
+{
+  this->Internal->AutomaticClipSpheres = automatic;
+  this->UpdateCamera();
+}
+
+void vtkPVWideFoVView::SetClipSpheres(double nearRadius, double farRadius)
+{
+  this->Internal->ClipSpheres = { { nearRadius, farRadius } };
+  this->UpdateCamera();
+}
+
+void vtkPVWideFoVView::SetDepthMapping(int mapping)
+{
+  this->Internal->DepthMapping = mapping;
+  this->UpdateCamera();
+}
+
+void vtkPVWideFoVView::SetTechnique(int technique)
+{
+  this->Internal->Pass->SetTechnique(technique);
+}
+
+void vtkPVWideFoVView::SetTolerance(double pixels)
+{
+  this->Internal->Pass->SetTolerance(pixels);
+}
+
+void vtkPVWideFoVView::SetActiveCamera(vtkCamera* camera)
+{
+  this->Superclass::SetActiveCamera(camera);
+  this->UpdateCamera();
+}
+
+void vtkPVWideFoVView::UpdateCamera()
+{
+  auto* camera = vtkWideFoVCamera::SafeDownCast(this->GetActiveCamera());
+  if (!camera)
+  {
+    return;
+  }
+  const Internals& in = *this->Internal;
+  camera->SetProjection(in.Projection.c_str());
+  // a default of 180 degrees is no mistake of whoever chose Mercator
+  const wfv::Projection& map = camera->GetProjectionDefinition();
+  camera->SetHorizontalFieldOfView(
+    std::clamp(in.HorizontalFov, map.MinHorizontalFov, map.MaxHorizontalFov));
+  camera->SetVerticalFieldOfView(
+    std::clamp(in.VerticalFov, map.MinVerticalFov, map.MaxVerticalFov));
+  camera->SetTilt(in.Tilt);
+  camera->SetDepthMapping(in.DepthMapping);
+  std::array<double, 5> lens;
+  camera->GetLens(lens.data());
+  if (in.Lens == std::array<double, 5>{} && lens != in.Lens)
+  {
+    camera->ClearLens();
+  }
+  else if (lens != in.Lens)
+  {
+    camera->SetLens(in.Lens[0], in.Lens[1], in.Lens[2], in.Lens[3], in.Lens[4]);
+  }
+  // by the bounds of all ranks, not by those of the props that this one has
+  camera->AutomaticClipRadiiOff();
+  this->UpdateClipSpheres();
+}
+
+void vtkPVWideFoVView::UpdateClipSpheres()
+{
+  auto* camera = vtkWideFoVCamera::SafeDownCast(this->GetActiveCamera());
+  if (!camera)
+  {
+    return;
+  }
+  const Internals& in = *this->Internal;
+  if (!in.AutomaticClipSpheres)
+  {
+    camera->SetClipRadii(in.ClipSpheres[0], in.ClipSpheres[1]);
+  }
+  else if (this->GeometryBounds.IsValid())
+  {
+    double bounds[6];
+    this->GeometryBounds.GetBounds(bounds);
+    camera->ResetClipRadii(bounds);
+  }
+}
+
+void vtkPVWideFoVView::ResetCameraClippingRange()
+{
+  this->Superclass::ResetCameraClippingRange();
+  this->UpdateClipSpheres();
+}
+
+void vtkPVWideFoVView::StartFrame()
+{
+  this->UpdateClipSpheres();
+  this->Internal->Everywhere->UseBoundsOn();
+}
+
+void vtkPVWideFoVView::EndFrame()
+{
+  this->Internal->Everywhere->UseBoundsOff();
+}

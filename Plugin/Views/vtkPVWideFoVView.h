@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPVWideFoVView
+ * @brief   ParaView's render view, in any projection that vtkWideFoVCamera knows
+ *
+ * The same object on the client and on every server process: each sets up its own
+ * camera and pass from the properties, which the server manager sends to all, and the
+ * position of the eye comes with each frame, as for any render view.
+ *
+ * Angles are in degrees, distances in the units of the data.
+ */
+#ifndef vtkPVWideFoVView_h
+#define vtkPVWideFoVView_h
+
+#include "vtkPVRenderView.h"
+#include "vtkWideFoVPluginViewsModule.h" // For export macro
+
+#include <memory> // For std::unique_ptr
+
+class VTKWIDEFOVPLUGINVIEWS_EXPORT vtkPVWideFoVView : public vtkPVRenderView
+{
+public:
+  static vtkPVWideFoVView* New();
+  vtkTypeMacro(vtkPVWideFoVView, vtkPVRenderView);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * The projection, by its name in the registry (default "equirectangular"). An unknown
+   * name is refused with an error that lists the known ones.
+   */
+  virtual void SetProjection(const char* name);
+
+  ///@{
+  /**
+   * Fields of view in degrees (defaults 360 and 180), as far as the projection can show
+   * them. Round projections use the horizontal one alone.
+   */
+  virtual void SetHorizontalFieldOfView(double degrees);
+  virtual void SetVerticalFieldOfView(double degrees);
+  ///@}
+
+  /**
+   * Degrees by which the axis is raised towards view up, in [-180, 180] (default 0).
+   */
+  virtual void SetTilt(double degrees);
+
+  /**
+   * Lens polynomial, see vtkWideFoVCamera::SetLens; five zeros, the default, are the
+   * ideal lens.
+   */
+  virtual void SetLens(double c1, double c2, double c3, double c4, double c5);
+
+  /**
+   * Fit the clip spheres to the visible data before each frame (default on).
+   */
+  virtual void SetAutomaticClipSpheres(bool automatic);
+
+  /**
+   * Radii of the clip spheres, 0 < near < far, used while they are not automatic
+   * (default 0.01 and 1000).
+   */
+  virtual void SetClipSpheres(double nearRadius, double farRadius);
+
+  /**
+   * One of vtkWideFoVCamera::DepthMappings (default LINEAR).
+   */
+  virtual void SetDepthMapping(int mapping);
+
+  /**
+   * One of vtkWideFoVPass::Techniques (default AUTO).
+   */
+  virtual void SetTechnique(int technique);
+
+  /**
+   * Pixels, in [0.001, 1e6] (default 0.25), see vtkWideFoVPass::SetTolerance.
+   */
+  virtual void SetTolerance(double pixels);
+
+  void SetActiveCamera(vtkCamera* camera) override;
+  void ResetCameraClippingRange() override;
+
+protected:
+  vtkPVWideFoVView();
+  ~vtkPVWideFoVView() override;
+
+private:
+  vtkPVWideFoVView(const vtkPVWideFoVView&) = delete;
+  void operator=(const vtkPVWideFoVView&) = delete;
+
+  // The settings to the camera that draws, whichever that is now.
+  void UpdateCamera();
+
+  // The clip spheres to the data, or as they are set; the same on every process.
+  void UpdateClipSpheres();
+
+  // Around each frame of the renderer: the eye is where the client says.
+  void StartFrame();
+  void EndFrame();
+
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the ParaView tests share: options, the view, scenes of numbered cells, the check."""
+
+import argparse
+import json
+import os
+import subprocess
+import sys
+import traceback
+
+from paraview import simple
+from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkContourFilter, vtkTriangleFilter
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
+SIZE = [240, 120]
+
+# Clip spheres that hold the scene, as the automatic ones do.
+EVERYTHING = [1e-3, 1e3]
+
+
+def require(good, text):
+    """Fails the test with this text."""
+    if not good:
+        raise AssertionError(text)
+
+
+def run(main):
+    """Runs a test. A failure ends the process at once, and with it its other ranks, which
+    would wait for ever; sys.exit crashes in ParaView's own clean-up."""
+    try:
+        main(parse_arguments())
+    except BaseException:  # whatever it was, it has to end here
+        traceback.print_exc()
+        sys.stdout.flush()
+        os._exit(1)
+
+
+def parse_arguments():
+    """The options every test is called with; the output folder exists afterwards."""
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--plugin", required=True)
+    parser.add_argument("--checker", required=True)
+    parser.add_argument("--output", required=True)
+    options = parser.parse_args()
+    os.makedirs(options.output, exist_ok=True)
+    return options
+
+
+def load_plugin(options, remote=False):
+    simple.LoadPlugin(options.plugin, remote=remote, ns=vars(simple))
+    if remote:
+        simple.LoadPlugin(options.plugin, remote=False, ns=vars(simple))
+
+
+def make_view(size=None, **properties):
+    """A wide view on black with nothing in it that is not data."""
+    # no scene decides where the eye is
+    simple._DisableFirstRenderCameraReset()
+    view = simple.CreateView("WideFoVView")
+    view.ViewSize = size or SIZE
+    view.OrientationAxesVisibility = 0
+    view.CenterAxesVisibility = 0
+    view.UseFXAA = 0  # blends neighbours, whose numbers mean nothing then
+    view.UseColorPaletteForBackground = 0
+    view.BackgroundColorMode = "Single Color"
+    view.Background = [0, 0, 0]
+    for name, value in properties.items():
+        setattr(view, name, value)
+    return view
+
+
+def place_eye(view, eye, focal, up=(0, 1, 0)):
+    view.CameraPosition = eye
+    view.CameraFocalPoint = focal
+    view.CameraViewUp = up
+
+
+def _number_cells(mesh):
+    """Each cell's colour is 1 + its id; the picture says which cell each pixel shows."""
+    colours = vtkUnsignedCharArray()
+    colours.SetName("number")
+    colours.SetNumberOfComponents(3)
+    for cell in range(1, mesh.GetNumberOfCells() + 1):
+        colours.InsertNextTuple3(cell >> 16, cell >> 8 & 255, cell & 255)
+    mesh.GetCellData().AddArray(colours)
+
+
+def write_mesh(path):
+    """A sphere and the contours of a wavelet, round the origin, as one file of triangles."""
+    sphere = vtkSphereSource()
+    sphere.SetThetaResolution(48)
+    sphere.SetPhiResolution(48)
+    sphere.SetRadius(2)
+    sphere.SetCenter(4, 1, -3)
+    wavelet = vtkRTAnalyticSource()
+    contour = vtkContourFilter()
+    contour.SetInputConnection(wavelet.GetOutputPort())
+    contour.GenerateValues(2, 120, 180)
+    both = vtkAppendPolyData()
+    both.AddInputConnection(sphere.GetOutputPort())
+    both.AddInputConnection(contour.GetOutputPort())
+    triangles = vtkTriangleFilter()
+    triangles.SetInputConnection(both.GetOutputPort())
+    triangles.PassVertsOff()
+    triangles.PassLinesOff()
+    triangles.Update()
+    mesh = vtkPolyData()
+    mesh.CopyStructure(triangles.GetOutput())
+    _number_cells(mesh)
+    write_polydata(mesh, path)
+    return mesh
+
+
+def write_polydata(mesh, path):
+    writer = vtkXMLPolyDataWriter()
+    writer.SetFileName(path)
+    writer.SetInputData(mesh)
+    writer.Write()
+
+
+def show_cells(source, view):
+    """Shows the numbers as they are: no light, no colour map, no interpolation."""
+    display = simple.Show(source, view)
+    display.Representation = "Surface"
+    simple.ColorBy(display, ("CELLS", "number"))
+    display.MapScalars = 0
+    display.Interpolation = "Flat"
+    display.Ambient = 1
+    display.Diffuse = 0
+    display.Specular = 0
+    return display
+
+
+def save(view, path, size=None):
+    simple.SaveScreenshot(path, view, ImageResolution=size or list(view.ViewSize))
+    return path
+
+
+def check_cells(options, view, mesh_path, picture_path, tolerance):
+    """The checker's answer about a saved picture of numbered cells."""
+    request = {
+        "mesh": mesh_path,
+        "picture": picture_path,
+        "projection": view.GetProperty("Projection").GetData(),
+        "hfov": view.HorizontalFieldOfView,
+        "vfov": view.VerticalFieldOfView,
+        "tilt": view.Tilt,
+        "clip": list(EVERYTHING if view.AutomaticClipSpheres else view.ClipSpheres),
+        "eye": list(view.CameraPosition),
+        "focal": list(view.CameraFocalPoint),
+        "up": list(view.CameraViewUp),
+        "tolerance": tolerance,
+    }
+    path = picture_path + ".json"
+    with open(path, "w") as out:
+        json.dump(request, out)
+    answer = subprocess.run(
+        [options.checker, path], capture_output=True, text=True, check=False
+    )
+    if answer.returncode != 0:
+        raise RuntimeError(answer.stderr)
+    return json.loads(answer.stdout)

@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Which cell each pixel of the view shows, in every projection, against the ray caster."""
+
+import os
+
+from paraview import simple
+
+import scene
+
+TOLERANCE = 0.25  # pixels, the view's default
+
+# Pixels of a picture: the perspective is stock VTK's, whose depth buffer mistakes a few.
+STOCK = 8
+
+
+def check(options, view, mesh, name):
+    picture = scene.save(view, os.path.join(options.output, name + ".png"))
+    answer = scene.check_cells(options, view, mesh, picture, TOLERANCE)
+    print(name, answer)
+    most = STOCK if name == "perspective" else 0
+    return answer["unexplained"] <= most and answer["hits"] > 3000
+
+
+def main(options):
+    scene.load_plugin(options)
+    mesh = os.path.join(options.output, "mesh.vtp")
+    scene.write_mesh(mesh)
+    view = scene.make_view()
+    scene.show_cells(simple.XMLPolyDataReader(FileName=[mesh]), view)
+    scene.place_eye(view, [0.5, 0.3, 1], [0.6, 0.2, 0])
+    wrong = []
+    for projection in view.GetProperty("Projection").Available:
+        view.Projection = projection
+        if not check(options, view, mesh, projection):
+            wrong.append(projection)
+    scene.require(not wrong, "pixels that nothing explains: " + ", ".join(wrong))
+
+
+scene.run(main)

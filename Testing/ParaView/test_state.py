@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""State files, Python state and the Python trace bring the same view and picture back."""
+
+import os
+
+from paraview import simple, smstate, smtrace
+
+import scene
+
+# None of them a default.
+SETTINGS = {
+    "Projection": "azimuthal-equidistant",
+    "HorizontalFieldOfView": 210,
+    "VerticalFieldOfView": 170,
+    "Tilt": 60,
+    "Lens": [0.6, 0, -0.01, 0, 0],
+    "AutomaticClipSpheres": 0,
+    "ClipSpheres": [0.02, 90],
+    "DepthMapping": "Logarithmic",
+    "Technique": "Exact",
+    "Tolerance": 0.5,
+}
+
+
+def read_settings(view):
+    return {name: view.GetProperty(name).GetData() for name in SETTINGS}
+
+
+def check_loaded(options, before, picture, how):
+    view = simple.GetActiveViewOrCreate("WideFoVView")
+    scene.require(read_settings(view) == before, how + ": " + str(read_settings(view)))
+    again = scene.save(view, os.path.join(options.output, how + ".png"), scene.SIZE)
+    with open(picture, "rb") as first, open(again, "rb") as second:
+        scene.require(first.read() == second.read(), how + ": another picture")
+    print(how, "gives the same view")
+
+
+def trace_settings(view):
+    """What the trace records while the settings change, as by Apply in the window."""
+    simple.SetActiveView(view)
+    smtrace.start_trace()
+    change = smtrace.PropertiesModified(view)
+    for name, value in SETTINGS.items():
+        setattr(view, name, value)
+    change.finalize()
+    text = smtrace.stop_trace()
+    scene.require("WideFoV" in text, text)
+    for name in SETTINGS:
+        scene.require("." + name + " = " in text, "the trace lacks " + name + ":\n" + text)
+
+
+def main(options):
+    scene.load_plugin(options)
+    mesh = os.path.join(options.output, "mesh.vtp")
+    scene.write_mesh(mesh)
+    # smoothing is a setting of the application, which no state file holds
+    view = scene.make_view(UseFXAA=1)
+    simple.Show(simple.XMLPolyDataReader(FileName=[mesh]), view)
+    scene.place_eye(view, [0.5, 0.3, 1], [0.6, 0.2, 0])
+    trace_settings(view)
+    before = read_settings(view)
+    picture = scene.save(view, os.path.join(options.output, "before.png"), scene.SIZE)
+
+    state = os.path.join(options.output, "state.pvsm")
+    simple.SaveState(state)
+    script = smstate.get_state()
+    simple.ResetSession()
+    simple.LoadState(state)
+    check_loaded(options, before, picture, "pvsm")
+    simple.ResetSession()
+    exec(compile(script, "state", "exec"), {})
+    check_loaded(options, before, picture, "python")
+
+
+scene.run(main)

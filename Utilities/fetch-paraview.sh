@@ -1,0 +1,46 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Unpacks Debian's ParaView into a folder, beside the system's VTK: the packages
+# themselves cannot be installed with libvtk9-dev. A folder that is complete is kept.
+#
+#   Utilities/fetch-paraview.sh FOLDER         afterwards FOLDER/usr/bin/pvpython
+#
+# What ParaView links with is in the group "paraview" of packages.txt.
+set -euo pipefail
+
+packages=(paraview paraview-dev python3-paraview)
+
+fail() {
+  echo "fetch-paraview.sh: $1" >&2
+  exit 1
+}
+
+[ "$#" -eq 1 ] || fail "name one folder"
+folder="$(realpath --canonicalize-missing "$1")"
+[ ! -e "$folder/complete" ] || exit 0
+command -v apt-get > /dev/null && command -v dpkg > /dev/null ||
+  fail "this needs Debian's package tools; set ParaView_DIR to a ParaView of your own instead"
+
+# beside the folder, then renamed: an interrupted download leaves no half ParaView
+part="$(dirname "$folder")/$(basename "$folder").part"
+rm -rf "$part" "$folder"
+mkdir -p "$part/packages" "$part/root"
+trap 'rm -rf "$part"' EXIT
+
+download() {
+  # apt hands the download to a user of its own where it may, and warns where it may not
+  (cd "$part/packages" && apt-get -q -q download "${packages[@]}" 2> "$part/errors")
+}
+
+echo "Downloading Debian packages: ${packages[*]}"
+if ! download; then
+  as_root=()
+  [ "$(id -u)" -eq 0 ] || as_root=(sudo)
+  "${as_root[@]}" apt-get -q update || echo "fetch-paraview.sh: apt-get update failed" >&2
+  download || fail "apt-get could not download ${packages[*]}: $(cat "$part/errors")"
+fi
+for package in "$part"/packages/*.deb; do
+  dpkg -x "$package" "$part/root" || fail "could not unpack $(basename "$package")"
+done
+touch "$part/root/complete"
+mv "$part/root" "$folder"

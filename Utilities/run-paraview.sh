@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Runs a program of the ParaView in a folder, with its own libraries and Python modules
+# before the system's.
+#
+#   run-paraview.sh PREFIX [RANKS] PROGRAM [ARGUMENT...]     PREFIX/bin/PROGRAM
+set -euo pipefail
+prefix="$1"
+shift
+ranks=()
+if [[ "$1" =~ ^[0-9]+$ ]]; then
+  # as root in a container, more ranks than cores, and waiting ranks leave the cores alone
+  ranks=(mpirun --allow-run-as-root --oversubscribe --mca mpi_yield_when_idle 1 -n "$1")
+  shift
+fi
+program="$1"
+shift
+export LD_LIBRARY_PATH="$prefix/lib/$(uname -m)-linux-gnu${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}"
+export PYTHONPATH="$prefix/lib/python3/dist-packages${PYTHONPATH:+:$PYTHONPATH}"
+export PYTHONDONTWRITEBYTECODE=1
+exec "${ranks[@]}" "$prefix/bin/$program" "$@"
