@@ -19,7 +19,10 @@ struct FieldsOfView
   std::vector<double> Lens; // empty: the ideal lens
 };
 
-// Completes the options. Throws a Failure with ExitUsage.
+// Completes the options; they are those of DeclareScene. Throws a Failure with ExitUsage.
+void CheckScene(Options& options, const FieldsOfView& fov);
+
+// The same, and checks the outputs of widefov-render.
 void CheckTogether(Options& options, const FieldsOfView& fov);
 }
 
