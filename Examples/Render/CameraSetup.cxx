@@ -63,6 +63,10 @@ void SetView(vtkWideFoVCamera* camera, const Options& o)
   {
     camera->SetLens(v.Lens[0], v.Lens[1], v.Lens[2], v.Lens[3], v.Lens[4]);
   }
+  else
+  {
+    camera->ClearLens();
+  }
   if (o.HasClip)
   {
     camera->SetClipRadii(v.Radii[0], v.Radii[1]);

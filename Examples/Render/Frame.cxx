@@ -36,6 +36,22 @@ vtkSmartPointer<vtkScalarBarActor> MakeScalarBar(const Scene& scene)
   return bar;
 }
 
+void CheckSize(const Options& o, const GlLimits& limits)
+{
+  if (o.Size[0] > limits.Width || o.Size[1] > limits.Height)
+  {
+    Fail("--size " + std::to_string(o.Size[0]) + "x" + std::to_string(o.Size[1]) +
+      " is over the limit of this OpenGL, " + std::to_string(limits.Width) + "x" +
+      std::to_string(limits.Height) + " pixels; choose a smaller size");
+  }
+  if (o.Technique == Technique::CubeMap && o.CubeMapResolution > limits.Width)
+  {
+    Fail("--cubemap-resolution " + std::to_string(o.CubeMapResolution) +
+      " is over the limit of this OpenGL, " + std::to_string(limits.Width) +
+      " pixels; choose a smaller one");
+  }
+}
+
 int UsableSamples(int samples, const GlLimits& limits)
 {
   if (samples > limits.Samples)

@@ -6,6 +6,7 @@
 
 #include "Display.h"
 #include "ImageOutput.h"
+#include "Options.h"
 #include "Scene.h"
 
 #include <vtkScalarBarActor.h>
@@ -17,6 +18,9 @@ namespace widefov
 {
 // The bar of the scene's colour map, or nullptr where it has none.
 vtkSmartPointer<vtkScalarBarActor> MakeScalarBar(const Scene& scene);
+
+// Throws a Failure with ExitFailed where this OpenGL cannot draw pictures of that size.
+void CheckSize(const Options& options, const GlLimits& limits);
 
 // What to ask of vtkRenderWindow::SetMultiSamples: 0 for none, and no more than there are,
 // with a warning.

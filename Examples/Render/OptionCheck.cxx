@@ -250,6 +250,12 @@ void CheckTechnique(Options& o)
 }
 }
 
+void CheckDrawn(Options& o)
+{
+  CheckTechnique(o);
+  CheckDrawing(o);
+}
+
 void CheckScene(Options& o, const FieldsOfView& fov)
 {
   if (!OnlyLists(o))
@@ -257,8 +263,7 @@ void CheckScene(Options& o, const FieldsOfView& fov)
     CheckInput(o);
     CompleteView(o, fov);
     CheckCamera(o);
-    CheckTechnique(o);
-    CheckDrawing(o);
+    CheckDrawn(o);
   }
 }
 

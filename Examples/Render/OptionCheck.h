@@ -22,7 +22,11 @@ struct FieldsOfView
 // Completes the options; they are those of DeclareScene. Throws a Failure with ExitUsage.
 void CheckScene(Options& options, const FieldsOfView& fov);
 
-// The same, and checks the outputs of widefov-render.
+// Of complete options: can this technique draw the view so? Sets what follows from the names
+// of the technique and of the depth mapping. Throws a Failure with ExitUsage.
+void CheckDrawn(Options& options);
+
+// As CheckScene, and checks the outputs of widefov-render.
 void CheckTogether(Options& options, const FieldsOfView& fov);
 }
 

@@ -41,22 +41,6 @@ struct Stage
   vtkSmartPointer<vtkScalarBarActor> Bar;
 };
 
-void CheckSize(const Options& o, const GlLimits& limits)
-{
-  if (o.Size[0] > limits.Width || o.Size[1] > limits.Height)
-  {
-    Fail("--size " + std::to_string(o.Size[0]) + "x" + std::to_string(o.Size[1]) +
-      " is over the limit of this OpenGL, " + std::to_string(limits.Width) + "x" +
-      std::to_string(limits.Height) + " pixels; choose a smaller size");
-  }
-  if (o.Technique == Technique::CubeMap && o.CubeMapResolution > limits.Width)
-  {
-    Fail("--cubemap-resolution " + std::to_string(o.CubeMapResolution) +
-      " is over the limit of this OpenGL, " + std::to_string(limits.Width) +
-      " pixels; choose a smaller one");
-  }
-}
-
 void Fill(Stage& stage, const Scene& scene, const Options& o)
 {
   if (o.Technique == Technique::CubeMap)
