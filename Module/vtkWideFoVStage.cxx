@@ -181,7 +181,7 @@ void vtkWideFoVStage::FindHeadlights(vtkRenderer* renderer)
   }
 }
 
-vtkMTimeType vtkWideFoVStage::GetShaderStageMTime()
+void vtkWideFoVStage::NoteSamples()
 {
   const bool several = CountSamples() > 1;
   this->SawSamples = this->SawSamples || several;
@@ -190,6 +190,11 @@ vtkMTimeType vtkWideFoVStage::GetShaderStageMTime()
     this->Multisample = true;
     this->SourceTime.Modified();
   }
+}
+
+vtkMTimeType vtkWideFoVStage::GetShaderStageMTime()
+{
+  this->NoteSamples();
   return this->SourceTime.GetMTime();
 }
 
@@ -236,6 +241,7 @@ vtkWideFoVShaderBuilder::Request vtkWideFoVStage::MakeRequest(
 bool vtkWideFoVStage::PreReplaceShaderValues(std::string&, std::string& geometryShader,
   std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop)
 {
+  this->NoteSamples(); // a mapper with passes that are new to it does not ask for the time
   vtkWideFoVShaderBuilder::Prepare(this->MakeRequest(mapper, prop), geometryShader, fragmentShader);
   return true;
 }

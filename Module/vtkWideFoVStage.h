@@ -106,6 +106,9 @@ private:
   // Which of the renderer's lights are headlights.
   void FindHeadlights(vtkRenderer* renderer);
 
+  // Looks whether the bound framebuffer has several samples a pixel.
+  void NoteSamples();
+
   // How the bound framebuffer is sampled, for the coverage of the pre-clip.
   static void SetSampleParameters(vtkShaderProgram* program);
 

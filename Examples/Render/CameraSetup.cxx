@@ -7,6 +7,7 @@
 #include <vtkCamera.h>
 #include <vtkNew.h>
 #include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
 #include <vtkWideFoVCamera.h>
 
 #include <cmath>
@@ -62,10 +63,31 @@ void SetView(vtkWideFoVCamera* camera, const Options& o)
   {
     camera->SetLens(v.Lens[0], v.Lens[1], v.Lens[2], v.Lens[3], v.Lens[4]);
   }
+  else
+  {
+    camera->ClearLens();
+  }
   if (o.HasClip)
   {
     camera->SetClipRadii(v.Radii[0], v.Radii[1]);
   }
+}
+
+// The one that the renderer has, so that what a camera has found out about its view
+// lasts, or a new one.
+vtkSmartPointer<vtkWideFoVCamera> WideCameraOf(vtkRenderer* renderer)
+{
+  vtkSmartPointer<vtkWideFoVCamera> camera;
+  if (renderer->IsActiveCameraCreated())
+  {
+    camera = vtkWideFoVCamera::SafeDownCast(renderer->GetActiveCamera());
+  }
+  if (!camera)
+  {
+    camera = vtkSmartPointer<vtkWideFoVCamera>::New();
+    renderer->SetActiveCamera(camera);
+  }
+  return camera;
 }
 }
 
@@ -102,10 +124,9 @@ void SetCamera(vtkRenderer* renderer, const Scene& scene, const Options& o)
   const double distance = FocalDistance(scene);
   if (o.Technique != Technique::CubeMap)
   {
-    vtkNew<vtkWideFoVCamera> camera;
+    const vtkSmartPointer<vtkWideFoVCamera> camera = WideCameraOf(renderer);
     Place(camera, pose, distance);
     SetView(camera, o);
-    renderer->SetActiveCamera(camera);
     return;
   }
   vtkNew<vtkCamera> camera;

@@ -20,7 +20,7 @@ struct Pose
 // Throws a Failure with ExitUsage where the directions do not make a camera.
 Pose MakePose(const Scene& scene, const Options& options);
 
-// Gives the renderer its camera: a vtkWideFoVCamera, or for the technique cubemap a
+// Sets the renderer's camera: a vtkWideFoVCamera, or for the technique cubemap a new
 // stock one.
 void SetCamera(vtkRenderer* renderer, const Scene& scene, const Options& options);
 }

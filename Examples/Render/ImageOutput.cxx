@@ -99,7 +99,7 @@ std::vector<unsigned char> EncodePicture(
   const bool exr = writer == "openexr";
   OIIO::ImageSpec spec(
     picture.Width, picture.Height, 3, exr ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8);
-  spec.attribute("Software", "VTKWideFoV widefov-render");
+  spec.attribute("Software", "VTKWideFoV " + GetProgramName());
   if (exr)
   {
     AddEnvironment(spec, info);
@@ -130,7 +130,7 @@ std::vector<unsigned char> EncodeFloats(const FloatPicture& picture, const Panor
   OIIO::ImageSpec spec(picture.Width, picture.Height, static_cast<int>(picture.Channels.size()),
     OIIO::TypeDesc::FLOAT);
   spec.channelnames = picture.Channels;
-  spec.attribute("Software", "VTKWideFoV widefov-render");
+  spec.attribute("Software", "VTKWideFoV " + GetProgramName());
   AddEnvironment(spec, info);
   return Encode("openexr", spec, OIIO::TypeDesc::FLOAT, picture.Values.data());
 }

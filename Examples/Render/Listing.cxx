@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Listing.h"
 
+#include "Messages.h"
 #include "Scenes.h"
 #include "Spread.h"
 
@@ -84,7 +85,7 @@ std::string ListingText(const Options& options)
   std::string text;
   if (options.Version)
   {
-    text += "widefov-render " WIDEFOV_VERSION "\n";
+    text += GetProgramName() + " " WIDEFOV_VERSION "\n";
   }
   if (options.ListProjections)
   {

@@ -132,6 +132,12 @@ void CheckCamera(const Options& o)
   }
 }
 
+// Something is printed instead of drawn: nothing else need be right.
+bool OnlyLists(const Options& o)
+{
+  return o.ListProjections || o.ListScenes || o.Version;
+}
+
 void CheckInput(const Options& o)
 {
   if (!o.Scene.empty() && !o.Files.empty())
@@ -244,17 +250,29 @@ void CheckTechnique(Options& o)
 }
 }
 
-void CheckTogether(Options& o, const FieldsOfView& fov)
+void CheckDrawn(Options& o)
 {
-  if (o.ListProjections || o.ListScenes || o.Version)
-  {
-    return;
-  }
-  CheckInput(o);
-  CompleteView(o, fov);
-  CheckCamera(o);
   CheckTechnique(o);
   CheckDrawing(o);
-  CheckOutput(o);
+}
+
+void CheckScene(Options& o, const FieldsOfView& fov)
+{
+  if (!OnlyLists(o))
+  {
+    CheckInput(o);
+    CompleteView(o, fov);
+    CheckCamera(o);
+    CheckDrawn(o);
+  }
+}
+
+void CheckTogether(Options& o, const FieldsOfView& fov)
+{
+  CheckScene(o, fov);
+  if (!OnlyLists(o))
+  {
+    CheckOutput(o);
+  }
 }
 }

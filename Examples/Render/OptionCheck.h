@@ -19,7 +19,14 @@ struct FieldsOfView
   std::vector<double> Lens; // empty: the ideal lens
 };
 
-// Completes the options. Throws a Failure with ExitUsage.
+// Completes the options; they are those of DeclareScene. Throws a Failure with ExitUsage.
+void CheckScene(Options& options, const FieldsOfView& fov);
+
+// Of complete options: can this technique draw the view so? Sets what follows from the names
+// of the technique and of the depth mapping. Throws a Failure with ExitUsage.
+void CheckDrawn(Options& options);
+
+// As CheckScene, and checks the outputs of widefov-render.
 void CheckTogether(Options& options, const FieldsOfView& fov);
 }
 

@@ -126,6 +126,11 @@ void DeclareOutput(CLI::App& app, Options& o)
   group.Name("--aov", "FILE.exr", o.Aov, "distance, cell, prop, normal beside the colour");
   group.Integer("--frames", o.Frames, 1, 1000000, "frames to time, after two warm-up frames");
   group.Name("--stats", "FILE.json", o.Stats, "timings and counts");
+}
+
+void DeclareListings(CLI::App& app, Options& o)
+{
+  Group group(app, "Output");
   group.Flag("--list-projections", o.ListProjections, "print the projections");
   group.Flag("--list-scenes", o.ListScenes, "print the built-in scenes");
   group.Flag("--json", o.Json, "lists as JSON");
@@ -133,15 +138,21 @@ void DeclareOutput(CLI::App& app, Options& o)
 }
 }
 
-std::optional<int> ParseOptions(int argc, char** argv, Options& options)
+void DeclareScene(CLI::App& app, Options& options, FieldsOfView& fov)
 {
-  CLI::App app("Pictures of VTK data in wide and non-planar projections.", "widefov-render");
-  FieldsOfView fov;
   app.add_option("FILE", options.Files, "data to draw, in any format that VTK reads");
   DeclareData(app, options);
   DeclareView(app, options, fov);
   DeclareDrawing(app, options);
   DeclareStereo(app, options);
+  DeclareListings(app, options);
+}
+
+std::optional<int> ParseOptions(int argc, char** argv, Options& options)
+{
+  CLI::App app("Pictures of VTK data in wide and non-planar projections.", "widefov-render");
+  FieldsOfView fov;
+  DeclareScene(app, options, fov);
   DeclareOutput(app, options);
   if (const std::optional<int> done = ParseCommandLine(app, argc, argv))
   {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The command line of widefov-render as plain values.
+// The command line of a program that draws a scene, as plain values.
 #ifndef WideFoVOptions_h
 #define WideFoVOptions_h
 
@@ -11,8 +11,15 @@
 #include <string>
 #include <vector>
 
+namespace CLI
+{
+class App;
+}
+
 namespace widefov
 {
+struct FieldsOfView; // OptionCheck.h
+
 enum class Technique
 {
   Auto,
@@ -65,8 +72,12 @@ struct Options
   bool Version = false;
 };
 
-// Parses and checks. Throws a Failure with ExitUsage; returns an exit code where
-// nothing is left to do (--help was printed).
+// Declares what every program takes that draws a scene: data, view, drawing, stereo, lists.
+// The targets must outlive the parsing.
+void DeclareScene(CLI::App& app, Options& options, FieldsOfView& fov);
+
+// Parses and checks the command line of widefov-render. Throws a Failure with ExitUsage; returns an
+// exit code where nothing is left to do (--help was printed).
 std::optional<int> ParseOptions(int argc, char** argv, Options& options);
 }
 

@@ -2,7 +2,7 @@
 #include "RenderJob.h"
 
 #include "CameraSetup.h"
-#include "MessageCatcher.h"
+#include "Frame.h"
 #include "Messages.h"
 #include "Passes.h"
 #include "Progress.h"
@@ -16,8 +16,6 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkScalarBarActor.h>
-#include <vtkTextProperty.h>
-#include <vtkUnsignedCharArray.h>
 #include <vtkWideFoVCamera.h>
 #include <vtkWideFoVDataPass.h>
 #include <vtkWideFoVPass.h>
@@ -43,72 +41,6 @@ struct Stage
   vtkSmartPointer<vtkScalarBarActor> Bar;
 };
 
-// An error of VTK ends the job; a warning is passed on.
-void CheckMessages()
-{
-  const std::string error = MessageCatcher::TakeFirstError();
-  if (!error.empty())
-  {
-    Fail("drawing failed: " + error + "; update the graphics driver, or report it");
-  }
-  for (const std::string& warning : MessageCatcher::TakeWarnings())
-  {
-    Say("warning: " + warning);
-  }
-}
-
-void CheckSize(const Options& o, const GlLimits& limits)
-{
-  if (o.Size[0] > limits.Width || o.Size[1] > limits.Height)
-  {
-    Fail("--size " + std::to_string(o.Size[0]) + "x" + std::to_string(o.Size[1]) +
-      " is over the limit of this OpenGL, " + std::to_string(limits.Width) + "x" +
-      std::to_string(limits.Height) + " pixels; choose a smaller size");
-  }
-  if (o.Technique == Technique::CubeMap && o.CubeMapResolution > limits.Width)
-  {
-    Fail("--cubemap-resolution " + std::to_string(o.CubeMapResolution) +
-      " is over the limit of this OpenGL, " + std::to_string(limits.Width) +
-      " pixels; choose a smaller one");
-  }
-}
-
-void SetSamples(Stage& stage, const Options& o, const GlLimits& limits)
-{
-  int samples = o.Samples;
-  if (samples > limits.Samples)
-  {
-    Say("warning: --samples " + std::to_string(samples) + " is over the limit of this OpenGL; " +
-      std::to_string(limits.Samples) + " are used");
-    samples = limits.Samples;
-  }
-  stage.Window->SetMultiSamples(samples > 1 ? samples : 0);
-}
-
-void AddBar(Stage& stage, const Scene& scene)
-{
-  if (!scene.BarMap)
-  {
-    return;
-  }
-  stage.Bar = vtkSmartPointer<vtkScalarBarActor>::New();
-  stage.Bar->SetLookupTable(scene.BarMap);
-  stage.Bar->SetTitle(scene.BarTitle.c_str());
-  stage.Bar->SetNumberOfLabels(5);
-  stage.Bar->SetOrientationToHorizontal();
-  stage.Bar->SetPosition(0.36, 0.03);
-  stage.Bar->SetWidth(0.28);
-  stage.Bar->SetHeight(0.10);
-  stage.Bar->SetLabelFormat("%.3g");
-  for (vtkTextProperty* const text :
-    { stage.Bar->GetTitleTextProperty(), stage.Bar->GetLabelTextProperty() })
-  {
-    text->ItalicOff();
-    text->ShadowOn();
-  }
-  stage.Renderer->AddViewProp(stage.Bar);
-}
-
 void Fill(Stage& stage, const Scene& scene, const Options& o)
 {
   if (o.Technique == Technique::CubeMap)
@@ -128,7 +60,11 @@ void Fill(Stage& stage, const Scene& scene, const Options& o)
     stage.Actors.push_back(MakeActor(prop, o.Look));
     stage.Renderer->AddActor(stage.Actors.back());
   }
-  AddBar(stage, scene);
+  stage.Bar = MakeScalarBar(scene);
+  if (stage.Bar)
+  {
+    stage.Renderer->AddViewProp(stage.Bar);
+  }
   SetCamera(stage.Renderer, scene, o);
   stage.Window->AddRenderer(stage.Renderer);
   stage.Window->SetSize(o.Size[0], o.Size[1]);
@@ -159,25 +95,6 @@ void RenderFrames(Stage& stage, const Options& o, RenderStats& stats)
       stats.Milliseconds.push_back(milliseconds);
     }
   }
-}
-
-Picture ReadPicture(Stage& stage)
-{
-  Picture picture;
-  const int* const size = stage.Window->GetSize();
-  picture.Width = size[0];
-  picture.Height = size[1];
-  vtkNew<vtkUnsignedCharArray> pixels;
-  stage.Window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
-  const std::size_t row = 3 * static_cast<std::size_t>(picture.Width);
-  picture.Rgb.resize(row * picture.Height);
-  for (int j = 0; j < picture.Height; j++)
-  {
-    const unsigned char* const from =
-      pixels->GetPointer(static_cast<vtkIdType>(row) * (picture.Height - 1 - j));
-    std::copy(from, from + row, picture.Rgb.begin() + static_cast<std::ptrdiff_t>(row * j));
-  }
-  return picture;
 }
 
 FloatPicture FlattenAov(vtkImageData* image)
@@ -278,7 +195,7 @@ RenderResult Render(const Scene& scene, const Options& o)
   OpenWindow(stage.Window);
   const GlLimits limits = QueryLimits(stage.Window);
   CheckSize(o, limits);
-  SetSamples(stage, o, limits);
+  stage.Window->SetMultiSamples(UsableSamples(o.Samples, limits));
   RenderResult result;
   const QuietStandardError quiet;
   Fill(stage, scene, o);
@@ -286,7 +203,7 @@ RenderResult Render(const Scene& scene, const Options& o)
   Count(stage, result.Stats);
   if (!o.Outputs.empty())
   {
-    result.Color = ReadPicture(stage);
+    result.Color = ReadPicture(stage.Window);
   }
   if (!o.Aov.empty())
   {

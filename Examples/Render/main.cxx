@@ -4,44 +4,19 @@
 #include "ImageOutput.h"
 #include "DirectionMapFile.h"
 #include "Listing.h"
-#include "MessageCatcher.h"
+#include "LoadScene.h"
 #include "Messages.h"
 #include "Options.h"
 #include "OutputFiles.h"
-#include "Pipeline.h"
 #include "Program.h"
 #include "Progress.h"
-#include "Readers.h"
 #include "RenderJob.h"
-#include "Scenes.h"
 
 #include <iostream>
 
 namespace
 {
 using namespace widefov;
-
-Scene LoadScene(const Options& options)
-{
-  Scene scene;
-  if (!options.Scene.empty())
-  {
-    const Progress progress("making the scene " + options.Scene);
-    scene = MakeScene(options.Scene);
-  }
-  else
-  {
-    scene = ReadScene(options.Files);
-  }
-  const Progress progress("preparing the data");
-  ApplyLook(scene, options.Look);
-  const std::string error = MessageCatcher::TakeFirstError();
-  if (!error.empty())
-  {
-    Fail("the data cannot be prepared: " + error + "; check them");
-  }
-  return scene;
-}
 
 void CheckOutputs(const Options& options)
 {

@@ -170,10 +170,48 @@ OUTPUT = [
     failed("--help", "", place="full standard output"),
 ]
 
+# Of widefov-viewer: what it does not share with widefov-render.
+VIEWER = [
+    usage("", "FILE"),
+    usage("good.vtk --frobnicate", "--frobnicate"),
+    usage("good.vtk --output {out}/picture.png", "--output"),
+    usage("good.vtk --projection bent", "bent"),
+    usage("good.vtk --hfov nan", "nan"),
+    usage("good.vtk --up 0,0,1 --direction 0,0,-1", "--up"),
+    usage("good.vtk --monitor -1", "--monitor"),
+    usage("good.vtk --monitor one", "--monitor"),
+    usage("good.vtk --frames -1", "--frames"),
+    usage("good.vtk --frames many", "--frames"),
+    usage("good.vtk --log ''", "--log"),
+    failed("missing.vtk", "missing.vtk"),
+    failed("truncated.vtk", "truncated.vtk"),
+    failed("good.vtk --color-by cold", "cold"),
+    failed("good.vtk --log {out}/nowhere/viewer.log", "nowhere"),
+    failed("good.vtk --log {out}", "--log"),
+    failed("good.vtk --log /dev/full", "/dev/full"),
+    failed("good.vtk --monitor 9 --full-screen", "--monitor 9"),
+    failed("good.vtk --size 40000x16", "40000"),
+    failed("good.vtk", "display", env={"DISPLAY": None}),
+    failed("good.vtk", "display", env={"DISPLAY": ":54321"}),
+    failed("good.vtk", "OpenGL", env={"MESA_GL_VERSION_OVERRIDE": "3.1"}),
+    failed("good.vtk", "OpenGL", env={"MESA_GL_VERSION_OVERRIDE": "2.1"}),
+    failed("--help", "", place="full standard output"),
+    failed("--list-scenes", "", place="full standard output"),
+    Case("good.vtk --samples 64", DONE, "--samples"),
+    Case("good.vtk", DONE, None),
+    Case("nan.vtk", DONE, "nan.vtk"),
+    Case("good.vtk --size 1x1", DONE, None),
+    Case("good.vtk --full-screen --monitor 1", DONE, None),
+    Case(MAP + "map.exr", DONE, None),
+    Case("--help", DONE, None),
+    Case("--version", DONE, None),
+]
+
 GROUPS = {
     "CommandLine": COMMAND_LINE,
     "Data": DATA,
     "Tolerated": TOLERATED,
     "Display": DISPLAY,
     "Output": OUTPUT,
+    "Viewer": VIEWER,
 }

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs widefov-render on bad input and checks how it fails.
+"""Runs widefov-render or widefov-viewer on bad input and checks how it fails.
 
     run_bad_input.py PROGRAM [GROUP...]      groups: see cases.py; none named: all
 
@@ -25,14 +25,27 @@ from places import OLD, Place
 # two busy cores.
 TIMEOUT = 60
 
-PREFIX = "widefov-render: "
+RENDER = "widefov-render"
+VIEWER = "widefov-viewer"
+
+
+def is_viewer(program):
+    return os.path.basename(program) == VIEWER
+
+
+def prefix_of(program):
+    """What each line begins with."""
+    return (VIEWER if is_viewer(program) else RENDER) + ": "
 
 
 def command_of(program, case, out):
-    """The command line of a row, small and with two outputs where it names none."""
+    """The command line of a row, small and with two outputs where it names none; the viewer
+    ends by itself."""
     words = [word.replace("{out}", out) for word in shlex.split(case.arguments)]
     if words and "--size" not in words:
         words += ["--size", "64x32"]
+    if is_viewer(program):
+        return [program] + words + ([] if "--frames" in words else ["--frames", "2"])
     if words and not {"--output", "--aov"} & set(words) and not words[0].startswith("--list"):
         words += ["--output", os.path.join(out, "old.png")]
         words += ["--output", os.path.join(out, "new.png")]
@@ -49,26 +62,26 @@ def environment_of(case, place):
 
 
 # What a slow machine makes the program say while it works: no message about the input.
-PROGRESS = re.compile(r"widefov-render: [^:]* \((\d+ %, )?\d+ s\)$")
+PROGRESS = re.compile(r"widefov-\w+: [^:]* \((\d+ %, )?\d+ s\)$")
 
 
-def complaints_about_text(case, text):
+def complaints_about_text(program, case, text):
     """What is wrong with standard error."""
     lines = [line for line in text.splitlines() if not PROGRESS.match(line)]
     wanted = 0 if case.says is None else 1
     if len(lines) != wanted:
         yield "%d lines on standard error, not %d" % (len(lines), wanted)
     for line in lines:
-        if not line.startswith(PREFIX):
-            yield "a line does not begin with '%s'" % PREFIX
+        if not line.startswith(prefix_of(program)):
+            yield "a line does not begin with '%s'" % prefix_of(program)
     if case.says and case.says.lower() not in text.lower():
         yield "the message does not name '%s'" % case.says
 
 
-def complaints_about_files(case, place):
+def complaints_about_files(program, case, place):
     """What is wrong with the folder of outputs."""
     left = sorted(os.listdir(place.folder))
-    if case.code == DONE:
+    if case.code == DONE and not is_viewer(program):
         if left != ["new.png", "old.png"]:
             yield "outputs are %s" % left
         return
@@ -113,8 +126,8 @@ def try_case(program, case, inputs):
             found.append("crashed: exit code %d" % code)
         elif code != case.code:
             found.append("exit code %d, not %d" % (code, case.code))
-        found += complaints_about_text(case, text)
-        found += complaints_about_files(case, place)
+        found += complaints_about_text(program, case, text)
+        found += complaints_about_files(program, case, place)
         return found + (["it said:\n%s" % text[:1000].rstrip()] if found else [])
 
 
@@ -134,7 +147,8 @@ def main():
     if len(sys.argv) < 2 or not os.access(sys.argv[1], os.X_OK):
         sys.exit("run_bad_input.py: name the program to test")
     program = os.path.abspath(sys.argv[1])
-    names = sys.argv[2:] or list(GROUPS)
+    all_names = ["Viewer"] if is_viewer(program) else [name for name in GROUPS if name != "Viewer"]
+    names = sys.argv[2:] or all_names
     verdicts = []
     with tempfile.TemporaryDirectory(prefix="bad-input-files-") as inputs:
         write_inputs(inputs)

@@ -12,6 +12,7 @@
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkShaderProgram.h"
 #include "vtkSphereSource.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
 
@@ -165,6 +166,28 @@ TEST(Pipeline, OneActorInAViewThatTurnsKeepsItsBuffers)
   EXPECT_GT(preClip, 0);
   EXPECT_GT(plain, 0);
   EXPECT_EQ(Inside::BuildTime(ball->GetMapper()), built);
+}
+
+// Seen by its edges, whose pixels several triangles share.
+TEST(Pipeline, TheFirstFrameReckonsWithItsSamples)
+{
+  for (const int samples : { 4, 0 })
+  {
+    WideFoVTestWindow test("equirectangular", 256, 128);
+    test.Window->SetMultiSamples(samples);
+    test.Renderer->AddActor(Ball(0.2, 0.1, 2));
+    test.Window->Render();
+    const TestPixels first(test.Window);
+    test.Window->Render();
+    const TestPixels second(test.Window);
+    int different = 0;
+    for (vtkIdType i = 0; i < first.Data->GetNumberOfValues(); i++)
+    {
+      different += first.Data->GetValue(i) != second.Data->GetValue(i);
+    }
+    EXPECT_GT(first.Data->GetNumberOfValues(), 0);
+    EXPECT_EQ(different, 0) << samples << " samples";
+  }
 }
 
 TEST(Pipeline, PropsAreLeftAsTheyWere)

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What every program does with a frame: its parts in the plane of the picture, what VTK
+// said about it, its pixels.
+#ifndef WideFoVFrame_h
+#define WideFoVFrame_h
+
+#include "Display.h"
+#include "ImageOutput.h"
+#include "Options.h"
+#include "Scene.h"
+
+#include <vtkScalarBarActor.h>
+#include <vtkSmartPointer.h>
+
+class vtkRenderWindow;
+
+namespace widefov
+{
+// The bar of the scene's colour map, or nullptr where it has none.
+vtkSmartPointer<vtkScalarBarActor> MakeScalarBar(const Scene& scene);
+
+// Throws a Failure with ExitFailed where this OpenGL cannot draw pictures of that size.
+void CheckSize(const Options& options, const GlLimits& limits);
+
+// What to ask of vtkRenderWindow::SetMultiSamples: 0 for none, and no more than there are,
+// with a warning.
+int UsableSamples(int samples, const GlLimits& limits);
+
+// After drawing: an error of VTK ends the job by a Failure with ExitFailed; a warning is
+// passed on.
+void CheckMessages();
+
+// The pixels of the last frame.
+Picture ReadPicture(vtkRenderWindow* window);
+}
+
+#endif

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Going through projections and techniques.
+#ifndef WideFoVChoices_h
+#define WideFoVChoices_h
+
+#include "Fields.h"
+#include "Options.h"
+
+#include <string>
+
+namespace widefov
+{
+// Why these options cannot be drawn, or an empty text: widefov-render's own rules.
+std::string WhyNot(const Options& options);
+
+// Takes the next (step 1) or the previous (-1) projection. What goes with some projections
+// only (the cubemap, the debug view, a depth mapping) is given up where it must be.
+void StepProjection(Options& options, const Fields& fields, int step);
+
+// Takes the next technique that can draw the view. False where there is no other.
+bool StepTechnique(Options& options, int step);
+
+// False, and nothing changes, where the view cannot be drawn so.
+bool SetDebugView(Options& options, bool on);
+
+// After a change of the view: the technique auto where the present one cannot draw it any
+// more. True where that happened.
+bool GiveUpTechnique(Options& options);
+}
+
+#endif

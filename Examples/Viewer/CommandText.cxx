@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CommandText.h"
+
+#include <cstdio>
+
+namespace widefov
+{
+namespace
+{
+// So that a shell takes it as one word.
+std::string Quoted(const std::string& text)
+{
+  std::string quoted = "'";
+  for (const char c : text)
+  {
+    quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  }
+  return quoted + "'";
+}
+
+std::string Exactly(double value)
+{
+  char text[64];
+  std::snprintf(text, sizeof(text), "%.17g", value);
+  return text;
+}
+
+std::string Exactly(const Vector3& v)
+{
+  return Exactly(v[0]) + "," + Exactly(v[1]) + "," + Exactly(v[2]);
+}
+
+std::string FieldOfViewText(const Options& o)
+{
+  const wfv::Projection& p = *wfv::FindProjection(o.Projection);
+  if (p.Axis == wfv::Family::Sampled)
+  {
+    return " --direction-map " + Quoted(o.DirectionMap);
+  }
+  if (p.Axis != wfv::Family::Azimuthal)
+  {
+    return " --hfov " + Exactly(o.View.HorizontalFov) + " --vfov " + Exactly(o.View.VerticalFov);
+  }
+  std::string text = " --fov " + Exactly(o.View.HorizontalFov);
+  if (o.View.Lens != wfv::ViewOptions().Lens)
+  {
+    text += " --lens ";
+    for (std::size_t i = 0; i < o.View.Lens.size(); i++)
+    {
+      text += (i > 0 ? "," : "") + Exactly(o.View.Lens[i]);
+    }
+  }
+  return text;
+}
+
+std::string LookText(const Look& look)
+{
+  const Look standard;
+  std::string text;
+  const auto name = [&text](
+                      const char* option, const std::string& value, const std::string& usual) {
+    text += value == usual ? "" : " " + std::string(option) + " " + Quoted(value);
+  };
+  name("--color-by", look.ColorBy, standard.ColorBy);
+  name("--colormap", look.ColorMap, standard.ColorMap);
+  name("--representation", look.Representation, standard.Representation);
+  name("--vectors", look.Vectors, standard.Vectors);
+  name("--streamlines", look.StreamLines, standard.StreamLines);
+  name("--line-width", Exactly(look.LineWidth), Exactly(standard.LineWidth));
+  name("--point-size", Exactly(look.PointSize), Exactly(standard.PointSize));
+  text +=
+    look.Range ? " --range " + Exactly((*look.Range)[0]) + "," + Exactly((*look.Range)[1]) : "";
+  text += look.LinesAsTubes ? " --lines-as-tubes" : "";
+  text += look.PointsAsSpheres ? " --points-as-spheres" : "";
+  text += look.ScalarBar ? " --scalar-bar" : "";
+  return text;
+}
+
+std::string DrawingText(const Options& o)
+{
+  std::string text = " --technique " + o.TechniqueName + " --tolerance " + Exactly(o.Tolerance) +
+    " --samples " + std::to_string(o.Samples) + " --depth " + o.Depth;
+  if (o.Technique == Technique::CubeMap)
+  {
+    text += " --cubemap-resolution " + std::to_string(o.CubeMapResolution);
+  }
+  text += o.HasClip ? " --clip " + Exactly(o.View.Radii[0]) + "," + Exactly(o.View.Radii[1]) : "";
+  text += o.DebugView ? " --debug-view" : "";
+  return text + " --background " + Exactly(o.Background);
+}
+}
+
+std::string CommandText(const Options& given, const Options& now)
+{
+  std::string text = "widefov-render";
+  if (!given.Scene.empty())
+  {
+    text += " --scene " + given.Scene;
+  }
+  for (const std::string& file : given.Files)
+  {
+    text += " " + Quoted(file);
+  }
+  text += LookText(now.Look) + " --projection " + now.Projection + FieldOfViewText(now) +
+    " --tilt " + Exactly(now.View.Tilt) + " --size " + std::to_string(now.Size[0]) + "x" +
+    std::to_string(now.Size[1]);
+  if (now.Eye && now.Direction && now.Up)
+  {
+    text += " --eye " + Exactly(*now.Eye) + " --direction " + Exactly(*now.Direction) + " --up " +
+      Exactly(*now.Up);
+  }
+  return text + DrawingText(now) + " --output picture.png";
+}
+}

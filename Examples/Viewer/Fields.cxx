@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Fields.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace widefov
+{
+namespace
+{
+constexpr double Degree = 3.14159265358979323846 / 180;
+
+// Zooming in ends here, degrees: less than any scene's pixels are worth.
+constexpr double SmallestFov = 1;
+
+double HalfTangent(double degrees)
+{
+  return std::tan(0.5 * degrees * Degree);
+}
+
+double FovOf(double halfTangent)
+{
+  return 2 * std::atan(halfTangent) / Degree;
+}
+
+double Proportion(const Options& o)
+{
+  return double(o.Size[1]) / o.Size[0];
+}
+}
+
+Fields::Fields(const Options& o)
+  : Lens(o.View.Lens)
+{
+  if (wfv::FindProjection(o.Projection)->Axis == wfv::Family::Planar)
+  {
+    this->PlanarWidth = HalfTangent(o.View.HorizontalFov);
+    this->PlanarProportion = HalfTangent(o.View.VerticalFov) / this->PlanarWidth / Proportion(o);
+  }
+  else
+  {
+    this->Wide = { o.View.HorizontalFov, o.View.VerticalFov };
+  }
+}
+
+Fields::Angles Fields::PlanarAngles(const Options& o) const
+{
+  return { FovOf(this->PlanarWidth),
+    FovOf(this->PlanarWidth * this->PlanarProportion * Proportion(o)) };
+}
+
+// Up to there widening the view shows more.
+double Fields::LargestZoom(const Options& o) const
+{
+  const wfv::Projection& p = *wfv::FindProjection(o.Projection);
+  const double across = p.MaxHorizontalFov / this->Wide.Horizontal;
+  if (p.Axis == wfv::Family::Azimuthal)
+  {
+    return across;
+  }
+  return std::max(across, p.MaxVerticalFov / this->Wide.Vertical);
+}
+
+bool Fields::Zoom(const Options& o, double factor)
+{
+  const wfv::Projection& p = *wfv::FindProjection(o.Projection);
+  if (p.Axis == wfv::Family::Planar)
+  {
+    const double tall = std::max(1., this->PlanarProportion * Proportion(o));
+    this->PlanarWidth = std::clamp(
+      this->PlanarWidth * factor, HalfTangent(SmallestFov), HalfTangent(p.MaxHorizontalFov) / tall);
+    return true;
+  }
+  if (p.MinHorizontalFov >= p.MaxHorizontalFov || p.Axis == wfv::Family::Sampled)
+  {
+    return false;
+  }
+  this->WideZoom =
+    std::clamp(this->WideZoom * factor, SmallestFov / this->Wide.Horizontal, this->LargestZoom(o));
+  return true;
+}
+
+void Fields::Apply(Options& o) const
+{
+  const wfv::Projection& p = *wfv::FindProjection(o.Projection);
+  o.View.Aspect = double(o.Size[0]) / o.Size[1];
+  o.View.Lens = p.HasLens ? this->Lens : wfv::ViewOptions().Lens;
+  Angles a{ this->Wide.Horizontal * this->WideZoom, this->Wide.Vertical * this->WideZoom };
+  if (p.Axis == wfv::Family::Planar)
+  {
+    a = this->PlanarAngles(o);
+  }
+  else if (p.Axis == wfv::Family::Azimuthal)
+  {
+    a.Vertical = a.Horizontal;
+  }
+  const double least = 0.01 * SmallestFov; // very flat windows
+  o.View.HorizontalFov =
+    std::clamp(a.Horizontal, std::max(least, p.MinHorizontalFov), p.MaxHorizontalFov);
+  o.View.VerticalFov = std::clamp(a.Vertical, std::max(least, p.MinVerticalFov), p.MaxVerticalFov);
+}
+}

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// VTK's window without a window system, drawing into a window of GLFW.
+#ifndef WideFoVGlfwRenderWindow_h
+#define WideFoVGlfwRenderWindow_h
+
+#include <vtkGenericOpenGLRenderWindow.h>
+
+struct GLFWwindow;
+
+namespace widefov
+{
+// Its answers come from GLFW instead of from observers.
+class GlfwRenderWindow : public vtkGenericOpenGLRenderWindow
+{
+public:
+  static GlfwRenderWindow* New();
+  vtkTypeMacro(GlfwRenderWindow, vtkGenericOpenGLRenderWindow);
+
+  // Not owned; must outlive this. Its context becomes current, and OpenGL is initialized.
+  void SetWindow(GLFWwindow* window);
+
+  void MakeCurrent() override;
+  bool IsCurrent() override;
+  int SupportsOpenGL() override { return 1; } // the window would not be there
+  vtkTypeBool IsDirect() override { return 1; }
+
+protected:
+  GlfwRenderWindow() = default;
+  ~GlfwRenderWindow() override = default;
+
+private:
+  GlfwRenderWindow(const GlfwRenderWindow&) = delete;
+  void operator=(const GlfwRenderWindow&) = delete;
+
+  GLFWwindow* Handle = nullptr;
+};
+}
+
+#endif

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A window of GLFW, and what happens to it.
+#ifndef WideFoVGlfwWindow_h
+#define WideFoVGlfwWindow_h
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+struct GLFWwindow;
+
+namespace widefov
+{
+// Keys, buttons and modifiers are numbered as in GLFW. X and Y: of the cursor, pixels of the
+// picture from its upper left corner; of the wheel, notches. A button has no place of its own,
+// for where the pointer is when the event is handled is not where it was: it happened at the
+// last place of the cursor before it.
+struct WindowEvent
+{
+  enum class Kind
+  {
+    KeyPress,
+    KeyRepeat,
+    KeyRelease,
+    ButtonPress,
+    ButtonRelease,
+    Cursor,
+    Wheel
+  };
+  Kind What;
+  int Code = 0; // key or button
+  int Modifiers = 0;
+  double X = 0;
+  double Y = 0;
+};
+
+class GlfwWindow
+{
+public:
+  // Throws a Failure with ExitFailed: no OpenGL 3.2, no such monitor (from 1; 0 is the
+  // primary one; asked for full screens alone).
+  GlfwWindow(
+    const std::string& title, const std::array<int, 2>& size, bool fullScreen, int monitor);
+  ~GlfwWindow();
+  GlfwWindow(const GlfwWindow&) = delete;
+  GlfwWindow& operator=(const GlfwWindow&) = delete;
+
+  GLFWwindow* GetHandle() const { return this->Handle; }
+
+  // Handles what has happened: returns at once, or waits for something to happen (at most
+  // so many seconds; below 0: as long as it takes).
+  void Poll();
+  void Wait(double seconds = -1);
+
+  // What happened since the last call, in order.
+  std::vector<WindowEvent> TakeEvents();
+
+  // True once after what is shown was damaged or changed its size.
+  bool TakeDamage();
+
+  bool IsClosing() const;
+  void Close();
+
+  // Throws a Failure with ExitFailed where the window was destroyed from outside.
+  void CheckAlive() const;
+
+  // Width and height of the picture in pixels; 0 where nothing can be seen of it.
+  std::array<int, 2> GetSize() const;
+
+  // Where the pointer is, pixels of the picture.
+  std::array<double, 2> GetCursor() const;
+
+  bool IsFullScreen() const;
+  void SetFullScreen(bool on);
+  void NextMonitor(); // full screen
+
+  void Show(); // what was drawn
+
+private:
+  friend struct GlfwCallbacks;
+  void EnterMonitor(int index);
+  std::array<double, 2> ToPixels(double x, double y) const;
+
+  GLFWwindow* Handle = nullptr;
+  std::vector<WindowEvent> Events;
+  bool Damaged = true;
+  int Monitor = 0;                             // index
+  std::array<int, 4> Before{ { 0, 0, 0, 0 } }; // place and size outside the full screen
+};
+}
+
+#endif

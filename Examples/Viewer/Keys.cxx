@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Keys.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+namespace widefov
+{
+namespace
+{
+struct Binding
+{
+  int Key;
+  bool Shift;
+  Action What;
+};
+
+const std::vector<Binding>& Bindings()
+{
+  static const std::vector<Binding> bindings{
+    { GLFW_KEY_P, false, Action::NextProjection },
+    { GLFW_KEY_P, true, Action::PreviousProjection },
+    { GLFW_KEY_T, false, Action::NextTechnique },
+    { GLFW_KEY_T, true, Action::PreviousTechnique },
+    { GLFW_KEY_V, false, Action::ToggleDebugView },
+    { GLFW_KEY_EQUAL, false, Action::ZoomIn },
+    { GLFW_KEY_EQUAL, true, Action::ZoomIn },
+    { GLFW_KEY_KP_ADD, false, Action::ZoomIn },
+    { GLFW_KEY_MINUS, false, Action::ZoomOut },
+    { GLFW_KEY_KP_SUBTRACT, false, Action::ZoomOut },
+    { GLFW_KEY_LEFT, false, Action::TurnLeft },
+    { GLFW_KEY_RIGHT, false, Action::TurnRight },
+    { GLFW_KEY_UP, false, Action::TurnUp },
+    { GLFW_KEY_DOWN, false, Action::TurnDown },
+    { GLFW_KEY_HOME, false, Action::Reset },
+    { GLFW_KEY_F2, false, Action::Screenshot },
+    { GLFW_KEY_C, false, Action::PrintCommand },
+    { GLFW_KEY_I, false, Action::ToggleText },
+    { GLFW_KEY_F1, false, Action::ToggleHelp },
+    { GLFW_KEY_F11, false, Action::ToggleFullScreen },
+    { GLFW_KEY_M, false, Action::NextMonitor },
+    { GLFW_KEY_ESCAPE, false, Action::Leave },
+  };
+  return bindings;
+}
+
+// What a person reads; the test of the documentation reads it, too.
+struct HelpLine
+{
+  const char* Keys;
+  const char* Text;
+};
+
+constexpr HelpLine Lines[] = {
+  { "drag", "look around" },
+  { "right drag", "orbit round the scene's centre" },
+  { "wheel, + -", "field of view" },
+  { "W A S D", "fly ahead, left, back, right" },
+  { "E Q", "fly up, down (Shift: faster)" },
+  { "arrows", "turn by 5 degrees" },
+  { "Home", "back to the beginning" },
+  { "P", "next projection (Shift: previous)" },
+  { "T", "next technique (Shift: previous)" },
+  { "V", "debug view" },
+  { "F2", "screenshot, a file in this folder" },
+  { "C", "print the command that draws this" },
+  { "I", "text on and off" },
+  { "F11", "full screen" },
+  { "M", "full screen on the next monitor" },
+  { "F1", "this help" },
+  { "Escape", "leave help, full screen, program" },
+};
+constexpr std::size_t KeysWidth = 12; // letters
+constexpr std::size_t TextWidth = 35;
+}
+
+std::optional<Action> ActionOf(int key, bool shift)
+{
+  for (const Binding& binding : Bindings())
+  {
+    if (binding.Key == key && binding.Shift == shift)
+    {
+      return binding.What;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Motion> MotionOf(int key)
+{
+  switch (key)
+  {
+    case GLFW_KEY_W:
+      return Motion{ 0, 0, 1 };
+    case GLFW_KEY_S:
+      return Motion{ 0, 0, -1 };
+    case GLFW_KEY_A:
+      return Motion{ -1, 0, 0 };
+    case GLFW_KEY_D:
+      return Motion{ 1, 0, 0 };
+    case GLFW_KEY_E:
+      return Motion{ 0, 1, 0 };
+    case GLFW_KEY_Q:
+      return Motion{ 0, -1, 0 };
+    default:
+      return std::nullopt;
+  }
+}
+
+bool Repeats(Action action)
+{
+  switch (action)
+  {
+    case Action::ZoomIn:
+    case Action::ZoomOut:
+    case Action::TurnLeft:
+    case Action::TurnRight:
+    case Action::TurnUp:
+    case Action::TurnDown:
+      return true;
+    default:
+      return false;
+  }
+}
+
+std::string HelpText()
+{
+  std::string text;
+  for (const HelpLine& line : Lines)
+  {
+    std::string keys = line.Keys;
+    keys.resize(KeysWidth, ' ');
+    std::string what = line.Text;
+    what.resize(TextWidth, ' '); // one width, so that a centred block stays one
+    text += (text.empty() ? "" : "\n") + keys + what;
+  }
+  return text;
+}
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where the eye is and which way it looks, with an upright horizon: pure geometry.
+#ifndef WideFoVNavigator_h
+#define WideFoVNavigator_h
+
+#include "Look.h"
+
+namespace widefov
+{
+class Navigator
+{
+public:
+  // `up` is what stays upright; `direction` is where the eye looks at first; `head` is the
+  // up of the picture, which counts where the direction is vertical. Any lengths but zero.
+  Navigator(const Vector3& eye, const Vector3& direction, const Vector3& head, const Vector3& up);
+
+  const Vector3& GetEye() const { return this->Eye; }
+  Vector3 GetDirection() const; // unit length
+  Vector3 GetUp() const;        // unit length, of the picture
+
+  // Degrees: to the right of where it looked first, above the horizon.
+  double GetYaw() const;
+  double GetPitch() const;
+
+  // A direction in view coordinates (x right, y up, z behind) as one of the world.
+  Vector3 ToWorld(const Vector3& view) const;
+
+  // Turns the eye until the direction `view` of the picture (unit length, view coordinates)
+  // shows the direction `world` (unit length). Where no turn with an upright horizon does
+  // that, one comes as close as its latitude allows.
+  void Face(const Vector3& view, const Vector3& world);
+
+  // Turns the eye to the right and up, degrees; it stops at the zenith and the nadir.
+  void Turn(double right, double up);
+
+  // The same, and carries the eye round the centre, which keeps its place in the picture.
+  void Orbit(const Vector3& center, double right, double up);
+
+  // Moves the eye: to the right, along what stays upright, ahead. Scene units.
+  void Fly(double right, double up, double ahead);
+
+private:
+  Vector3 ToView(const Vector3& world) const;
+
+  Vector3 Eye;
+  Vector3 Up;     // what stays upright
+  Vector3 Ahead;  // horizontal, where yaw is zero
+  Vector3 Right;  // horizontal
+  double Yaw = 0; // radians
+  double Pitch = 0;
+};
+}
+
+#endif

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the viewer shows, as JSON lines for programs.
+#ifndef WideFoVStateLog_h
+#define WideFoVStateLog_h
+
+#include "Look.h"
+#include "Options.h"
+#include "ViewerStage.h"
+
+#include <array>
+#include <cstdio>
+#include <optional>
+#include <string>
+
+namespace widefov
+{
+struct ViewerState
+{
+  std::string Event; // frame, or press and release of a button, release of a key that flies
+  long long Frame = 0;
+  std::array<double, 2> Cursor{ { 0, 0 } }; // pixels of the picture, from the upper left
+  std::optional<Vector3> UnderCursor;       // direction in the world, where the map has one
+  double Yaw = 0;                           // degrees
+  double Pitch = 0;
+  bool Pending = false; // something is still to be drawn
+  bool FullScreen = false;
+  bool Help = false;
+  bool Text = false;
+  std::string Message;
+  FrameCost Cost; // of the last frame
+};
+
+// The object of one line, with its line break.
+std::string StateLine(const ViewerState& state, const Options& options);
+
+class StateLog
+{
+public:
+  // Empty: nothing is written. Throws a Failure with ExitFailed where the file cannot be
+  // made.
+  explicit StateLog(const std::string& path);
+  ~StateLog();
+  StateLog(const StateLog&) = delete;
+  StateLog& operator=(const StateLog&) = delete;
+
+  bool IsOpen() const { return this->File != nullptr; }
+
+  // One whole line, at once. Throws a Failure with ExitFailed where the disk is full.
+  void Write(const ViewerState& state, const Options& options);
+
+private:
+  std::string Path;
+  std::FILE* File = nullptr;
+};
+}
+
+#endif

@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Viewer.h"
+
+#include "CameraSetup.h"
+#include "Choices.h"
+#include "Messages.h"
+#include "XErrors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+namespace widefov
+{
+namespace
+{
+constexpr double ZoomStep = 1.1;      // the field of view, a notch of the wheel
+constexpr double OrbitRate = 0.25;    // degrees a pixel
+constexpr double FlightTime = 8;      // seconds through the scene
+constexpr double FasterFactor = 4;    // with Shift
+constexpr double FirstMove = 1. / 30; // seconds that a tap of a key counts for
+constexpr double LongestMove = 0.2;   // seconds: a slow frame is no leap
+constexpr double HiddenPause = 0.05;  // seconds between looks at a window that shows nothing
+
+}
+
+Navigator Viewer::StartOf(const Scene& scene, const Options& o)
+{
+  const Pose pose = MakePose(scene, o);
+  return Navigator(pose.Eye, pose.Direction, pose.Up, o.Up.value_or(Vector3{ { 0, 1, 0 } }));
+}
+
+Viewer::Viewer(const ViewerOptions& options, const Scene& scene, GlfwWindow& window, StateLog& log)
+  : Given(options)
+  , What(scene)
+  , Window(window)
+  , Lines(log)
+  , Now(options.Picture)
+  , Angles(options.Picture)
+  , Head(StartOf(scene, options.Picture))
+  , Stage(window.GetHandle(), scene, options.Picture)
+  , ShowsText(!options.NoText)
+{
+  this->At = window.GetCursor();
+  double b[6];
+  if (SceneBounds(scene, b))
+  {
+    this->Center = { { 0.5 * (b[0] + b[1]), 0.5 * (b[2] + b[3]), 0.5 * (b[4] + b[5]) } };
+    const double size = std::hypot(b[1] - b[0], b[3] - b[2], b[5] - b[4]);
+    this->SceneSize = size > 0 ? size : 1;
+  }
+  this->TakePose();
+}
+
+bool Viewer::IsDone() const
+{
+  return this->Window.IsClosing() || (this->Given.Frames > 0 && this->Frames >= this->Given.Frames);
+}
+
+void Viewer::Run()
+{
+  while (!this->IsDone())
+  {
+    this->Wait();
+    this->Window.CheckAlive();
+    for (const WindowEvent& event : this->Window.TakeEvents())
+    {
+      this->Handle(event);
+    }
+    this->Advance();
+    this->Dirty = this->Window.TakeDamage() || this->Dirty || this->Given.Frames > 0;
+    if (this->Dirty && !this->Window.IsClosing() && this->Fit())
+    {
+      this->DrawFrame();
+    }
+  }
+}
+
+// Nothing to do, nothing done: an idle window costs no time.
+void Viewer::Wait()
+{
+  const std::array<int, 2> size = this->Window.GetSize();
+  const bool hidden = size[0] <= 0 || size[1] <= 0;
+  const bool busy = this->Dirty || !this->Held.empty() || this->Given.Frames > 0;
+  if (busy && hidden)
+  {
+    this->Window.Wait(HiddenPause);
+  }
+  else if (busy)
+  {
+    this->Window.Poll();
+  }
+  else
+  {
+    this->Window.Wait();
+  }
+}
+
+void Viewer::Advance()
+{
+  if (this->Held.empty())
+  {
+    return;
+  }
+  const auto now = std::chrono::steady_clock::now();
+  const std::chrono::duration<double> passed = now - this->LastMove;
+  this->LastMove = now;
+  const double seconds = std::min(passed.count(), LongestMove);
+  const double way = (this->Fast ? FasterFactor : 1) * seconds * this->SceneSize / FlightTime;
+  Motion sum{ 0, 0, 0 };
+  for (const int key : this->Held)
+  {
+    const Motion motion = *MotionOf(key);
+    sum = { sum.Right + motion.Right, sum.Up + motion.Up, sum.Ahead + motion.Ahead };
+  }
+  this->Head.Fly(way * sum.Right, way * sum.Up, way * sum.Ahead);
+  this->TakePose();
+}
+
+// The options for the window as it is. False where it shows nothing, or is larger than
+// OpenGL can draw.
+bool Viewer::Fit()
+{
+  const std::array<int, 2> size = this->Window.GetSize();
+  const std::array<int, 2> limits = this->Stage.GetLimits();
+  if (size[0] <= 0 || size[1] <= 0)
+  {
+    return false;
+  }
+  if (size[0] > limits[0] || size[1] > limits[1])
+  {
+    this->Dirty = false; // until it changes
+    widefov::Say("warning: the window is larger than this OpenGL draws, " +
+      std::to_string(limits[0]) + "x" + std::to_string(limits[1]) + " pixels; make it smaller");
+    return false;
+  }
+  if (size != this->Now.Size)
+  {
+    this->Now.Size = size;
+    this->Angles.Apply(this->Now);
+    GiveUpTechnique(this->Now);
+  }
+  return true;
+}
+
+void Viewer::DrawFrame()
+{
+  this->Dirty = false;
+  this->Frames++;
+  this->Cost = this->Stage.Draw(
+    this->Now, [this](const FrameCost& cost) { return this->TextFor(cost); },
+    this->ShowsHelp ? HelpText() : "");
+  this->Window.Show();
+  if (this->Lines.IsOpen())
+  {
+    WaitForServer(); // who reads of the frame finds it on the screen
+    this->Log("frame");
+  }
+}
+
+void Viewer::TakePose()
+{
+  this->Now.Eye = this->Head.GetEye();
+  this->Now.LookAt.reset();
+  this->Now.Direction = this->Head.GetDirection();
+  this->Now.Up = this->Head.GetUp();
+  this->Changed();
+}
+
+std::optional<Vector3> Viewer::RayAt(double x, double y) const
+{
+  const Options& o = this->Now;
+  const wfv::View view(*wfv::FindProjection(o.Projection), o.View);
+  const wfv::ViewRay ray = view.Ray({ 2 * x / o.Size[0] - 1, 1 - 2 * y / o.Size[1] });
+  if (!ray.Inside)
+  {
+    return std::nullopt;
+  }
+  return Vector3{ { ray.Direction.x, ray.Direction.y, ray.Direction.z } };
+}
+
+void Viewer::Say(const std::string& message)
+{
+  this->Message = message;
+  this->Changed();
+}
+
+void Viewer::Log(const std::string& event)
+{
+  ViewerState state;
+  state.Event = event;
+  state.Frame = this->Frames;
+  state.Cursor = this->At;
+  if (const std::optional<Vector3> ray = this->RayAt(this->At[0], this->At[1]))
+  {
+    state.UnderCursor = this->Head.ToWorld(*ray);
+  }
+  state.Yaw = this->Head.GetYaw();
+  state.Pitch = this->Head.GetPitch();
+  state.Pending = this->Dirty || !this->Held.empty();
+  state.FullScreen = this->Window.IsFullScreen();
+  state.Help = this->ShowsHelp;
+  state.Text = this->ShowsText;
+  state.Message = this->Message;
+  state.Cost = this->Cost;
+  this->Lines.Write(state, this->Now);
+}
+
+std::string Viewer::TextFor(const FrameCost& cost) const
+{
+  if (!this->ShowsText)
+  {
+    return "";
+  }
+  const Options& o = this->Now;
+  const bool round = wfv::FindProjection(o.Projection)->Axis == wfv::Family::Azimuthal;
+  char line[256];
+  std::snprintf(line, sizeof(line), "%.1f", o.View.HorizontalFov);
+  std::string text = o.Projection + "  " + line;
+  std::snprintf(line, sizeof(line), " x %.1f", o.View.VerticalFov);
+  text += (round ? std::string() : std::string(line)) + " degrees\n" + o.TechniqueName;
+  std::snprintf(line, sizeof(line), "  %.1f ms", cost.Milliseconds);
+  text += line;
+  if (cost.Draws)
+  {
+    const DrawCounts& d = *cost.Draws;
+    std::snprintf(line, sizeof(line), "\ndraws: plain %d  pre-clip %d  tessellate %d  exact %d",
+      d.Plain, d.PreClip, d.Tessellate, d.Exact);
+    text += line;
+  }
+  return text + "\n" + (this->Message.empty() ? "F1: keys" : this->Message);
+}
+
+void Viewer::Handle(const WindowEvent& event)
+{
+  switch (event.What)
+  {
+    case WindowEvent::Kind::KeyPress:
+    case WindowEvent::Kind::KeyRepeat:
+    case WindowEvent::Kind::KeyRelease:
+      this->HandleKey(event);
+      break;
+    case WindowEvent::Kind::ButtonPress:
+    case WindowEvent::Kind::ButtonRelease:
+      this->HandleButton(event);
+      break;
+    case WindowEvent::Kind::Cursor:
+      this->HandleCursor(event.X, event.Y);
+      break;
+    case WindowEvent::Kind::Wheel:
+      this->Zoom(event.Y);
+      break;
+  }
+}
+
+void Viewer::HandleKey(const WindowEvent& event)
+{
+  this->Fast = (event.Modifiers & GLFW_MOD_SHIFT) != 0;
+  const bool press = event.What == WindowEvent::Kind::KeyPress;
+  if (MotionOf(event.Code))
+  {
+    if (event.What == WindowEvent::Kind::KeyRelease)
+    {
+      this->Held.erase(event.Code);
+      this->Log("release");
+    }
+    else if (press)
+    {
+      this->Message.clear();
+      this->Held.insert(event.Code);
+      this->LastMove = std::chrono::steady_clock::now() -
+        std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+          std::chrono::duration<double>(FirstMove));
+      this->Advance(); // a tap may be over before the next frame
+    }
+    return;
+  }
+  const std::optional<Action> action = ActionOf(event.Code, this->Fast);
+  if (action && (press || (event.What == WindowEvent::Kind::KeyRepeat && Repeats(*action))))
+  {
+    this->Message.clear();
+    this->Do(*action);
+  }
+}
+
+void Viewer::HandleButton(const WindowEvent& event)
+{
+  const bool press = event.What == WindowEvent::Kind::ButtonPress;
+  const Drag kind = event.Code == GLFW_MOUSE_BUTTON_LEFT ? Drag::Look
+    : event.Code == GLFW_MOUSE_BUTTON_RIGHT              ? Drag::Orbit
+                                                         : Drag::None;
+  if (!press && kind == this->Dragging)
+  {
+    this->Dragging = Drag::None;
+  }
+  else if (press && this->Dragging == Drag::None)
+  {
+    const std::optional<Vector3> ray = this->RayAt(this->At[0], this->At[1]);
+    if (kind == Drag::Orbit || ray)
+    {
+      this->Dragging = kind;
+    }
+    this->Grabbed = ray ? this->Head.ToWorld(*ray) : this->Grabbed;
+  }
+  this->Log(press ? "press" : "release");
+}
+
+void Viewer::HandleCursor(double x, double y)
+{
+  const double right = x - this->At[0];
+  const double down = y - this->At[1];
+  this->At = { { x, y } };
+  if (this->Dragging == Drag::Look)
+  {
+    if (const std::optional<Vector3> ray = this->RayAt(x, y))
+    {
+      this->Head.Face(*ray, this->Grabbed);
+      this->TakePose();
+    }
+  }
+  else if (this->Dragging == Drag::Orbit)
+  {
+    this->Head.Orbit(this->Center, -OrbitRate * right, OrbitRate * down);
+    this->TakePose();
+  }
+}
+
+void Viewer::Zoom(double notches)
+{
+  if (!this->Angles.Zoom(this->Now, std::pow(ZoomStep, -notches)))
+  {
+    this->Say("this projection always shows the same field of view");
+    return;
+  }
+  this->Angles.Apply(this->Now);
+  if (GiveUpTechnique(this->Now))
+  {
+    this->Message = "this field of view is beyond the technique: auto";
+  }
+  this->Changed();
+}
+}

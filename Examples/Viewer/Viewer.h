@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the user does, and what is shown for it.
+#ifndef WideFoVViewer_h
+#define WideFoVViewer_h
+
+#include "Fields.h"
+#include "GlfwWindow.h"
+#include "Keys.h"
+#include "Navigator.h"
+#include "Scene.h"
+#include "StateLog.h"
+#include "ViewerOptions.h"
+#include "ViewerStage.h"
+
+#include <chrono>
+#include <set>
+
+namespace widefov
+{
+class Viewer
+{
+public:
+  // All of them must outlive this.
+  Viewer(const ViewerOptions& options, const Scene& scene, GlfwWindow& window, StateLog& log);
+
+  // Until the window is closed, or so many frames are drawn. Throws a Failure with
+  // ExitFailed.
+  void Run();
+
+private:
+  enum class Drag
+  {
+    None,
+    Look,
+    Orbit
+  };
+
+  // The loop.
+  void Wait();
+  void Advance();
+  bool Fit();
+  void DrawFrame();
+  bool IsDone() const;
+
+  // What happens.
+  void Handle(const WindowEvent& event);
+  void HandleKey(const WindowEvent& event);
+  void HandleButton(const WindowEvent& event);
+  void HandleCursor(double x, double y);
+  void Do(Action action);
+  bool DoView(Action action);
+  bool DoHead(Action action);
+  void Zoom(double notches);
+  void Leave();
+  void TakeScreenshot();
+  void Restart();
+
+  // The view.
+  static Navigator StartOf(const Scene& scene, const Options& options);
+  void TakePose();
+  std::optional<Vector3> RayAt(double x, double y) const;
+  void Changed() { this->Dirty = true; }
+  void Say(const std::string& message);
+  std::string TextFor(const FrameCost& cost) const;
+  void Log(const std::string& event);
+
+  const ViewerOptions& Given;
+  const Scene& What;
+  GlfwWindow& Window;
+  StateLog& Lines;
+
+  Options Now; // what is drawn
+  Fields Angles;
+  Navigator Head;
+  ViewerStage Stage;
+  Vector3 Center{ { 0, 0, 0 } }; // of the scene
+  double SceneSize = 1;          // scene units
+
+  bool Dirty = true;
+  long long Frames = 0;
+  FrameCost Cost;
+  std::string Message;
+  bool ShowsText = true;
+  bool ShowsHelp = false;
+
+  Drag Dragging = Drag::None;
+  std::array<double, 2> At{ { 0, 0 } }; // the pointer
+  Vector3 Grabbed{ { 0, 0, -1 } };      // direction in the world
+  std::set<int> Held;                   // keys that move the eye
+  bool Fast = false;
+  std::chrono::steady_clock::time_point LastMove;
+};
+}
+
+#endif

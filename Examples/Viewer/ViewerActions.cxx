@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the keys do.
+#include "Choices.h"
+#include "CommandText.h"
+#include "Messages.h"
+#include "Screenshot.h"
+#include "Viewer.h"
+
+#include <iostream>
+
+namespace widefov
+{
+namespace
+{
+constexpr double TurnStep = 5; // degrees, an arrow key
+}
+
+void Viewer::Do(Action action)
+{
+  if (this->DoView(action))
+  {
+    this->Changed();
+    return;
+  }
+  switch (action)
+  {
+    case Action::Screenshot:
+      this->TakeScreenshot();
+      break;
+    case Action::PrintCommand:
+      std::cout << CommandText(this->Given.Picture, this->Now) << std::endl;
+      this->Say("the command is on standard output");
+      break;
+    case Action::ToggleFullScreen:
+      this->Window.SetFullScreen(!this->Window.IsFullScreen());
+      break;
+    case Action::NextMonitor:
+      this->Window.NextMonitor();
+      break;
+    case Action::Leave:
+      this->Leave();
+      break;
+    default:
+      break;
+  }
+}
+
+// Those that change what is shown. False where it is none of them.
+bool Viewer::DoView(Action action)
+{
+  switch (action)
+  {
+    case Action::NextProjection:
+    case Action::PreviousProjection:
+      StepProjection(this->Now, this->Angles, action == Action::NextProjection ? 1 : -1);
+      return true;
+    case Action::NextTechnique:
+    case Action::PreviousTechnique:
+      if (!StepTechnique(this->Now, action == Action::NextTechnique ? 1 : -1))
+      {
+        this->Message = "there is no other technique for this";
+      }
+      return true;
+    case Action::ToggleDebugView:
+      if (!SetDebugView(this->Now, !this->Now.DebugView))
+      {
+        this->Message = "there is no debug view of this projection and technique";
+      }
+      return true;
+    case Action::ZoomIn:
+    case Action::ZoomOut:
+      this->Zoom(action == Action::ZoomIn ? 1 : -1);
+      return true;
+    case Action::ToggleText:
+      this->ShowsText = !this->ShowsText;
+      return true;
+    case Action::ToggleHelp:
+      this->ShowsHelp = !this->ShowsHelp;
+      return true;
+    default:
+      return this->DoHead(action);
+  }
+}
+
+// Those that turn the head.
+bool Viewer::DoHead(Action action)
+{
+  switch (action)
+  {
+    case Action::TurnLeft:
+    case Action::TurnRight:
+      this->Head.Turn(action == Action::TurnRight ? TurnStep : -TurnStep, 0);
+      break;
+    case Action::TurnUp:
+    case Action::TurnDown:
+      this->Head.Turn(0, action == Action::TurnUp ? TurnStep : -TurnStep);
+      break;
+    case Action::Reset:
+      this->Restart();
+      break;
+    default:
+      return false;
+  }
+  this->TakePose();
+  return true;
+}
+
+void Viewer::Restart()
+{
+  const std::array<int, 2> size = this->Now.Size;
+  this->Now = this->Given.Picture;
+  this->Angles = Fields(this->Given.Picture);
+  this->Head = StartOf(this->What, this->Given.Picture);
+  this->Now.Size = size;
+  this->Angles.Apply(this->Now);
+}
+
+void Viewer::Leave()
+{
+  if (this->ShowsHelp)
+  {
+    this->ShowsHelp = false;
+    this->Changed();
+  }
+  else if (this->Window.IsFullScreen())
+  {
+    this->Window.SetFullScreen(false);
+  }
+  else
+  {
+    this->Window.Close();
+  }
+}
+
+void Viewer::TakeScreenshot()
+{
+  try
+  {
+    const std::string file = WriteScreenshot(this->Stage.Take(this->Now), this->Now);
+    this->Say("written: " + file);
+  }
+  catch (const Failure& failure)
+  {
+    widefov::Say(failure.what()); // no reason to lose the view
+    this->Say(failure.what());
+  }
+}
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The command line of widefov-viewer.
+#ifndef WideFoVViewerOptions_h
+#define WideFoVViewerOptions_h
+
+#include "Options.h"
+
+#include <optional>
+#include <string>
+
+namespace widefov
+{
+struct ViewerOptions
+{
+  Options Picture; // what widefov-render takes, too
+  bool FullScreen = false;
+  int Monitor = 0; // from 1; 0: the primary one
+  bool NoText = false;
+  std::string Log; // of states, one JSON object a line
+  int Frames = 0;  // draw so many and end; 0: until the window is closed
+};
+
+// Parses and checks. Throws a Failure with ExitUsage; returns an exit code where nothing
+// is left to do (--help was printed).
+std::optional<int> ParseViewerOptions(int argc, char** argv, ViewerOptions& options);
+}
+
+#endif

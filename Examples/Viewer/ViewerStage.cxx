@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ViewerStage.h"
+
+#include "CameraSetup.h"
+#include "Display.h"
+#include "Frame.h"
+#include "Messages.h"
+#include "Passes.h"
+
+#include <vtkPanoramicProjectionPass.h>
+#include <vtkWideFoVCamera.h>
+
+namespace widefov
+{
+namespace
+{
+// Smaller windows show no text; pixels. In very small ones VTK's text is an error.
+constexpr std::array<int, 2> TextRoom{ { 64, 32 } };
+}
+
+ViewerStage::ViewerStage(GLFWwindow* window, const Scene& scene, const Options& o)
+  : What(scene)
+{
+  this->Window->SetWindow(window);
+  CheckMessages();
+  const GlLimits limits = QueryLimits(this->Window);
+  this->Limits = { { limits.Width, limits.Height } };
+  CheckSize(o, limits);
+  this->Window->SetMultiSamples(UsableSamples(o.Samples, limits));
+  this->Window->SetNumberOfLayers(2);
+  this->Renderer->SetBackground(o.Background.data());
+  for (const SceneProp& prop : scene.Props)
+  {
+    this->Actors.push_back(MakeActor(prop, o.Look));
+    this->Renderer->AddActor(this->Actors.back());
+  }
+  if (const vtkSmartPointer<vtkScalarBarActor> bar = MakeScalarBar(scene))
+  {
+    this->Renderer->AddViewProp(bar);
+  }
+  this->Renderer->AddObserver(vtkCommand::EndEvent, this, &ViewerStage::AfterScene);
+  this->Window->AddRenderer(this->Renderer);
+  this->Window->AddRenderer(this->Texts.GetRenderer());
+}
+
+ViewerStage::~ViewerStage()
+{
+  this->Window->Finalize();
+}
+
+void ViewerStage::ApplyCubeMap(const Options& o)
+{
+  const std::string wanted = o.Projection + " " + Text(o.View.HorizontalFov);
+  if (!this->CubeMapPass || this->CubeMapOf != wanted)
+  {
+    if (this->CubeMapPass)
+    {
+      this->CubeMapPass->ReleaseGraphicsResources(this->Window);
+    }
+    this->CubeMapPass = MakeCubeMapPass(o);
+    this->CubeMapOf = wanted;
+  }
+  this->Renderer->SetPass(this->CubeMapPass);
+}
+
+void ViewerStage::Apply(const Options& o)
+{
+  this->Window->SetSize(o.Size[0], o.Size[1]);
+  if (o.Technique == Technique::CubeMap)
+  {
+    this->ApplyCubeMap(o);
+  }
+  else
+  {
+    SetUpWidePass(this->WidePass, o);
+    this->Renderer->SetPass(this->WidePass);
+  }
+  SetCamera(this->Renderer, this->What, o);
+}
+
+bool ViewerStage::HasRoom()
+{
+  const int* const size = this->Window->GetSize();
+  return size[0] >= TextRoom[0] && size[1] >= TextRoom[1];
+}
+
+// After the scene and before the text, which is to tell of this very frame.
+void ViewerStage::AfterScene()
+{
+  this->Cost = this->Measure();
+  this->Texts.SetText(this->TextOf && this->HasRoom() ? this->TextOf(this->Cost) : "");
+}
+
+FrameCost ViewerStage::Measure()
+{
+  this->Window->WaitForCompletion();
+  const std::chrono::duration<double, std::milli> time =
+    std::chrono::steady_clock::now() - this->Start;
+  FrameCost cost;
+  cost.Milliseconds = time.count();
+  auto* const camera = vtkWideFoVCamera::SafeDownCast(this->Renderer->GetActiveCamera());
+  if (camera != nullptr && camera->IsWide())
+  {
+    cost.Draws = DrawCounts{ this->WidePass->GetNumberOfPlainDraws(),
+      this->WidePass->GetNumberOfPreClipDraws(), this->WidePass->GetNumberOfTessellateDraws(),
+      this->WidePass->GetNumberOfExactDraws() };
+  }
+  return cost;
+}
+
+FrameCost ViewerStage::Draw(const Options& o,
+  const std::function<std::string(const FrameCost&)>& text, const std::string& help)
+{
+  this->TextOf = text;
+  this->Apply(o);
+  this->Texts.SetHelp(this->HasRoom() ? help : "", o.Size[0], o.Size[1]);
+  this->Start = std::chrono::steady_clock::now();
+  this->Window->Render();
+  CheckMessages();
+  return this->Cost;
+}
+
+Picture ViewerStage::Take(const Options& o)
+{
+  this->Draw(o, nullptr, "");
+  return ReadPicture(this->Window);
+}
+}

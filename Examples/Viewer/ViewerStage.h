@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The scene in the window: what draws it, and what a frame cost.
+#ifndef WideFoVViewerStage_h
+#define WideFoVViewerStage_h
+
+#include "GlfwRenderWindow.h"
+#include "ImageOutput.h"
+#include "Options.h"
+#include "Overlay.h"
+#include "Scene.h"
+
+#include <vtkCommand.h>
+#include <vtkNew.h>
+#include <vtkScalarBarActor.h>
+#include <vtkSmartPointer.h>
+#include <vtkWideFoVPass.h>
+#include <vtkWideFoVRenderer.h>
+
+#include <chrono>
+#include <functional>
+#include <optional>
+#include <vector>
+
+class vtkPanoramicProjectionPass;
+
+namespace widefov
+{
+// Draw calls of a frame, by what they were drawn with. Unknown where stock VTK drew.
+struct DrawCounts
+{
+  int Plain = 0;
+  int PreClip = 0;
+  int Tessellate = 0;
+  int Exact = 0;
+};
+
+struct FrameCost
+{
+  double Milliseconds = 0; // of the scene, without the text
+  std::optional<DrawCounts> Draws;
+};
+
+class ViewerStage
+{
+public:
+  // The window's context becomes current and stays so. The scene must outlive this.
+  ViewerStage(GLFWwindow* window, const Scene& scene, const Options& options);
+  ~ViewerStage();
+  ViewerStage(const ViewerStage&) = delete;
+  ViewerStage& operator=(const ViewerStage&) = delete;
+
+  // Largest width and height that this OpenGL draws, pixels.
+  std::array<int, 2> GetLimits() const { return this->Limits; }
+
+  // Draws the scene as the options say, at their size. `text` makes of the cost what is to
+  // stand on the picture; nothing where it is empty.
+  FrameCost Draw(const Options& options, const std::function<std::string(const FrameCost&)>& text,
+    const std::string& help);
+
+  // The scene as the options say, without text, not shown.
+  Picture Take(const Options& options);
+
+private:
+  void Apply(const Options& options);
+  void ApplyCubeMap(const Options& options);
+  FrameCost Measure();
+  bool HasRoom();
+  void AfterScene();
+
+  const Scene& What;
+  vtkNew<GlfwRenderWindow> Window;
+  vtkNew<vtkWideFoVRenderer> Renderer;
+  vtkNew<vtkWideFoVPass> WidePass;
+  vtkSmartPointer<vtkPanoramicProjectionPass> CubeMapPass;
+  std::vector<vtkSmartPointer<vtkActor>> Actors;
+  Overlay Texts;
+  std::array<int, 2> Limits{ { 0, 0 } };
+  std::string CubeMapOf; // what the pass was made for
+
+  std::chrono::steady_clock::time_point Start;
+  FrameCost Cost;
+  std::function<std::string(const FrameCost&)> TextOf;
+};
+}
+
+#endif

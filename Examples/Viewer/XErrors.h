@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The X server behind GLFW: a window or a display may go away while it is used.
+#ifndef WideFoVXErrors_h
+#define WideFoVXErrors_h
+
+struct GLFWwindow;
+
+namespace widefov
+{
+// From here on an error that the X server reports is forgotten instead of fatal, and a
+// server that is gone ends the program with one line and ExitFailed. GLFW sets handlers of
+// its own now and then, so this is called again before each frame.
+void HandleXErrors();
+
+// Returns when the server has done all it was asked for.
+void WaitForServer();
+
+// Asks the server. True where the window system is not X.
+bool WindowExists(GLFWwindow* window);
+}
+
+#endif

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// widefov-viewer: a window into VTK data in wide and non-planar projections.
+#include "CameraSetup.h"
+#include "DirectionMapFile.h"
+#include "Display.h"
+#include "GlfwWindow.h"
+#include "Listing.h"
+#include "LoadScene.h"
+#include "Messages.h"
+#include "Program.h"
+#include "StateLog.h"
+#include "Viewer.h"
+#include "ViewerOptions.h"
+
+#include <iostream>
+
+namespace
+{
+using namespace widefov;
+
+std::string TitleOf(const Options& options)
+{
+  std::string what = options.Scene;
+  for (const std::string& file : options.Files)
+  {
+    what += (what.empty() ? "" : " ") + file;
+  }
+  return "widefov-viewer: " + what;
+}
+
+int Run(int argc, char** argv)
+{
+  ViewerOptions options;
+  if (const std::optional<int> done = ParseViewerOptions(argc, argv, options))
+  {
+    return *done;
+  }
+  const std::string listing = ListingText(options.Picture);
+  if (!listing.empty())
+  {
+    std::cout << listing << std::flush;
+    CheckStandardOutput();
+    return ExitDone;
+  }
+  LoadDirectionMap(options.Picture);
+  const Scene scene = LoadScene(options.Picture);
+  MakePose(scene, options.Picture); // complains before a window is opened
+  const DisplayConnection display;
+  StateLog log(options.Log);
+  const QuietStandardError quiet;
+  GlfwWindow window(
+    TitleOf(options.Picture), options.Picture.Size, options.FullScreen, options.Monitor);
+  Viewer(options, scene, window, log).Run();
+  return ExitDone;
+}
+}
+
+int main(int argc, char** argv)
+{
+  return RunProgram("widefov-viewer", [=] { return Run(argc, argv); });
+}

@@ -1,0 +1,244 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""An X display of its own, the viewer in it, hands on its mouse and keys, and a camera."""
+
+import json
+import os
+import subprocess
+import tempfile
+import time
+
+import numpy
+from Xlib import X, XK, display, error
+from Xlib.ext import xtest
+from Xlib.protocol import event
+
+# Seconds until something that was asked for counts as missing: far above what it takes on
+# two busy cores.
+PATIENCE = 60
+# Seconds between looks.
+PAUSE = 0.02
+
+BUTTONS = {"left": 1, "middle": 2, "right": 3, "wheel up": 4, "wheel down": 5}
+
+
+class Gone(Exception):
+    """What was waited for did not come."""
+
+
+def wait_for(what, look):
+    """Returns what `look` returns as soon as that is true."""
+    end = time.monotonic() + PATIENCE
+    while time.monotonic() < end:
+        found = look()
+        if found:
+            return found
+        time.sleep(PAUSE)
+    raise Gone("%s: still not so after %d s" % (what, PATIENCE))
+
+
+class Desktop:
+    """An Xvfb without a window manager; the keyboard goes where the pointer is."""
+
+    def __init__(self, size="1280x1024"):
+        reading, writing = os.pipe()
+        self.server = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(writing), "-screen", "0", size + "x24", "-noreset"],
+            pass_fds=[writing],
+            stderr=subprocess.DEVNULL,
+        )
+        os.close(writing)
+        with os.fdopen(reading) as stream:
+            number = stream.readline().strip()
+        if not number:
+            raise Gone("Xvfb does not start")
+        self.name = ":" + number
+        self.display = display.Display(self.name)
+        self.root = self.display.screen().root
+
+    def close(self):
+        """The display goes, whoever uses it."""
+        if self.server.poll() is None:
+            self.display.close()
+            self.server.terminate()
+            self.server.wait()
+
+    def point(self, x, y):
+        """Moves the pointer, in pixels of the screen."""
+        xtest.fake_input(self.display, X.MotionNotify, x=int(x), y=int(y))
+        self.display.sync()
+
+    def press(self, button):
+        xtest.fake_input(self.display, X.ButtonPress, BUTTONS[button])
+        self.display.sync()
+
+    def release(self, button):
+        xtest.fake_input(self.display, X.ButtonRelease, BUTTONS[button])
+        self.display.sync()
+
+    def click(self, button):
+        self.press(button)
+        self.release(button)
+
+    def code(self, key):
+        return self.display.keysym_to_keycode(XK.string_to_keysym(key))
+
+    def hold(self, key):
+        xtest.fake_input(self.display, X.KeyPress, self.code(key))
+        self.display.sync()
+
+    def let_go(self, key):
+        xtest.fake_input(self.display, X.KeyRelease, self.code(key))
+        self.display.sync()
+
+    def key(self, key, shift=False):
+        """Types one key."""
+        if shift:
+            self.hold("Shift_L")
+        self.hold(key)
+        self.let_go(key)
+        if shift:
+            self.let_go("Shift_L")
+
+
+class Viewer:
+    """widefov-viewer in a desktop, with its log."""
+
+    def __init__(self, desktop, program, arguments, folder):
+        self.desktop = desktop
+        self.log_name = os.path.join(folder, "viewer.log")
+        if os.path.exists(self.log_name):
+            os.remove(self.log_name)
+        self.errors = tempfile.TemporaryFile()
+        self.output = tempfile.TemporaryFile()
+        self.process = subprocess.Popen(
+            [program] + arguments + ["--log", self.log_name],
+            cwd=folder,
+            env={**os.environ, "DISPLAY": desktop.name},
+            stdin=subprocess.DEVNULL,
+            stdout=self.output,
+            stderr=self.errors,
+        )
+        self.window = wait_for("the window", self.find)
+        self.wait()
+
+    def find(self):
+        """The viewer's window, mapped; without a window manager a child of the root."""
+        self.check_running()
+        for window in self.desktop.root.query_tree().children:
+            try:
+                if (window.get_wm_name() or "").startswith("widefov-viewer"):
+                    if window.get_attributes().map_state == X.IsViewable:
+                        return window
+            except error.XError:
+                pass  # it went meanwhile
+        return None
+
+    def check_running(self):
+        if self.process.poll() is not None:
+            raise Gone("the viewer ended with %d: %s" % (self.process.returncode, self.said()))
+
+    @staticmethod
+    def text_of(stream):
+        stream.seek(0)
+        return stream.read().decode("utf-8", "replace")
+
+    def said(self):
+        return self.text_of(self.errors)
+
+    def printed(self):
+        return self.text_of(self.output)
+
+    def states(self):
+        """All lines of the log so far."""
+        if not os.path.exists(self.log_name):
+            return []
+        with open(self.log_name, encoding="utf-8") as stream:
+            text = stream.read()
+        return [json.loads(line) for line in text.split("\n")[:-1]]
+
+    def state(self):
+        return self.states()[-1]
+
+    def wait(self, look=lambda state: True, after=0):
+        """The last state, as soon as everything is drawn and `look` is true of it; `after`
+        so many lines of the log."""
+
+        def looked():
+            self.check_running()
+            states = self.states()
+            if len(states) <= after or states[-1]["pending"] or not look(states[-1]):
+                return None
+            return states[-1]
+
+        return wait_for("a state of the viewer", looked)
+
+    def after(self, act, look=lambda state: True):
+        """Does something and returns the state that comes of it."""
+        before = len(self.states())
+        act()
+        return self.wait(look, before)
+
+    def key(self, key, shift=False, look=lambda state: True):
+        """Types a key that changes what is shown, and returns the state after it."""
+        return self.after(lambda: self.desktop.key(key, shift), look)
+
+    def origin(self):
+        """Where the window's upper left corner is on the screen."""
+        place = self.window.translate_coords(self.desktop.root, 0, 0)
+        return -place.x, -place.y
+
+    def point(self, x, y):
+        """Moves the pointer to that pixel of the window."""
+        left, top = self.origin()
+        self.desktop.point(left + x, top + y)
+
+    def drag(self, start, end, button="left", steps=5):
+        """Drags from pixel to pixel, as a hand does, in steps."""
+        self.point(*start)
+        self.desktop.press(button)
+        for i in range(1, steps + 1):
+            self.point(*[round(a + (b - a) * i / steps) for a, b in zip(start, end)])
+            time.sleep(PAUSE)
+        return self.after(
+            lambda: self.desktop.release(button),
+            lambda state: [int(place) for place in state["cursor"]] == list(end),
+        )
+
+    def photograph(self):
+        """What the screen shows of the window: rows from the top, red, green, blue."""
+        size = self.window.get_geometry()
+        raw = self.window.get_image(0, 0, size.width, size.height, X.ZPixmap, 0xFFFFFFFF)
+        pixels = numpy.frombuffer(raw.data, numpy.uint8).reshape(size.height, size.width, 4)
+        return pixels[:, :, 2::-1].copy()
+
+    def resize(self, width, height):
+        """Returns the state of the first frame of that size."""
+
+        def act():
+            self.window.configure(width=width, height=height)
+            self.desktop.display.sync()
+
+        return self.after(act, lambda state: state["size"] == [width, height])
+
+    def ask_to_close(self):
+        """What a window manager sends when its close button is pressed."""
+        protocols = self.desktop.display.intern_atom("WM_PROTOCOLS")
+        message = self.desktop.display.intern_atom("WM_DELETE_WINDOW")
+        self.window.send_event(
+            event.ClientMessage(
+                window=self.window, client_type=protocols, data=(32, [message, 0, 0, 0, 0])
+            )
+        )
+        self.desktop.display.sync()
+
+    def end(self):
+        """The exit code, or None where it goes on."""
+        try:
+            return self.process.wait(PATIENCE)
+        except subprocess.TimeoutExpired:
+            return None
+
+    def kill(self):
+        if self.process.poll() is None:
+            self.process.kill()
+            self.process.wait()
