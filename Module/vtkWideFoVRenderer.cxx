@@ -3,6 +3,7 @@
 
 #include "vtkWideFoVCamera.h"
 #include "vtkWideFoVPass.h"
+#include "vtkWideFoVTile.h"
 
 #include "vtkCommand.h"
 #include "vtkCommand.h"
@@ -77,7 +78,7 @@ void vtkWideFoVRenderer::WorldToView(double& x, double& y, double& z)
   }
   const double world[3] = { x, y, z };
   double ndc[3];
-  camera->WorldToNDC(world, this->GetTiledAspectRatio(), ndc);
+  camera->WorldToNDC(world, wfv::PictureAspect(this), ndc);
   x = ndc[0];
   y = ndc[1];
   z = 0.5 * (ndc[2] + 1); // VTK's view depth is 0 to 1
@@ -93,7 +94,7 @@ void vtkWideFoVRenderer::ViewToWorld(double& x, double& y, double& z)
   }
   const double ndc[3] = { x, y, 2 * z - 1 };
   double world[3];
-  camera->NDCToWorld(ndc, this->GetTiledAspectRatio(), world);
+  camera->NDCToWorld(ndc, wfv::PictureAspect(this), world);
   x = world[0];
   y = world[1];
   z = world[2];
@@ -112,7 +113,7 @@ bool vtkWideFoVRenderer::DisplayToRay(double x, double y, double origin[3], doub
   this->ViewportToNormalizedViewport(x, y);
   this->NormalizedViewportToView(x, y, z);
   const double ndc[2] = { x, y };
-  return camera->NDCToRay(ndc, this->GetTiledAspectRatio(), origin, direction);
+  return camera->NDCToRay(ndc, wfv::PictureAspect(this), origin, direction);
 }
 
 void vtkWideFoVRenderer::ResetCameraClippingRange(const double bounds[6])

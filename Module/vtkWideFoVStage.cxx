@@ -10,6 +10,7 @@
 #include "vtkWideFoVQuadricKind.h"
 #include "vtkWideFoVPolyDataMapper.h"
 #include "vtkWideFoVTessellation.h"
+#include "vtkWideFoVTile.h"
 
 #include "vtkActor.h"
 #include "vtkInformation.h"
@@ -131,7 +132,7 @@ void SetViewParameters(vtkShaderProgram* program, const wfv::WfvView& v)
 //------------------------------------------------------------------------------
 void vtkWideFoVStage::SetView(vtkRenderer* renderer, vtkWideFoVCamera* camera, double tolerance)
 {
-  const wfv::View& view = camera->GetView(renderer->GetTiledAspectRatio());
+  const wfv::View& view = camera->GetView(wfv::PictureAspect(renderer));
   const bool tilts = !this->Tilted && view.GetParameters().tilt != wfv::vec2(1, 0);
   if (&view.GetProjection() != this->Projection || tilts ||
     view.GetParameters().depthMapping != this->View.depthMapping)

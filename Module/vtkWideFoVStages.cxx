@@ -5,6 +5,7 @@
 #include "vtkWideFoVDiscontinuity.h"
 #include "vtkWideFoVPass.h"
 #include "vtkWideFoVTessellation.h"
+#include "vtkWideFoVTile.h"
 
 #include "vtkActor.h"
 #include "vtkInformation.h"
@@ -57,7 +58,7 @@ void vtkWideFoVStages::Begin(
 {
   const bool refused = technique == vtkWideFoVPass::TESSELLATE && !this->CanTessellate();
   this->Technique = refused ? static_cast<int>(vtkWideFoVPass::AUTO) : technique;
-  const wfv::View& view = camera->GetView(renderer->GetTiledAspectRatio());
+  const wfv::View& view = camera->GetView(wfv::PictureAspect(renderer));
   this->Projection = &view.GetProjection();
   this->Tolerance = tolerance;
   const int* const size = renderer->GetSize();
