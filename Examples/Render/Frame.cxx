@@ -79,7 +79,7 @@ void CheckMessages()
 Picture ReadPicture(vtkRenderWindow* window)
 {
   Picture picture;
-  const int* const size = window->GetSize();
+  const int* const size = window->GetActualSize(); // of a tile, not of the whole
   picture.Width = size[0];
   picture.Height = size[1];
   vtkNew<vtkUnsignedCharArray> pixels;

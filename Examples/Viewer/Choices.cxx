@@ -23,12 +23,22 @@ int IndexOf(const std::string& technique)
 }
 }
 
-std::string WhyNot(const Options& options)
+bool CanBeTiled(const Options& options)
+{
+  const wfv::Projection& p = *wfv::FindProjection(options.Projection);
+  return p.Axis != wfv::Family::Planar && options.TechniqueName != "cubemap";
+}
+
+std::string WhyNot(const Options& options, bool tiled)
 {
   const wfv::Projection& p = *wfv::FindProjection(options.Projection);
   if (p.Axis == wfv::Family::Sampled && !options.View.Map)
   {
     return "a direction map is a file; give one on the command line";
+  }
+  if (tiled && !CanBeTiled(options))
+  {
+    return "only wide projections drawn by this module go over several windows";
   }
   const std::string complaint = wfv::CheckOptions(p, options.View);
   if (!complaint.empty())
@@ -58,7 +68,7 @@ bool GiveUpTechnique(Options& o)
   return true;
 }
 
-void StepProjection(Options& o, const Fields& fields, int step)
+void StepProjection(Options& o, const Fields& fields, int step, bool tiled)
 {
   const std::vector<const wfv::Projection*> all = wfv::AllProjections();
   const int count = static_cast<int>(all.size());
@@ -78,7 +88,7 @@ void StepProjection(Options& o, const Fields& fields, int step)
       next.DebugView = false;
       next.Depth = "linear";
     }
-    if (WhyNot(next).empty())
+    if (WhyNot(next, tiled).empty())
     {
       CheckDrawn(next);
       o = next;
@@ -87,14 +97,14 @@ void StepProjection(Options& o, const Fields& fields, int step)
   }
 }
 
-bool StepTechnique(Options& o, int step)
+bool StepTechnique(Options& o, int step, bool tiled)
 {
   const int index = IndexOf(o.TechniqueName);
   for (int tries = 1; tries < TechniqueCount; tries++)
   {
     Options next = o;
     next.TechniqueName = Techniques[(index + step * tries + TechniqueCount) % TechniqueCount];
-    if (WhyNot(next).empty())
+    if (WhyNot(next, tiled).empty())
     {
       CheckDrawn(next);
       o = next;

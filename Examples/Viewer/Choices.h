@@ -10,15 +10,19 @@
 
 namespace widefov
 {
-// Why these options cannot be drawn, or an empty text: widefov-render's own rules.
-std::string WhyNot(const Options& options);
+// Can this be drawn over several windows? Stock VTK's views know nothing of tiles.
+bool CanBeTiled(const Options& options);
+
+// Why these options cannot be drawn, or an empty text: widefov-render's own rules. `tiled`:
+// over several windows.
+std::string WhyNot(const Options& options, bool tiled = false);
 
 // Takes the next (step 1) or the previous (-1) projection. What goes with some projections
 // only (the cubemap, the debug view, a depth mapping) is given up where it must be.
-void StepProjection(Options& options, const Fields& fields, int step);
+void StepProjection(Options& options, const Fields& fields, int step, bool tiled = false);
 
 // Takes the next technique that can draw the view. False where there is no other.
-bool StepTechnique(Options& options, int step);
+bool StepTechnique(Options& options, int step, bool tiled = false);
 
 // False, and nothing changes, where the view cannot be drawn so.
 bool SetDebugView(Options& options, bool on);

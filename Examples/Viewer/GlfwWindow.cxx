@@ -17,6 +17,7 @@ namespace
 constexpr int LargestWindow = 32767; // pixels, of the X protocol
 
 std::string LastError;
+int WindowCount = 0;
 
 void KeepError(int, const char* text)
 {
@@ -30,6 +31,15 @@ std::string TakeError()
   return error.empty() ? "" : " (" + OneLine(error) + ")";
 }
 
+// GLFW ends with its last window.
+void Terminate()
+{
+  if (WindowCount == 0)
+  {
+    glfwTerminate();
+  }
+}
+
 std::vector<GLFWmonitor*> Monitors()
 {
   int count = 0;
@@ -39,6 +49,10 @@ std::vector<GLFWmonitor*> Monitors()
 
 void Initialize()
 {
+  if (WindowCount > 0)
+  {
+    return;
+  }
   glfwSetErrorCallback(KeepError);
   if (glfwInit() != GLFW_TRUE)
   {
@@ -63,7 +77,7 @@ GLFWwindow* Create(const std::string& title, const std::array<int, 2>& size)
   if (window == nullptr)
   {
     const std::string error = TakeError();
-    glfwTerminate();
+    Terminate();
     Fail(tooOld + ", but no such window could be opened" + error + remedy);
   }
   glfwMakeContextCurrent(window);
@@ -116,13 +130,14 @@ GlfwWindow::GlfwWindow(
 {
   Initialize();
   const int count = static_cast<int>(Monitors().size());
-  if (monitor > count)
+  if (monitor > count && fullScreen)
   {
-    glfwTerminate();
-    Fail("--monitor " + std::to_string(monitor) + ": there are only " + std::to_string(count) +
-      "; choose one of them");
+    Terminate();
+    Fail("there is no monitor " + std::to_string(monitor) + ", only " + std::to_string(count) +
+      "; choose another --monitor, or windows for a --wall without --full-screen");
   }
   this->Handle = Create(title, size);
+  WindowCount++;
   this->Monitor = monitor > 0 ? monitor - 1 : 0;
   glfwSetWindowUserPointer(this->Handle, this);
   glfwSetKeyCallback(this->Handle, GlfwCallbacks::Key);
@@ -139,7 +154,8 @@ GlfwWindow::~GlfwWindow()
 {
   glfwDestroyWindow(this->Handle);
   HandleXErrors(); // the window may not be there any more
-  glfwTerminate();
+  WindowCount--;
+  Terminate();
 }
 
 void GlfwWindow::Poll()
@@ -159,6 +175,14 @@ void GlfwWindow::Wait(double seconds)
     glfwWaitEventsTimeout(seconds);
   }
   HandleXErrors();
+}
+
+void GlfwWindow::PlaceBeside(const GlfwWindow& other, int right, int below)
+{
+  int x = 0;
+  int y = 0;
+  glfwGetWindowPos(other.Handle, &x, &y);
+  glfwSetWindowPos(this->Handle, x + right, y + below);
 }
 
 std::vector<WindowEvent> GlfwWindow::TakeEvents()

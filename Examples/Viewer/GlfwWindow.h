@@ -48,10 +48,13 @@ public:
 
   GLFWwindow* GetHandle() const { return this->Handle; }
 
-  // Handles what has happened: returns at once, or waits for something to happen (at most
-  // so many seconds; below 0: as long as it takes).
-  void Poll();
-  void Wait(double seconds = -1);
+  // Handles what has happened to all windows: returns at once, or waits for something to
+  // happen (at most so many seconds; below 0: as long as it takes).
+  static void Poll();
+  static void Wait(double seconds = -1);
+
+  // Moves the window so many pixels to the right of and below another one.
+  void PlaceBeside(const GlfwWindow& other, int right, int below);
 
   // What happened since the last call, in order.
   std::vector<WindowEvent> TakeEvents();

@@ -17,6 +17,9 @@ constexpr double Degree = Pi / 180;
 // the rounding of unit vectors, far below a pixel.
 constexpr double SmallestHorizontal = 1e-9;
 
+// Cosine of the azimuth within which a drag raises the eye as far as it takes: 60 degrees.
+constexpr double FullEffect = 0.5;
+
 double Dot(const Vector3& a, const Vector3& b)
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -36,6 +39,20 @@ double Wrapped(double angle)
 double ClampPitch(double pitch)
 {
   return std::clamp(pitch, -0.5 * Pi, 0.5 * Pi);
+}
+
+// How much of the pitch that would be needed is taken: all where raising the eye by an angle
+// raises the direction `view` by half of that or more, nothing where it raises it by nothing.
+double Share(const Vector3& view, double pitch)
+{
+  const double ahead = -view[1] * std::sin(pitch) - view[2] * std::cos(pitch);
+  const double across = std::hypot(ahead, view[0]);
+  if (across < SmallestHorizontal)
+  {
+    return 1; // straight up or down
+  }
+  const double t = std::min(1., std::abs(ahead) / across / FullEffect);
+  return t * t * (3 - 2 * t);
 }
 
 // The pitch at which the direction (x, y, z) of the view has the given sine of latitude:
@@ -126,9 +143,16 @@ Vector3 Navigator::GetUp() const
   return this->ToWorld({ { 0, 1, 0 } });
 }
 
-void Navigator::Face(const Vector3& view, const Vector3& world)
+Navigator::Grip Navigator::Grab(const Vector3& view) const
 {
-  this->Pitch = SolvePitch(view, Dot(world, this->Up), this->Pitch);
+  return { this->ToWorld(view), this->Pitch };
+}
+
+void Navigator::Pull(const Grip& grip, const Vector3& view)
+{
+  const Vector3& world = grip.World;
+  const double solved = SolvePitch(view, Dot(world, this->Up), grip.Pitch);
+  this->Pitch = grip.Pitch + Share(view, grip.Pitch) * (solved - grip.Pitch);
   const Vector3 shown = this->ToWorld(view);
   const double shownAhead = Dot(shown, this->Ahead);
   const double shownRight = Dot(shown, this->Right);

@@ -25,10 +25,22 @@ public:
   // A direction in view coordinates (x right, y up, z behind) as one of the world.
   Vector3 ToWorld(const Vector3& view) const;
 
-  // Turns the eye until the direction `view` of the picture (unit length, view coordinates)
-  // shows the direction `world` (unit length). Where no turn with an upright horizon does
-  // that, one comes as close as its latitude allows.
-  void Face(const Vector3& view, const Vector3& world);
+  // A direction of the world that a hand holds, and how the eye looked when it was grabbed.
+  struct Grip
+  {
+    Vector3 World{ { 0, 0, -1 } }; // unit length
+    double Pitch = 0;              // radians
+  };
+
+  // Takes hold of what the direction `view` of the picture shows (unit length, view
+  // coordinates).
+  Grip Grab(const Vector3& view) const;
+
+  // Turns the eye until the direction `view` shows what is held, wherever it looked meanwhile.
+  // The azimuth is always right. So is the latitude, within 60 degrees of ahead and of behind,
+  // as far as an upright horizon allows; farther to the sides, where raising the eye hardly
+  // raises anything, the eye follows less and less, and at the very side it is raised no more.
+  void Pull(const Grip& grip, const Vector3& view);
 
   // Turns the eye to the right and up, degrees; it stops at the zenith and the nadir.
   void Turn(double right, double up);

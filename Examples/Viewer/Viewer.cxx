@@ -33,18 +33,17 @@ Navigator Viewer::StartOf(const Scene& scene, const Options& o)
   return Navigator(pose.Eye, pose.Direction, pose.Up, o.Up.value_or(Vector3{ { 0, 1, 0 } }));
 }
 
-Viewer::Viewer(const ViewerOptions& options, const Scene& scene, GlfwWindow& window, StateLog& log)
+Viewer::Viewer(const ViewerOptions& options, const Scene& scene, Wall& windows, StateLog& log)
   : Given(options)
   , What(scene)
-  , Window(window)
+  , Windows(windows)
   , Lines(log)
   , Now(options.Picture)
   , Angles(options.Picture)
   , Head(StartOf(scene, options.Picture))
-  , Stage(window.GetHandle(), scene, options.Picture)
   , ShowsText(!options.NoText)
 {
-  this->At = window.GetCursor();
+  this->At = windows.GetCursor();
   double b[6];
   if (SceneBounds(scene, b))
   {
@@ -57,7 +56,8 @@ Viewer::Viewer(const ViewerOptions& options, const Scene& scene, GlfwWindow& win
 
 bool Viewer::IsDone() const
 {
-  return this->Window.IsClosing() || (this->Given.Frames > 0 && this->Frames >= this->Given.Frames);
+  return this->Windows.IsClosing() ||
+    (this->Given.Frames > 0 && this->Frames >= this->Given.Frames);
 }
 
 void Viewer::Run()
@@ -65,14 +65,14 @@ void Viewer::Run()
   while (!this->IsDone())
   {
     this->Wait();
-    this->Window.CheckAlive();
-    for (const WindowEvent& event : this->Window.TakeEvents())
+    this->Windows.CheckAlive();
+    for (const WindowEvent& event : this->Windows.TakeEvents())
     {
       this->Handle(event);
     }
     this->Advance();
-    this->Dirty = this->Window.TakeDamage() || this->Dirty || this->Given.Frames > 0;
-    if (this->Dirty && !this->Window.IsClosing() && this->Fit())
+    this->Dirty = this->Windows.TakeDamage() || this->Dirty || this->Given.Frames > 0;
+    if (this->Dirty && !this->Windows.IsClosing() && this->Fit())
     {
       this->DrawFrame();
     }
@@ -82,20 +82,20 @@ void Viewer::Run()
 // Nothing to do, nothing done: an idle window costs no time.
 void Viewer::Wait()
 {
-  const std::array<int, 2> size = this->Window.GetSize();
+  const std::array<int, 2> size = this->Windows.GetSize();
   const bool hidden = size[0] <= 0 || size[1] <= 0;
   const bool busy = this->Dirty || !this->Held.empty() || this->Given.Frames > 0;
   if (busy && hidden)
   {
-    this->Window.Wait(HiddenPause);
+    this->Windows.Wait(HiddenPause);
   }
   else if (busy)
   {
-    this->Window.Poll();
+    this->Windows.Poll();
   }
   else
   {
-    this->Window.Wait();
+    this->Windows.Wait();
   }
 }
 
@@ -124,17 +124,15 @@ void Viewer::Advance()
 // OpenGL can draw.
 bool Viewer::Fit()
 {
-  const std::array<int, 2> size = this->Window.GetSize();
-  const std::array<int, 2> limits = this->Stage.GetLimits();
+  const std::array<int, 2> size = this->Windows.GetSize();
   if (size[0] <= 0 || size[1] <= 0)
   {
     return false;
   }
-  if (size[0] > limits[0] || size[1] > limits[1])
+  if (!this->Windows.IsWithinLimits())
   {
     this->Dirty = false; // until it changes
-    widefov::Say("warning: the window is larger than this OpenGL draws, " +
-      std::to_string(limits[0]) + "x" + std::to_string(limits[1]) + " pixels; make it smaller");
+    widefov::Say("warning: the window is larger than this OpenGL draws; make it smaller");
     return false;
   }
   if (size != this->Now.Size)
@@ -150,10 +148,9 @@ void Viewer::DrawFrame()
 {
   this->Dirty = false;
   this->Frames++;
-  this->Cost = this->Stage.Draw(
+  this->Cost = this->Windows.Draw(
     this->Now, [this](const FrameCost& cost) { return this->TextFor(cost); },
     this->ShowsHelp ? HelpText() : "");
-  this->Window.Show();
   if (this->Lines.IsOpen())
   {
     WaitForServer(); // who reads of the frame finds it on the screen
@@ -201,7 +198,7 @@ void Viewer::Log(const std::string& event)
   state.Yaw = this->Head.GetYaw();
   state.Pitch = this->Head.GetPitch();
   state.Pending = this->Dirty || !this->Held.empty();
-  state.FullScreen = this->Window.IsFullScreen();
+  state.FullScreen = this->Windows.IsFullScreen();
   state.Help = this->ShowsHelp;
   state.Text = this->ShowsText;
   state.Message = this->Message;
@@ -303,7 +300,7 @@ void Viewer::HandleButton(const WindowEvent& event)
     {
       this->Dragging = kind;
     }
-    this->Grabbed = ray ? this->Head.ToWorld(*ray) : this->Grabbed;
+    this->Grip = ray ? this->Head.Grab(*ray) : this->Grip;
   }
   this->Log(press ? "press" : "release");
 }
@@ -317,7 +314,7 @@ void Viewer::HandleCursor(double x, double y)
   {
     if (const std::optional<Vector3> ray = this->RayAt(x, y))
     {
-      this->Head.Face(*ray, this->Grabbed);
+      this->Head.Pull(this->Grip, *ray);
       this->TakePose();
     }
   }

@@ -4,13 +4,12 @@
 #define WideFoVViewer_h
 
 #include "Fields.h"
-#include "GlfwWindow.h"
 #include "Keys.h"
 #include "Navigator.h"
 #include "Scene.h"
 #include "StateLog.h"
 #include "ViewerOptions.h"
-#include "ViewerStage.h"
+#include "Wall.h"
 
 #include <chrono>
 #include <set>
@@ -21,7 +20,7 @@ class Viewer
 {
 public:
   // All of them must outlive this.
-  Viewer(const ViewerOptions& options, const Scene& scene, GlfwWindow& window, StateLog& log);
+  Viewer(const ViewerOptions& options, const Scene& scene, Wall& windows, StateLog& log);
 
   // Until the window is closed, or so many frames are drawn. Throws a Failure with
   // ExitFailed.
@@ -66,13 +65,12 @@ private:
 
   const ViewerOptions& Given;
   const Scene& What;
-  GlfwWindow& Window;
+  Wall& Windows;
   StateLog& Lines;
 
   Options Now; // what is drawn
   Fields Angles;
   Navigator Head;
-  ViewerStage Stage;
   Vector3 Center{ { 0, 0, 0 } }; // of the scene
   double SceneSize = 1;          // scene units
 
@@ -85,8 +83,8 @@ private:
 
   Drag Dragging = Drag::None;
   std::array<double, 2> At{ { 0, 0 } }; // the pointer
-  Vector3 Grabbed{ { 0, 0, -1 } };      // direction in the world
-  std::set<int> Held;                   // keys that move the eye
+  Navigator::Grip Grip;
+  std::set<int> Held; // keys that move the eye
   bool Fast = false;
   std::chrono::steady_clock::time_point LastMove;
 };

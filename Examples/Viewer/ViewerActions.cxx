@@ -32,10 +32,10 @@ void Viewer::Do(Action action)
       this->Say("the command is on standard output");
       break;
     case Action::ToggleFullScreen:
-      this->Window.SetFullScreen(!this->Window.IsFullScreen());
+      this->Windows.SetFullScreen(!this->Windows.IsFullScreen());
       break;
     case Action::NextMonitor:
-      this->Window.NextMonitor();
+      this->Windows.NextMonitor();
       break;
     case Action::Leave:
       this->Leave();
@@ -52,11 +52,13 @@ bool Viewer::DoView(Action action)
   {
     case Action::NextProjection:
     case Action::PreviousProjection:
-      StepProjection(this->Now, this->Angles, action == Action::NextProjection ? 1 : -1);
+      StepProjection(this->Now, this->Angles, action == Action::NextProjection ? 1 : -1,
+        this->Windows.IsSeveral());
       return true;
     case Action::NextTechnique:
     case Action::PreviousTechnique:
-      if (!StepTechnique(this->Now, action == Action::NextTechnique ? 1 : -1))
+      if (!StepTechnique(
+            this->Now, action == Action::NextTechnique ? 1 : -1, this->Windows.IsSeveral()))
       {
         this->Message = "there is no other technique for this";
       }
@@ -122,13 +124,13 @@ void Viewer::Leave()
     this->ShowsHelp = false;
     this->Changed();
   }
-  else if (this->Window.IsFullScreen())
+  else if (this->Windows.IsFullScreen())
   {
-    this->Window.SetFullScreen(false);
+    this->Windows.SetFullScreen(false);
   }
   else
   {
-    this->Window.Close();
+    this->Windows.Close();
   }
 }
 
@@ -136,7 +138,7 @@ void Viewer::TakeScreenshot()
 {
   try
   {
-    const std::string file = WriteScreenshot(this->Stage.Take(this->Now), this->Now);
+    const std::string file = WriteScreenshot(this->Windows.Take(this->Now), this->Now);
     this->Say("written: " + file);
   }
   catch (const Failure& failure)

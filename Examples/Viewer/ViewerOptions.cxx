@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ViewerOptions.h"
 
+#include "Choices.h"
 #include "Keys.h"
+#include "Messages.h"
 #include "OptionCheck.h"
 #include "OptionGroup.h"
 
@@ -10,6 +12,7 @@ namespace widefov
 namespace
 {
 // What fits most screens, in the proportions of the whole sphere; pixels.
+constexpr int MostWindows = 16; // of a row or a column
 constexpr std::array<int, 2> WindowSize{ { 1024, 512 } };
 
 void DeclareWindow(CLI::App& app, ViewerOptions& o)
@@ -17,9 +20,34 @@ void DeclareWindow(CLI::App& app, ViewerOptions& o)
   OptionGroup group(app, "Window");
   group.Flag("--full-screen", o.FullScreen, "begin with the whole screen");
   group.Integer("--monitor", o.Monitor, 0, 64, "for the full screen; 0 is the primary one");
+  group.Add("--wall", "CxR", "1x1", "columns and rows of windows that show one picture",
+    [&o](const std::string& option, const std::string& value) {
+      const std::size_t cross = std::min(value.find('x'), value.size());
+      const std::string rows = value.substr(std::min(cross + 1, value.size()));
+      o.Wall[0] = ParseInteger(option, value.substr(0, cross), 1, MostWindows);
+      o.Wall[1] = ParseInteger(option, rows, 1, MostWindows);
+    });
   group.Flag("--no-text", o.NoText, "begin without the text on the picture");
   group.Name("--log", "FILE", o.Log, "the state after each frame and click, a JSON object a line");
   group.Integer("--frames", o.Frames, 0, 1000000, "end after so many frames; 0: when closed");
+}
+
+void CheckWall(ViewerOptions& o)
+{
+  const bool none = wfv::FindProjection(o.Picture.Projection) == nullptr; // lists are asked for
+  if (none || o.Wall[0] * o.Wall[1] == 1)
+  {
+    return;
+  }
+  if (!CanBeTiled(o.Picture))
+  {
+    FailUsage("--wall is for wide projections drawn by this module, not for perspective and "
+              "--technique cubemap; leave it out");
+  }
+  if (o.Monitor > 0)
+  {
+    FailUsage("--wall and --monitor exclude each other: the windows take the monitors in turn");
+  }
 }
 }
 
@@ -37,6 +65,7 @@ std::optional<int> ParseViewerOptions(int argc, char** argv, ViewerOptions& o)
   }
   o.Picture.HasSize = app.count("--size") > 0;
   CheckScene(o.Picture, fov);
+  CheckWall(o);
   return std::nullopt;
 }
 }

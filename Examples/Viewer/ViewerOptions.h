@@ -14,7 +14,8 @@ struct ViewerOptions
 {
   Options Picture; // what widefov-render takes, too
   bool FullScreen = false;
-  int Monitor = 0; // from 1; 0: the primary one
+  int Monitor = 0;                     // from 1; 0: the primary one
+  std::array<int, 2> Wall{ { 1, 1 } }; // columns and rows of windows
   bool NoText = false;
   std::string Log; // of states, one JSON object a line
   int Frames = 0;  // draw so many and end; 0: until the window is closed

@@ -18,7 +18,18 @@ namespace
 constexpr std::array<int, 2> TextRoom{ { 64, 32 } };
 }
 
-ViewerStage::ViewerStage(GLFWwindow* window, const Scene& scene, const Options& o)
+FrameCost operator+(const FrameCost& a, const FrameCost& b)
+{
+  FrameCost sum{ a.Milliseconds + b.Milliseconds, b.Draws };
+  if (a.Draws && b.Draws)
+  {
+    sum.Draws = DrawCounts{ a.Draws->Plain + b.Draws->Plain, a.Draws->PreClip + b.Draws->PreClip,
+      a.Draws->Tessellate + b.Draws->Tessellate, a.Draws->Exact + b.Draws->Exact };
+  }
+  return sum;
+}
+
+ViewerStage::ViewerStage(GLFWwindow* window, const Scene& scene, const Options& o, const Tile& tile)
   : What(scene)
 {
   this->Window->SetWindow(window);
@@ -28,6 +39,10 @@ ViewerStage::ViewerStage(GLFWwindow* window, const Scene& scene, const Options& 
   CheckSize(o, limits);
   this->Window->SetMultiSamples(UsableSamples(o.Samples, limits));
   this->Window->SetNumberOfLayers(2);
+  this->Window->SetTileScale(tile.Columns, tile.Rows);
+  this->Window->SetTileViewport(double(tile.Column) / tile.Columns,
+    double(tile.Rows - 1 - tile.Row) / tile.Rows, double(tile.Column + 1) / tile.Columns,
+    double(tile.Rows - tile.Row) / tile.Rows);
   this->Renderer->SetBackground(o.Background.data());
   for (const SceneProp& prop : scene.Props)
   {
@@ -45,6 +60,7 @@ ViewerStage::ViewerStage(GLFWwindow* window, const Scene& scene, const Options& 
 
 ViewerStage::~ViewerStage()
 {
+  this->Window->MakeCurrent();
   this->Window->Finalize();
 }
 
@@ -63,9 +79,9 @@ void ViewerStage::ApplyCubeMap(const Options& o)
   this->Renderer->SetPass(this->CubeMapPass);
 }
 
-void ViewerStage::Apply(const Options& o)
+void ViewerStage::Apply(const Options& o, const std::array<int, 2>& size)
 {
-  this->Window->SetSize(o.Size[0], o.Size[1]);
+  this->Window->SetSize(size[0], size[1]);
   if (o.Technique == Technique::CubeMap)
   {
     this->ApplyCubeMap(o);
@@ -80,7 +96,7 @@ void ViewerStage::Apply(const Options& o)
 
 bool ViewerStage::HasRoom()
 {
-  const int* const size = this->Window->GetSize();
+  const int* const size = this->Window->GetActualSize();
   return size[0] >= TextRoom[0] && size[1] >= TextRoom[1];
 }
 
@@ -108,21 +124,21 @@ FrameCost ViewerStage::Measure()
   return cost;
 }
 
-FrameCost ViewerStage::Draw(const Options& o,
+FrameCost ViewerStage::Draw(const Options& o, const std::array<int, 2>& size,
   const std::function<std::string(const FrameCost&)>& text, const std::string& help)
 {
   this->TextOf = text;
-  this->Apply(o);
-  this->Texts.SetHelp(this->HasRoom() ? help : "", o.Size[0], o.Size[1]);
+  this->Apply(o, size);
+  this->Texts.SetHelp(this->HasRoom() ? help : "", size[0], size[1]);
   this->Start = std::chrono::steady_clock::now();
   this->Window->Render();
   CheckMessages();
   return this->Cost;
 }
 
-Picture ViewerStage::Take(const Options& o)
+Picture ViewerStage::Take(const Options& o, const std::array<int, 2>& size)
 {
-  this->Draw(o, nullptr, "");
+  this->Draw(o, size, nullptr, "");
   return ReadPicture(this->Window);
 }
 }

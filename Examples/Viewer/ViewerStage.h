@@ -40,11 +40,23 @@ struct FrameCost
   std::optional<DrawCounts> Draws;
 };
 
+// Of both.
+FrameCost operator+(const FrameCost& a, const FrameCost& b);
+
+// Which part of a picture a window shows: columns from the left, rows from the top.
+struct Tile
+{
+  int Columns = 1;
+  int Rows = 1;
+  int Column = 0;
+  int Row = 0;
+};
+
 class ViewerStage
 {
 public:
   // The window's context becomes current and stays so. The scene must outlive this.
-  ViewerStage(GLFWwindow* window, const Scene& scene, const Options& options);
+  ViewerStage(GLFWwindow* window, const Scene& scene, const Options& options, const Tile& tile);
   ~ViewerStage();
   ViewerStage(const ViewerStage&) = delete;
   ViewerStage& operator=(const ViewerStage&) = delete;
@@ -52,16 +64,16 @@ public:
   // Largest width and height that this OpenGL draws, pixels.
   std::array<int, 2> GetLimits() const { return this->Limits; }
 
-  // Draws the scene as the options say, at their size. `text` makes of the cost what is to
-  // stand on the picture; nothing where it is empty.
-  FrameCost Draw(const Options& options, const std::function<std::string(const FrameCost&)>& text,
-    const std::string& help);
+  // Draws this window's part of what the options say, at that size (pixels). `text` makes of
+  // the cost what is to stand on the picture; nothing where it is empty.
+  FrameCost Draw(const Options& options, const std::array<int, 2>& size,
+    const std::function<std::string(const FrameCost&)>& text, const std::string& help);
 
-  // The scene as the options say, without text, not shown.
-  Picture Take(const Options& options);
+  // The same part, without text, not shown.
+  Picture Take(const Options& options, const std::array<int, 2>& size);
 
 private:
-  void Apply(const Options& options);
+  void Apply(const Options& options, const std::array<int, 2>& size);
   void ApplyCubeMap(const Options& options);
   FrameCost Measure();
   bool HasRoom();

@@ -3,7 +3,6 @@
 #include "CameraSetup.h"
 #include "DirectionMapFile.h"
 #include "Display.h"
-#include "GlfwWindow.h"
 #include "Listing.h"
 #include "LoadScene.h"
 #include "Messages.h"
@@ -11,6 +10,7 @@
 #include "StateLog.h"
 #include "Viewer.h"
 #include "ViewerOptions.h"
+#include "Wall.h"
 
 #include <iostream>
 
@@ -48,9 +48,8 @@ int Run(int argc, char** argv)
   const DisplayConnection display;
   StateLog log(options.Log);
   const QuietStandardError quiet;
-  GlfwWindow window(
-    TitleOf(options.Picture), options.Picture.Size, options.FullScreen, options.Monitor);
-  Viewer(options, scene, window, log).Run();
+  Wall windows(options, scene, TitleOf(options.Picture));
+  Viewer(options, scene, windows, log).Run();
   return ExitDone;
 }
 }

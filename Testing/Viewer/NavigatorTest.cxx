@@ -80,34 +80,70 @@ TEST(Navigator, BeginsStraightUpAndDown)
   }
 }
 
-// Whatever direction was shown there in another pose can be shown there again.
+// Whatever direction was shown there in another pose can be shown there again, but at the
+// sides and beyond the zenith.
 RC_GTEST_PROP(Navigator, ShowsTheDirectionGrabbedWhereThePointerIs, ())
 {
   const Vector3 up = Direction();
   Navigator n = SomePose(up);
   const Vector3 view = Direction();
+  const Vector3 ahead = Unit(n.GetDirection() - Dot(n.GetDirection(), up) * up);
+  const Vector3 shown = n.ToWorld(view);
+  RC_PRE(std::abs(Dot(shown, ahead)) > 0.51 * Apart(shown, Dot(shown, up) * up));
   Navigator other = n;
   other.Turn(Number(-180, 180), Number(-90, 90));
-  const Vector3 world = other.ToWorld(view);
-  n.Face(view, world);
-  RC_ASSERT(Apart(n.ToWorld(view), world) < PlaceRounding);
+  Navigator::Grip grip = n.Grab(view);
+  grip.World = other.ToWorld(view);
+  n.Pull(grip, view);
   AssertUpright(n, up);
+  RC_ASSERT(std::abs(n.GetPitch()) > 90 - PlaceRounding ||
+    Apart(n.ToWorld(view), grip.World) < PlaceRounding);
 }
 
-// And one that cannot: the horizon stays, and the azimuth is right.
-RC_GTEST_PROP(Navigator, ComesAsNearAsTheHorizonAllows, ())
+// At the side too, whatever the latitude.
+RC_GTEST_PROP(Navigator, TheAzimuthIsAlwaysRight, ())
 {
   const Vector3 up{ { 0, 1, 0 } };
   Navigator n = SomePose(up);
   const Vector3 view = Direction();
-  const Vector3 world = Direction();
-  n.Face(view, world);
+  Navigator::Grip grip = n.Grab(view);
+  grip.World = Direction();
+  n.Pull(grip, view);
   AssertUpright(n, up);
   RC_ASSERT(std::abs(n.GetPitch()) <= 90 + Rounding);
   const Vector3 shown = n.ToWorld(view);
-  const double a = std::atan2(shown[0], shown[2]) - std::atan2(world[0], world[2]);
-  RC_PRE(std::hypot(shown[0], shown[2]) > 1e-3 && std::hypot(world[0], world[2]) > 1e-3);
+  const double a = std::atan2(shown[0], shown[2]) - std::atan2(grip.World[0], grip.World[2]);
+  RC_PRE(std::hypot(shown[0], shown[2]) > 1e-3 && std::hypot(grip.World[0], grip.World[2]) > 1e-3);
   RC_ASSERT(std::abs(std::sin(0.5 * a)) < PlaceRounding);
+}
+
+// Small ways of the hand are small turns of the eye, whichever direction it holds: there is
+// no side at which the view leaps.
+RC_GTEST_PROP(Navigator, NothingLeaps, ())
+{
+  const Vector3 up{ { 0, 1, 0 } };
+  Navigator n({ { 0, 0, 0 } }, { { Number(-1, 1), 0, -1 } }, up, up);
+  const double longitude = Number(-3.14159, 3.14159);
+  const double latitude = Number(-0.5, 0.5);
+  const auto ray = [](double a, double b) {
+    return Vector3{ { std::sin(a) * std::cos(b), std::sin(b), -std::cos(a) * std::cos(b) } };
+  };
+  const Navigator::Grip grip = n.Grab(ray(longitude, latitude));
+  const double small = 0.01; // radians
+  n.Pull(grip, ray(longitude + small, latitude + small));
+  RC_ASSERT(std::abs(n.GetPitch()) < 3 * small * 57.3);
+}
+
+TEST(Navigator, ComingBackUndoesADrag)
+{
+  Navigator n({ { 0, 0, 0 } }, { { 1, 0.3, -1 } }, { { 0, 1, 0 } }, { { 0, 1, 0 } });
+  const Vector3 start = Unit({ { 1, 0.2, -0.4 } });
+  const Vector3 before = n.GetDirection();
+  const Navigator::Grip grip = n.Grab(start);
+  n.Pull(grip, Unit({ { 1, -0.9, 0.3 } }));
+  EXPECT_GT(Apart(n.GetDirection(), before), 0.1);
+  n.Pull(grip, start);
+  EXPECT_LT(Apart(n.GetDirection(), before), Rounding);
 }
 
 RC_GTEST_PROP(Navigator, OrbitKeepsTheCentreInThePicture, ())

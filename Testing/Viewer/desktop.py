@@ -36,6 +36,13 @@ def wait_for(what, look):
     raise Gone("%s: still not so after %d s" % (what, PATIENCE))
 
 
+def pixels_of(drawable, width, height):
+    """Rows from the top, red, green, blue."""
+    raw = drawable.get_image(0, 0, width, height, X.ZPixmap, 0xFFFFFFFF)
+    pixels = numpy.frombuffer(raw.data, numpy.uint8).reshape(height, width, 4)
+    return pixels[:, :, 2::-1].copy()
+
+
 class Desktop:
     """An Xvfb without a window manager; the keyboard goes where the pointer is."""
 
@@ -61,6 +68,10 @@ class Desktop:
             self.display.close()
             self.server.terminate()
             self.server.wait()
+
+    def photograph(self, width, height):
+        """The upper left part of the screen: rows from the top, red, green, blue."""
+        return pixels_of(self.root, width, height)
 
     def point(self, x, y):
         """Moves the pointer, in pixels of the screen."""
@@ -207,9 +218,7 @@ class Viewer:
     def photograph(self):
         """What the screen shows of the window: rows from the top, red, green, blue."""
         size = self.window.get_geometry()
-        raw = self.window.get_image(0, 0, size.width, size.height, X.ZPixmap, 0xFFFFFFFF)
-        pixels = numpy.frombuffer(raw.data, numpy.uint8).reshape(size.height, size.width, 4)
-        return pixels[:, :, 2::-1].copy()
+        return pixels_of(self.window, size.width, size.height)
 
     def resize(self, width, height):
         """Returns the state of the first frame of that size."""

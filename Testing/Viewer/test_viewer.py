@@ -329,6 +329,57 @@ class Window(ViewerTest):
             self.assert_ends(viewer, 1, "display is gone")
 
 
+class Wall(ViewerTest):
+    """Several windows that show one picture."""
+
+    def start_wall(self, columns, rows, projection):
+        viewer = self.start("--wall", "%dx%d" % (columns, rows), "--size", "300x200",
+            "--projection", projection, "--direction", "1,0.2,-3", scene=("--scene", "room"))
+        self.desktop.point(columns * 300 + 50, rows * 200 + 50)
+        viewer.wait()
+        return viewer
+
+    def test_windows_together_show_the_picture(self):
+        for columns, rows, projection in (
+            (2, 2, "equirectangular"), (3, 1, "azimuthal-equidistant"), (1, 2, "hammer")):
+            viewer = self.start_wall(columns, rows, projection)
+            self.assertEqual(viewer.state()["size"], [300 * columns, 200 * rows])
+            whole = self.desktop.photograph(300 * columns, 200 * rows)
+            viewer.point(5, 5)
+            self.assertEqual((whole != self.render(viewer)).any(2).sum(), 0, projection)
+            viewer.key("p")
+            while viewer.state()["projection"] != projection:
+                self.assertNotEqual(viewer.state()["projection"], "perspective")
+                viewer.key("p")
+            viewer.ask_to_close()
+            self.assert_ends(viewer, 0)
+
+    def test_drag_from_window_to_window(self):
+        viewer = self.start_wall(2, 1, "hammer")
+        self.desktop.point(330, 110)
+        self.desktop.press("left")
+        self.desktop.point(250, 60)
+        state = viewer.after(lambda: self.desktop.release("left"),
+            lambda s: s["cursor"] == [250.5, 60.5])
+        press = [line for line in viewer.states() if line["event"] == "press"][-1]
+        self.assertEqual(press["cursor"], [330.5, 110.5])
+        numpy.testing.assert_allclose(
+            state["under_cursor"], press["under_cursor"], atol=UPRIGHT)
+
+
+class Documented(unittest.TestCase):
+    def test_the_page_has_the_keys_of_the_help(self):
+        text = subprocess.run([PROGRAMS["viewer"], "--help"], stdout=subprocess.PIPE, check=True)
+        text = text.stdout.decode().split("Keys and mouse:\n")[1]
+        lines = [re.split(r"  +", line.strip(), maxsplit=1) for line in text.strip().split("\n")]
+        name = os.path.join(os.path.dirname(__file__), "..", "..", "Documentation", "viewer.md")
+        with open(name, encoding="utf-8") as stream:
+            page = stream.read()
+        rows = re.findall(r"^\| ([^|`]+) \| ([^|]+) \|$", page.split("## Options")[0], re.M)
+        self.assertGreater(len(lines), 10)
+        self.assertEqual([tuple(line) for line in lines], rows[2:])  # after the table's head
+
+
 if __name__ == "__main__":
     PROGRAMS["viewer"], PROGRAMS["render"] = map(os.path.abspath, sys.argv[1:3])
     unittest.main(argv=[sys.argv[0], "--verbose"] + sys.argv[3:])
