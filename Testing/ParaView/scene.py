@@ -56,11 +56,11 @@ def load_plugin(options, remote=False):
         simple.LoadPlugin(options.plugin, remote=False, ns=vars(simple))
 
 
-def make_view(size=None, **properties):
-    """A wide view on black with nothing in it that is not data."""
+def make_view(size=None, kind="WideFoVView", **properties):
+    """A view on black with nothing in it that is not data."""
     # no scene decides where the eye is
     simple._DisableFirstRenderCameraReset()
-    view = simple.CreateView("WideFoVView")
+    view = simple.CreateView(kind)
     view.ViewSize = size or SIZE
     view.OrientationAxesVisibility = 0
     view.CenterAxesVisibility = 0
@@ -177,21 +177,17 @@ def save(view, path, size=None):
     return path
 
 
-def check_cells(options, view, mesh_path, picture_path, tolerance):
-    """The checker's answer about a saved picture of numbered cells."""
-    request = {
-        "mesh": mesh_path,
-        "picture": picture_path,
-        "projection": view.GetProperty("Projection").GetData(),
-        "hfov": view.HorizontalFieldOfView,
-        "vfov": view.VerticalFieldOfView,
-        "tilt": view.Tilt,
-        "clip": list(EVERYTHING if view.AutomaticClipSpheres else view.ClipSpheres),
+def pose_of(view):
+    return {
         "eye": list(view.CameraPosition),
         "focal": list(view.CameraFocalPoint),
         "up": list(view.CameraViewUp),
-        "tolerance": tolerance,
     }
+
+
+def check(options, request, mesh_path, picture_path, tolerance):
+    """The checker's answer about a saved picture of numbered cells."""
+    request = dict(request, mesh=mesh_path, picture=picture_path, tolerance=tolerance)
     path = picture_path + ".json"
     with open(path, "w") as out:
         json.dump(request, out)
@@ -201,3 +197,16 @@ def check_cells(options, view, mesh_path, picture_path, tolerance):
     if answer.returncode != 0:
         raise RuntimeError(answer.stderr)
     return json.loads(answer.stdout)
+
+
+def check_cells(options, view, mesh_path, picture_path, tolerance):
+    """The same, for a wide view as it is now."""
+    request = {
+        "projection": view.GetProperty("Projection").GetData(),
+        "hfov": view.HorizontalFieldOfView,
+        "vfov": view.VerticalFieldOfView,
+        "tilt": view.Tilt,
+        "clip": list(EVERYTHING if view.AutomaticClipSpheres else view.ClipSpheres),
+    }
+    request.update(pose_of(view))
+    return check(options, request, mesh_path, picture_path, tolerance)
