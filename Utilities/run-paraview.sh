@@ -17,5 +17,6 @@ program="$1"
 shift
 export LD_LIBRARY_PATH="$prefix/lib/$(uname -m)-linux-gnu${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}"
 export PYTHONPATH="$prefix/lib/python3/dist-packages${PYTHONPATH:+:$PYTHONPATH}"
+export WIDEFOV_PARAVIEW_PREFIX="$prefix" # for scripts that start further programs
 export PYTHONDONTWRITEBYTECODE=1
 exec "${ranks[@]}" "$prefix/bin/$program" "$@"

@@ -17,6 +17,9 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
+#include "vtkSynchronizedRenderers.h"
+#include "vtkVolume.h"
+#include "vtkVolumeCollection.h"
 
 #include <algorithm>
 #include <array>
@@ -41,6 +44,7 @@ struct vtkPVWideFoVView::Internals
   bool AutomaticClipSpheres = true;
   std::array<double, 2> ClipSpheres{ { 0.01, 1000 } };
   int DepthMapping = vtkWideFoVCamera::LINEAR;
+  bool WarnedOfVolumes = false;
 };
 
 // Not the standard macro: the renderers are made by the superclass's constructor.
@@ -224,6 +228,36 @@ void vtkPVWideFoVView::ResetCameraClippingRange()
 {
   this->Superclass::ResetCameraClippingRange();
   this->UpdateClipSpheres();
+}
+
+void vtkPVWideFoVView::AboutToRenderOnLocalProcess(bool interactive)
+{
+  this->Superclass::AboutToRenderOnLocalProcess(interactive);
+  // IceT would reduce the picture by its projection matrix, which draws nothing here
+  vtkSynchronizedRenderers* ranks = this->SynchronizedRenderers->GetParallelSynchronizer();
+  if (ranks && ranks->IsA("vtkIceTSynchronizedRenderers"))
+  {
+    this->SynchronizedRenderers->SetImageReductionFactor(1);
+  }
+  this->WarnOfVolumes();
+}
+
+void vtkPVWideFoVView::WarnOfVolumes()
+{
+  vtkVolumeCollection* volumes = this->GetRenderer()->GetVolumes();
+  vtkCollectionSimpleIterator it;
+  volumes->InitTraversal(it);
+  bool visible = false;
+  while (vtkVolume* volume = volumes->GetNextVolume(it))
+  {
+    visible = visible || volume->GetVisibility();
+  }
+  if (visible && !this->Internal->WarnedOfVolumes)
+  {
+    vtkWarningMacro(<< "Volumes cannot be drawn in this view yet: their rays assume a flat picture. "
+                       "Show contours or slices instead.");
+  }
+  this->Internal->WarnedOfVolumes = visible; // again when one is shown anew
 }
 
 void vtkPVWideFoVView::StartFrame()

@@ -83,6 +83,8 @@ protected:
   vtkPVWideFoVView();
   ~vtkPVWideFoVView() override;
 
+  void AboutToRenderOnLocalProcess(bool interactive) override;
+
 private:
   vtkPVWideFoVView(const vtkPVWideFoVView&) = delete;
   void operator=(const vtkPVWideFoVView&) = delete;
@@ -92,6 +94,9 @@ private:
 
   // The clip spheres to the data, or as they are set; the same on every process.
   void UpdateClipSpheres();
+
+  // Says once that a volume that was shown is not drawn.
+  void WarnOfVolumes();
 
   // Around each frame of the renderer: the eye is where the client says.
   void StartFrame();

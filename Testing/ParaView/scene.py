@@ -56,11 +56,11 @@ def load_plugin(options, remote=False):
         simple.LoadPlugin(options.plugin, remote=False, ns=vars(simple))
 
 
-def make_view(size=None, **properties):
-    """A wide view on black with nothing in it that is not data."""
+def make_view(size=None, kind="WideFoVView", **properties):
+    """A view on black with nothing in it that is not data."""
     # no scene decides where the eye is
     simple._DisableFirstRenderCameraReset()
-    view = simple.CreateView("WideFoVView")
+    view = simple.CreateView(kind)
     view.ViewSize = size or SIZE
     view.OrientationAxesVisibility = 0
     view.CenterAxesVisibility = 0
@@ -79,30 +79,33 @@ def place_eye(view, eye, focal, up=(0, 1, 0)):
     view.CameraViewUp = up
 
 
-def _number_cells(mesh):
-    """Each cell's colour is 1 + its id; the picture says which cell each pixel shows."""
+def _make_numbers(count, first, per_number):
     colours = vtkUnsignedCharArray()
     colours.SetName("number")
     colours.SetNumberOfComponents(3)
-    for cell in range(1, mesh.GetNumberOfCells() + 1):
-        colours.InsertNextTuple3(cell >> 16, cell >> 8 & 255, cell & 255)
-    mesh.GetCellData().AddArray(colours)
+    for i in range(count):
+        n = first + i // per_number + 1
+        colours.InsertNextTuple3(n >> 16, n >> 8 & 255, n & 255)
+    return colours
 
 
-def write_mesh(path):
-    """A sphere and the contours of a wavelet, round the origin, as one file of triangles."""
-    sphere = vtkSphereSource()
-    sphere.SetThetaResolution(48)
-    sphere.SetPhiResolution(48)
-    sphere.SetRadius(2)
-    sphere.SetCenter(4, 1, -3)
-    wavelet = vtkRTAnalyticSource()
-    contour = vtkContourFilter()
-    contour.SetInputConnection(wavelet.GetOutputPort())
-    contour.GenerateValues(2, 120, 180)
+def number_cells(mesh, first=0, per_number=1):
+    """Colours that count the cells, from first + 1 on: a picture of the mesh in them says
+    which cell each pixel shows. So many cells in a row may share a number."""
+    numbers = _make_numbers(mesh.GetNumberOfCells(), first, per_number)
+    mesh.GetCellData().AddArray(numbers)
+
+
+def number_points(mesh):
+    """Colours that count the points."""
+    mesh.GetPointData().AddArray(_make_numbers(mesh.GetNumberOfPoints(), 0, 1))
+
+
+def triangles_of(*algorithms):
+    """One mesh of bare triangles."""
     both = vtkAppendPolyData()
-    both.AddInputConnection(sphere.GetOutputPort())
-    both.AddInputConnection(contour.GetOutputPort())
+    for algorithm in algorithms:
+        both.AddInputConnection(algorithm.GetOutputPort())
     triangles = vtkTriangleFilter()
     triangles.SetInputConnection(both.GetOutputPort())
     triangles.PassVertsOff()
@@ -110,7 +113,30 @@ def write_mesh(path):
     triangles.Update()
     mesh = vtkPolyData()
     mesh.CopyStructure(triangles.GetOutput())
-    _number_cells(mesh)
+    return mesh
+
+
+def make_sphere():
+    sphere = vtkSphereSource()
+    sphere.SetThetaResolution(48)
+    sphere.SetPhiResolution(48)
+    sphere.SetRadius(2)
+    sphere.SetCenter(4, 1, -3)
+    return sphere
+
+
+def make_contours():
+    wavelet = vtkRTAnalyticSource()
+    contour = vtkContourFilter()
+    contour.SetInputConnection(wavelet.GetOutputPort())
+    contour.GenerateValues(2, 120, 180)
+    return contour
+
+
+def write_mesh(path):
+    """A sphere and the contours of a wavelet, round the origin, as one file of triangles."""
+    mesh = triangles_of(make_sphere(), make_contours())
+    number_cells(mesh)
     write_polydata(mesh, path)
     return mesh
 
@@ -122,17 +148,28 @@ def write_polydata(mesh, path):
     writer.Write()
 
 
+def spread(source):
+    """The surface of the source, a part of it on each rank."""
+    parts = simple.RedistributeDataSet(Input=source)
+    parts.BoundaryMode = "Assign to one region"
+    return simple.ExtractSurface(Input=parts)
+
+
 def show_cells(source, view):
     """Shows the numbers as they are: no light, no colour map, no interpolation."""
     display = simple.Show(source, view)
     display.Representation = "Surface"
     simple.ColorBy(display, ("CELLS", "number"))
+    show_as_numbers(display)
+    return display
+
+
+def show_as_numbers(display):
     display.MapScalars = 0
     display.Interpolation = "Flat"
     display.Ambient = 1
     display.Diffuse = 0
     display.Specular = 0
-    return display
 
 
 def save(view, path, size=None):
@@ -140,21 +177,17 @@ def save(view, path, size=None):
     return path
 
 
-def check_cells(options, view, mesh_path, picture_path, tolerance):
-    """The checker's answer about a saved picture of numbered cells."""
-    request = {
-        "mesh": mesh_path,
-        "picture": picture_path,
-        "projection": view.GetProperty("Projection").GetData(),
-        "hfov": view.HorizontalFieldOfView,
-        "vfov": view.VerticalFieldOfView,
-        "tilt": view.Tilt,
-        "clip": list(EVERYTHING if view.AutomaticClipSpheres else view.ClipSpheres),
+def pose_of(view):
+    return {
         "eye": list(view.CameraPosition),
         "focal": list(view.CameraFocalPoint),
         "up": list(view.CameraViewUp),
-        "tolerance": tolerance,
     }
+
+
+def check(options, request, mesh_path, picture_path, tolerance):
+    """The checker's answer about a saved picture of numbered cells."""
+    request = dict(request, mesh=mesh_path, picture=picture_path, tolerance=tolerance)
     path = picture_path + ".json"
     with open(path, "w") as out:
         json.dump(request, out)
@@ -164,3 +197,16 @@ def check_cells(options, view, mesh_path, picture_path, tolerance):
     if answer.returncode != 0:
         raise RuntimeError(answer.stderr)
     return json.loads(answer.stdout)
+
+
+def check_cells(options, view, mesh_path, picture_path, tolerance):
+    """The same, for a wide view as it is now."""
+    request = {
+        "projection": view.GetProperty("Projection").GetData(),
+        "hfov": view.HorizontalFieldOfView,
+        "vfov": view.VerticalFieldOfView,
+        "tilt": view.Tilt,
+        "clip": list(EVERYTHING if view.AutomaticClipSpheres else view.ClipSpheres),
+    }
+    request.update(pose_of(view))
+    return check(options, request, mesh_path, picture_path, tolerance)

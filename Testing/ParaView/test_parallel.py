@@ -21,11 +21,7 @@ def main(options):
     mesh = os.path.join(options.output, "mesh.vtp")
     scene.write_mesh(mesh)
     view = scene.make_view()
-    whole = simple.XMLPolyDataReader(FileName=[mesh])
-    parts = simple.RedistributeDataSet(Input=whole)
-    parts.BoundaryMode = "Assign to one region"
-    surface = simple.ExtractSurface(Input=parts)
-    scene.show_cells(surface, view)
+    scene.show_cells(scene.spread(simple.XMLPolyDataReader(FileName=[mesh])), view)
     scene.place_eye(view, [0.5, 0.3, 1], [0.6, 0.2, 0])
     for projection in PROJECTIONS:
         view.Projection = projection
