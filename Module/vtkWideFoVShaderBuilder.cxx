@@ -58,6 +58,12 @@ bool CoversTriangles(const Request& r)
   return vtkWideFoVShaderBuilder::NeedsGeometryStage(r) && r.Kind == Primitive::Triangles;
 }
 
+// True where an eye whose rays begin in several places is served by moving the vertices.
+bool MovesVertices(const Request& r)
+{
+  return r.Stereo && r.Stereo->OwnRays && !CoversTriangles(r);
+}
+
 // What follows from the ray and the distance, where triangles are covered whatever their edges.
 Known KnownOf(const Request& r)
 {
@@ -90,8 +96,8 @@ std::string PrimitiveSource(const Request& r, const std::vector<Varying>& varyin
   // copies of every vertex output at the three corners, which the fragment stage weighs:
   // exact wherever the geometry stage cuts
   return CornerOutputs(varyings, 3, KnownOf(r)) + preclip_emit_glsl + preclip_planes_glsl +
-    preclip_cover_glsl + preclip_narrow_glsl + CoverSource(*r.Projection) +
-    (r.DebugView ? preclip_kinds_glsl : "") + preclip_triangles_glsl;
+    (OwnRays(r) ? own_rays_glsl : "") + preclip_cover_glsl + preclip_narrow_glsl +
+    CoverSource(*r.Projection) + (r.DebugView ? preclip_kinds_glsl : "") + preclip_triangles_glsl;
 }
 
 // toView: the name of the matrix from the vertex buffer to view coordinates; empty where the
@@ -285,6 +291,12 @@ void vtkWideFoVShaderBuilder::Prepare(
 void vtkWideFoVShaderBuilder::Finish(
   const Request& r, std::string& vertex, std::string& geometry, std::string& fragment)
 {
+  if (MovesVertices(r))
+  {
+    WrapMain(vertex, "", "  gl_Position = wfvSeenVertex(gl_Position);\n");
+    // without a geometry stage the view's own text follows
+    Declare(vertex, (NeedsGeometryStage(r) ? ViewSource(r) : "") + stereo_vertex_glsl);
+  }
   if (wfv::quadric::Draws(r.Kind))
   {
     return wfv::quadric::Finish(r, vertex, geometry, fragment);

@@ -73,6 +73,13 @@ std::string Define(const char* name, int value)
   return std::string("#define ") + name + " " + std::to_string(value) + "\n";
 }
 
+bool OwnRays(const Request& r)
+{
+  const bool covered = r.ByRays || r.Stage == vtkWideFoVShaderBuilder::Variant::Exact;
+  return r.Stereo && r.Stereo->OwnRays && covered &&
+    r.Kind == vtkWideFoVShaderBuilder::Primitive::Triangles;
+}
+
 std::string ViewSource(const Request& r)
 {
   const bool meridian = r.Projection->Axis == wfv::Family::Meridian;
@@ -89,7 +96,8 @@ std::string ViewSource(const Request& r)
     Define("WFV_EDGES", r.Edges || r.DebugView) + Define("WFV_EDGE_FLAGS", r.EdgeFlags) +
     Define("WFV_DEBUG_VIEW", r.DebugView) + "#define WFV_TILTED " + (r.Tilted ? "true" : "false") +
     "\n" + "#define WFV_ANGLES " + (meridian ? "wfvMeridianAngles" : "wfvAzimuthalAngles") + "\n" +
-    wfv::MathGlsl() + wfv::CommonGlsl() + wfv::DepthGlsl() + (sampled ? directions_glsl : "") +
+    Define("WFV_OWN_RAYS", OwnRays(r)) + wfv::MathGlsl() + wfv::CommonGlsl() + wfv::DepthGlsl() +
+    (r.Stereo ? sight_glsl + r.Stereo->Glsl : "") + (sampled ? directions_glsl : "") +
     r.Projection->Glsl + interface_glsl;
 }
 

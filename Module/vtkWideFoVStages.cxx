@@ -59,6 +59,7 @@ void vtkWideFoVStages::Begin(
   this->Technique = refused ? static_cast<int>(vtkWideFoVPass::AUTO) : technique;
   const wfv::View& view = camera->GetView(renderer->GetTiledAspectRatio());
   this->Projection = &view.GetProjection();
+  this->OwnRays = view.GetStereoModel() && view.GetStereoModel()->OwnRays;
   this->Tolerance = tolerance;
   const int* const size = renderer->GetSize();
   this->HalfDiagonal = 0.5 * std::hypot(size[0], size[1]);
@@ -117,7 +118,7 @@ vtkWideFoVStage* vtkWideFoVStages::Choose(vtkProp* prop)
   const bool fine = this->Technique == vtkWideFoVPass::AUTO && this->Tolerance < LeastTolerance;
   // a direction map has no chords that something could be said of
   const bool sampled = this->Projection->Axis == wfv::Family::Sampled;
-  if (this->Technique == vtkWideFoVPass::EXACT || fine || sampled)
+  if (this->Technique == vtkWideFoVPass::EXACT || fine || sampled || this->OwnRays)
   {
     return this->Exact;
   }

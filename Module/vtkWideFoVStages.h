@@ -65,6 +65,7 @@ private:
   int Technique = 0;
   int Tessellates = -1; // -1: not asked yet
   const wfv::Projection* Projection = nullptr;
+  bool OwnRays = false; // the rays of an eye begin in several places
   wfv::WfvView View;
   double WorldToView[16];
 };

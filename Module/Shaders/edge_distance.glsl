@@ -50,7 +50,9 @@ float wfvEdgeDistance(int i, float e, vec2 slope)
     vec3 right = wfvRayOfHere(foot + x.xy).direction - wfvRayOfHere(foot - x.xy).direction;
     vec3 above = wfvRayOfHere(foot + x.yx).direction - wfvRayOfHere(foot - x.yx).direction;
     e = wfvEdgesAt(there.direction)[i];
-    slope = vec2(wfvEdgesAt(right)[i], wfvEdgesAt(above)[i]) / (2.0 * WFV_EDGE_DIFFERENCE);
+    slope =
+      vec2(wfvEdgeStep(there.direction, right)[i], wfvEdgeStep(there.direction, above)[i]) /
+      (2.0 * WFV_EDGE_DIFFERENCE);
   }
   return length(foot);
 }
@@ -65,8 +67,8 @@ vec3 wfvEdgeDistances()
   bool rim;
   mat2x3 pixel = wfvRaySteps(ray, rim);
   vec3 e = wfvEdgesAt(ray.direction);
-  vec3 x = wfvEdgesAt(pixel[0]);
-  vec3 y = wfvEdgesAt(pixel[1]);
+  vec3 x = wfvEdgeStep(ray.direction, pixel[0]);
+  vec3 y = wfvEdgeStep(ray.direction, pixel[1]);
   vec3 d = abs(e) / max(sqrt(x * x + y * y), vec3(WFV_NO_SLOPE));
   for (int i = 0; i < 3; i++)
   {
