@@ -96,8 +96,11 @@ std::string PrimitiveSource(const Request& r, const std::vector<Varying>& varyin
   // copies of every vertex output at the three corners, which the fragment stage weighs:
   // exact wherever the geometry stage cuts
   return CornerOutputs(varyings, 3, KnownOf(r)) + preclip_emit_glsl + preclip_planes_glsl +
-    (OwnRays(r) ? own_rays_glsl : "") + preclip_cover_glsl + preclip_narrow_glsl +
-    CoverSource(*r.Projection) + (r.DebugView ? preclip_kinds_glsl : "") + preclip_triangles_glsl;
+    (OwnRays(r)     ? own_rays_glsl
+        : Warped(r) ? warped_cover_glsl
+                    : "") +
+    preclip_cover_glsl + preclip_narrow_glsl + CoverSource(*r.Projection) +
+    (r.DebugView ? preclip_kinds_glsl : "") + preclip_triangles_glsl;
 }
 
 // toView: the name of the matrix from the vertex buffer to view coordinates; empty where the
@@ -155,7 +158,8 @@ std::string CoverFragment(
     return wfv::point::FragmentSource(varyings, fragment);
   }
   RewriteFlatNormal(fragment);
-  return std::string(ray_fragment_glsl) + cover_fragment_glsl + chord_fragment_glsl +
+  return std::string(ray_fragment_glsl) + cover_fragment_glsl +
+    (Warped(r) ? warped_fragment_glsl : "") + chord_fragment_glsl +
     (r.Edges || r.DebugView ? edge_distance_glsl : "") +
     CornerInputs(varyings, { "wfvB.x", "wfvB.y", "wfvB.z" }, KnownOf(r));
 }
@@ -198,8 +202,10 @@ void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std:
     declarations = depth_fragment_glsl;
     before = "  wfvPrepareDepth();\n" + RewriteDepth(fragment);
   }
-  const bool round = r.Projection->Axis == wfv::Family::Azimuthal;
-  if (round || EndsAtSeam(r))
+  // of a warped volume the border is elsewhere at every depth
+  const bool straight = !r.Stereo || r.Stereo->Straight;
+  const bool round = straight && r.Projection->Axis == wfv::Family::Azimuthal;
+  if (round || (straight && EndsAtSeam(r)))
   {
     declarations += round ? domain_fragment_glsl : seam_fragment_glsl;
     after += "  if (wfvOutsideDomain()) { discard; }\n";

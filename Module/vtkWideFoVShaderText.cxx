@@ -73,11 +73,23 @@ std::string Define(const char* name, int value)
   return std::string("#define ") + name + " " + std::to_string(value) + "\n";
 }
 
+namespace
+{
+bool AllCovered(const Request& r)
+{
+  return r.Kind == vtkWideFoVShaderBuilder::Primitive::Triangles &&
+    (r.ByRays || r.Stage == vtkWideFoVShaderBuilder::Variant::Exact);
+}
+}
+
 bool OwnRays(const Request& r)
 {
-  const bool covered = r.ByRays || r.Stage == vtkWideFoVShaderBuilder::Variant::Exact;
-  return r.Stereo && r.Stereo->OwnRays && covered &&
-    r.Kind == vtkWideFoVShaderBuilder::Primitive::Triangles;
+  return r.Stereo && r.Stereo->OwnRays && AllCovered(r);
+}
+
+bool Warped(const Request& r)
+{
+  return r.Stereo && !r.Stereo->Straight && AllCovered(r);
 }
 
 std::string ViewSource(const Request& r)
@@ -96,9 +108,10 @@ std::string ViewSource(const Request& r)
     Define("WFV_EDGES", r.Edges || r.DebugView) + Define("WFV_EDGE_FLAGS", r.EdgeFlags) +
     Define("WFV_DEBUG_VIEW", r.DebugView) + "#define WFV_TILTED " + (r.Tilted ? "true" : "false") +
     "\n" + "#define WFV_ANGLES " + (meridian ? "wfvMeridianAngles" : "wfvAzimuthalAngles") + "\n" +
-    Define("WFV_OWN_RAYS", OwnRays(r)) + wfv::MathGlsl() + wfv::CommonGlsl() + wfv::DepthGlsl() +
-    (r.Stereo ? sight_glsl + r.Stereo->Glsl : "") + (sampled ? directions_glsl : "") +
-    r.Projection->Glsl + interface_glsl;
+    Define("WFV_OWN_RAYS", OwnRays(r)) + Define("WFV_WARPED", Warped(r)) +
+    Define("WFV_SHIFTED", r.Stereo && !r.Stereo->Straight && !Warped(r)) + wfv::MathGlsl() +
+    wfv::CommonGlsl() + wfv::DepthGlsl() + (r.Stereo ? sight_glsl + r.Stereo->Glsl : "") +
+    (sampled ? directions_glsl : "") + r.Projection->Glsl + interface_glsl;
 }
 
 std::string Corner(size_t varying, int corner)

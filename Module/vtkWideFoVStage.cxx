@@ -205,12 +205,18 @@ vtkMTimeType vtkWideFoVStage::GetShaderStageMTime()
 void vtkWideFoVStage::FinishTriangles(vtkWideFoVShaderBuilder::Request& request) const
 {
   request.Stereo = this->Stereo;
+  const bool straight = !this->Stereo || this->Stereo->Straight;
+  if (request.Kind == vtkWideFoVShaderBuilder::Primitive::Lines && !straight &&
+    request.Stage == vtkWideFoVShaderBuilder::Variant::Exact)
+  {
+    request.Stage = vtkWideFoVShaderBuilder::Variant::PreClip; // strips know one depth alone
+  }
   if (request.Kind != vtkWideFoVShaderBuilder::Primitive::Triangles)
   {
     return;
   }
   request.ByRays = this->ByRays;
-  if (this->Stereo && this->Stereo->OwnRays && !this->Clipless)
+  if ((!straight || (this->Stereo && this->Stereo->OwnRays)) && !this->Clipless)
   {
     // their edges are no great circles, which is what chords are chosen by
     request.Stage = vtkWideFoVShaderBuilder::Variant::Exact;

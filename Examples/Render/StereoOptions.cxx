@@ -46,7 +46,7 @@ void DeclareStereo(CLI::App& app, Options& o)
   OptionGroup group(app, "Stereo");
   wfv::StereoOptions& s = o.View.Stereo;
   group.Choice(
-    "--stereo", o.Stereo, { "mono", "omnidirectional", "offaxis" }, { "warped" }, "stereo model");
+    "--stereo", o.Stereo, { "mono", "warped", "omnidirectional", "offaxis" }, {}, "stereo model");
   group.Add("--layout", "NAME", "anaglyph", "where the eyes go: " + Join(StereoLayoutNames()),
     [&o](const std::string& option, const std::string& value) {
       CheckChoice(option, value, StereoLayoutNames());

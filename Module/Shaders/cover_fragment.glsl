@@ -45,6 +45,16 @@ vec3 wfvChordReach();
 vec3 wfvToChords(vec3 e, vec3 dx, vec3 dy);
 bool wfvAllInside(vec3 e, vec3 toChords);
 
+#if WFV_WARPED
+WfvRay wfvSurfaceRay(vec2 offset); // warped_fragment.glsl
+#else
+// The ray of the map that this pixel sees the surface by.
+WfvRay wfvSurfaceRay(vec2 offset)
+{
+  return wfvRayAt(offset);
+}
+#endif
+
 #if WFV_OWN_RAYS
 // Where the ray of a direction begins, the stage's own units.
 vec3 wfvStart(vec3 direction)
@@ -184,12 +194,14 @@ bool wfvCoverage(WfvRay ray, vec3 e, vec3 x, vec3 y, bool rim)
   vec3 reach = WFV_PIXEL_SAFETY * (WFV_SAMPLE_REACH + wfvChordReach()) * (abs(x) + abs(y));
 #if WFV_OWN_RAYS
   rim = rim || wfvTurns(ray.direction);
+#elif WFV_WARPED
+  rim = true; // every sample has a depth of its own
 #endif
   bool certain = wfvByChord || (!rim && all(greaterThan(abs(e), reach)));
   int mask = wfvByChord || (certain && all(greaterThan(e, vec3(0.0)))) ? -1 : 0;
   for (int i = 0; i < wfvSamples && !certain; i++)
   {
-    WfvRay at = wfvRayAt(wfvSampleOffsets[i]);
+    WfvRay at = wfvSurfaceRay(wfvSampleOffsets[i]);
     wfvSample = wfvSampleOffsets[i];
     vec3 there = wfvEdgesAt(at.direction);
     mask |= at.inside && wfvAllInside(there, wfvToChords(there, x, y)) ? 1 << i : 0;
@@ -224,7 +236,7 @@ bool wfvCovered(WfvRay ray, vec3 e)
 
 void wfvPrepare()
 {
-  WfvRay ray = wfvRayAt(vec2(0.0));
+  WfvRay ray = wfvSurfaceRay(vec2(0.0));
   vec3 e = wfvEdgesAt(ray.direction);
   float sum = dot(ray.direction, wfvPlane);
 #if WFV_OWN_RAYS

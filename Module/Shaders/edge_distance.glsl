@@ -22,7 +22,7 @@ const float WFV_EDGE_DIFFERENCE = 0.25;
 // where the map is one of several.
 WfvRay wfvRayOfHere(vec2 offset)
 {
-  WfvRay ray = wfvRayAt(offset);
+  WfvRay ray = wfvSurfaceRay(offset);
 #if WFV_FACES
   int face = wfvFaceBeside(vec2(0.0));
   ray.direction = wfvFaceDirection(wfvOnFace(wfvPlaceBeside(offset) / wfvView.scale, face), face);
@@ -63,9 +63,14 @@ float wfvEdgeDistance(int i, float e, vec2 slope)
 // not ask what the neighbouring pixels show: they may see another triangle, or nothing.
 vec3 wfvEdgeDistances()
 {
-  WfvRay ray = wfvRayAt(vec2(0.0));
+  WfvRay ray = wfvSurfaceRay(vec2(0.0));
+#if WFV_WARPED
+  mat2x3 pixel = mat2x3(wfvSurfaceRay(vec2(1.0, 0.0)).direction - ray.direction,
+    wfvSurfaceRay(vec2(0.0, 1.0)).direction - ray.direction);
+#else
   bool rim;
   mat2x3 pixel = wfvRaySteps(ray, rim);
+#endif
   vec3 e = wfvEdgesAt(ray.direction);
   vec3 x = wfvEdgeStep(ray.direction, pixel[0]);
   vec3 y = wfvEdgeStep(ray.direction, pixel[1]);

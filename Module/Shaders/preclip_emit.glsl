@@ -59,7 +59,12 @@ float wfvReach; // pixels: how far the edges surely stay from their chords
 bool wfvBent;   // an edge bends by more than the tolerance
 int wfvEmitted;
 
-void wfvEmit(vec4 position, vec3 bary)
+#if WFV_WARPED
+flat out vec2 wfvDepths; // warped_fragment.glsl
+vec2 wfvDepthsHere; // NDC depths at which the triangle may be
+#endif
+
+void wfvEmitVertex(vec4 position, vec3 bary)
 {
   gl_Position = position;
 #if !WFV_EXACT
@@ -74,6 +79,9 @@ void wfvEmit(vec4 position, vec3 bary)
     wfvEdge2 = wfvN[2];
     wfvPlane = wfvT.xyz;
     wfvAnchor = wfvA;
+#if WFV_WARPED
+    wfvDepths = wfvDepthsHere;
+#endif
 #if WFV_OWN_RAYS
     wfvSpan0 = wfvSpans[0];
     wfvSpan1 = wfvSpans[1];
@@ -97,11 +105,27 @@ void wfvEmit(vec4 position, vec3 bary)
   EmitVertex();
 }
 
-void wfvEnd()
+void wfvEndShape()
 {
   EndPrimitive();
   wfvEmitted = 0;
 }
+
+#if WFV_WARPED
+// warped_cover.glsl
+void wfvEmit(vec4 position, vec3 bary);
+void wfvEnd();
+#else
+void wfvEmit(vec4 position, vec3 bary)
+{
+  wfvEmitVertex(position, bary);
+}
+
+void wfvEnd()
+{
+  wfvEndShape();
+}
+#endif
 
 vec3 wfvCorner(int i)
 {

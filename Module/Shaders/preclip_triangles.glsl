@@ -232,6 +232,8 @@ void main()
   wfvN[2] = facing * wfvEdgePlane(0, 1);
 #if WFV_OWN_RAYS
   wfvSetOwn(lengths, facing);
+#elif WFV_WARPED
+  wfvSetDepths(lengths);
 #endif
   bool seam = wfvReachesSeam();
 #if WFV_SAMPLED

@@ -105,5 +105,25 @@ TEST_P(CompareStereo, Omnidirectional)
   }
 }
 
+TEST_P(CompareStereo, Warped)
+{
+  const Projection& p = *FindProjection(this->GetParam());
+  if (p.Axis == Family::Planar)
+  {
+    GTEST_SKIP() << "warped is for wide projections";
+  }
+  const StereoOptions stereo = Model("warped"); // the paper's numbers
+  for (const NamedPose& pose : PlainPoses())
+  {
+    Shot shot = MakeShot(p.Name, p.MaxHorizontalFov, pose);
+    shot.Width /= 4;
+    shot.Height /= 4;
+    Picture->SetMesh(MakeGlobe(6));
+    Check(shot, stereo, "globe of 6, " + pose.Name);
+    Picture->SetMesh(MakeRoom(1));
+    Check(shot, stereo, "room of 12, " + pose.Name);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(
   All, CompareStereo, ::testing::ValuesIn(ProjectionNames()), DrawingTest::NameOf);
