@@ -81,6 +81,13 @@ void vtkWideFoVCamera::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "DepthMapping: " << this->GetDepthMapping() << "\n"
      << indent << "DirectionMap: " << (o.Map ? "set" : "(none)") << "\n"
      << indent << "AutomaticClipRadii: " << this->AutomaticClipRadii << "\n"
+     << indent << "StereoModel: " << this->GetStereoModel() << "\n"
+     << indent << "InterpupillaryDistance: " << o.Stereo.InterpupillaryDistance << "\n"
+     << indent << "PoleFade: " << o.Stereo.PoleFade[0] << ", " << o.Stereo.PoleFade[1] << "\n"
+     << indent << "WarpedStereo: " << o.Stereo.Iod << ", " << o.Stereo.Distance << ", "
+     << o.Stereo.Offset << "\n"
+     << indent << "Separation: " << o.Stereo.Separation << "\n"
+     << indent << "Convergence: " << o.Stereo.Convergence << "\n"
      << indent << "Lens:";
   for (double c : o.Lens)
   {
@@ -318,8 +325,10 @@ void vtkWideFoVCamera::ResetClipRadii(const double bounds[6])
   {
     return;
   }
-  const double f = farthest * (1 + ClipMargin);
-  const double n = std::max(nearest * (1 - ClipMargin), NearOverFar * f);
+  // seen from a point of the eyes' circle it is that much nearer, or farther
+  const double reach = this->GetEyeReach();
+  const double f = (farthest + reach) * (1 + ClipMargin);
+  const double n = std::max((nearest - reach) * (1 - ClipMargin), NearOverFar * f);
   std::array<double, 2>& radii = this->Internal->Options.Radii;
   if (n != radii[0] || f != radii[1])
   {

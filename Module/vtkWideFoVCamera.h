@@ -30,6 +30,9 @@ namespace wfv
 class DirectionMap;
 class View;
 struct Projection;
+struct StereoModel;
+struct StereoOptions;
+struct ViewRay;
 }
 
 class VTKRENDERINGWIDEFOV_EXPORT vtkWideFoVCamera : public vtkOpenGLCamera
@@ -179,6 +182,89 @@ public:
   void SetDepthMappingToReversed() { this->SetDepthMapping(REVERSED); }
   ///@}
 
+  ///@{
+  /**
+   * The stereo model, by name (default "mono": both eyes see the same). What differs between
+   * the eyes of a window in stereo mode, whatever its stereo type: "omnidirectional" (eyes on a
+   * circle, that turn with every column of the picture), "warped" (the picture with its depth
+   * is an object between the eyes), both for wide projections, and "offaxis", for the projection
+   * "perspective". An unknown name is refused with an error that lists the known ones. With a
+   * projection that it is not made for, a model does nothing.
+   */
+  virtual void SetStereoModel(const char* name);
+  virtual const char* GetStereoModel();
+  void SetStereoModelToMono() { this->SetStereoModel("mono"); }
+  void SetStereoModelToWarped() { this->SetStereoModel("warped"); }
+  void SetStereoModelToOmnidirectional() { this->SetStereoModel("omnidirectional"); }
+  void SetStereoModelToOffAxis() { this->SetStereoModel("offaxis"); }
+  static int GetNumberOfStereoModels();
+  static const char* GetStereoModelName(int index);
+  ///@}
+
+  ///@{
+  /**
+   * Omnidirectional: the distance between the eyes, scene units, at least 0 (default 0.065,
+   * people's in metres). What is nearer to the circle's axis than half of it is not seen.
+   */
+  virtual void SetInterpupillaryDistance(double distance);
+  virtual double GetInterpupillaryDistance();
+  ///@}
+
+  ///@{
+  /**
+   * Omnidirectional: latitudes in degrees, 0 to 90, between which the eyes' distance shrinks
+   * smoothly to nothing, for there a circle's two eyes turn about (default: off, full
+   * distance everywhere). The second is at least the first; anything else is refused with an
+   * error.
+   */
+  virtual void SetPoleFade(double start, double end);
+  virtual void ClearPoleFade() { this->SetPoleFade(0, 0); }
+  virtual void GetPoleFade(double latitudes[2]);
+  ///@}
+
+  ///@{
+  /**
+   * Warped: the distance between the eyes (NDC, default 0.5, clamped to [0, 10]), the distance of
+   * the viewer from the plane of zero parallax (NDC, default 5) and that plane (NDC depth,
+   * default -0.8, clamped to [-1, 1]). The viewer is in front of the whole cube: a distance not
+   * above 1 + offset is refused with an error.
+   */
+  virtual void SetWarpedStereo(double iod, double distance, double offset);
+  virtual void GetWarpedStereo(double values[3]);
+  ///@}
+
+  ///@{
+  /**
+   * Off-axis: the parallax of what is infinitely far away, as a fraction of the picture's
+   * width (default 0.03, clamped to [0, 0.5]), and the distance that has none, scene units,
+   * above 0 (default 10; anything else is refused with an error).
+   */
+  virtual void SetSeparation(double fraction);
+  virtual double GetSeparation();
+  virtual void SetConvergence(double distance);
+  virtual double GetConvergence();
+  ///@}
+
+  /**
+   * Which eye the camera is now: -1 the left, 1 the right, 0 neither, where the window that
+   * last drew with it is not in stereo mode.
+   */
+  int GetCurrentEye();
+
+#ifndef __VTK_WRAP__
+  /**
+   * Where the present eye of a perspective is, view coordinates; 0, 0, 0 without stereo and of
+   * wide projections, whose rays begin where NDCToRay says.
+   */
+  void GetPerspectiveEye(double aspect, float eye[3]);
+#endif
+
+  /**
+   * How far the eyes of the stereo model are from the camera's position, scene units: 0 where
+   * they are there.
+   */
+  double GetEyeReach();
+
   /**
    * True unless the projection is "perspective", for which stock VTK serves.
    */
@@ -246,6 +332,22 @@ protected:
 
   void CopyView(const vtkWideFoVCamera* source);
   void ComputeProjectionTransform(double aspect, double nearz, double farz) override;
+
+#ifndef __VTK_WRAP__
+  // Takes the options over, or refuses them with an error where `model` says why.
+  bool SetStereoOptions(const char* model, const wfv::StereoOptions& options);
+
+  // The stereo model, where the projection is one that it is made for; else nullptr.
+  const wfv::StereoModel* GetFittingModel();
+
+  // For a perspective of which half the width at distance 1 is tx: where the eye is (scene
+  // units to the right) and by how much its picture is shifted (NDC).
+  void GetOffAxisEye(double tx, double& position, double& shift);
+
+  void GetFrustumPlanesOfBoth(double aspect, double planes[24]);
+  void FindEye(vtkRenderer* renderer);
+  void ToWorld(const wfv::ViewRay& ray, double origin[3], double direction[3]);
+#endif
 
   vtkTypeBool AutomaticClipRadii = 1;
 

@@ -13,7 +13,9 @@ struct vtkWideFoVCamera::Internals
   wfv::ViewOptions Options;
   std::optional<wfv::View> Cache;
   double CacheAspect = 0;
+  wfv::Eye CacheEye = wfv::Eye::Middle;
   vtkMTimeType CacheTime = 0;
+  bool ForBothEyes = false; // the frustum that is asked for
   vtkTimeStamp MatrixTime;
   vtkRenderer* MatrixRenderer = nullptr;
 };

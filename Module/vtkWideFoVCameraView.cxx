@@ -72,16 +72,21 @@ bool vtkWideFoVCamera::HasDirectionMap()
 const wfv::View& vtkWideFoVCamera::GetView(double aspect)
 {
   Internals& in = *this->Internal;
-  if (!in.Cache || in.CacheAspect != aspect || in.CacheTime < this->GetMTime())
+  const wfv::Eye eye = static_cast<wfv::Eye>(this->GetCurrentEye());
+  if (!in.Cache || in.CacheAspect != aspect || in.CacheTime < this->GetMTime() ||
+    in.CacheEye != eye)
   {
     wfv::ViewOptions options = in.Options;
     options.Aspect = aspect;
+    options.Stereo.Eye = eye;
+    options.Stereo.Model = this->GetFittingModel();
     if (!this->Definition->HasLens)
     {
       options.Lens.fill(0);
     }
     in.Cache.emplace(*this->Definition, options);
     in.CacheAspect = aspect;
+    in.CacheEye = eye;
     in.CacheTime = this->GetMTime();
   }
   return *in.Cache;
@@ -100,22 +105,21 @@ bool vtkWideFoVCamera::WorldToNDC(const double world[3], double aspect, double n
 
 bool vtkWideFoVCamera::NDCToWorld(const double ndc[3], double aspect, double world[3])
 {
+  const wfv::View& view = this->GetView(aspect);
+  const wfv::ViewRay ray = view.RayAt(wfv::vec3(ndc[0], ndc[1], ndc[2]));
   double origin[3];
   double direction[3];
-  const bool inside = this->NDCToRay(ndc, aspect, origin, direction);
-  const wfv::WfvView& view = this->GetView(aspect).GetParameters();
-  const double rho = wfv::wfvDistanceAt(0.5 * (ndc[2] + 1), view);
+  this->ToWorld(ray, origin, direction);
+  const double rho = wfv::wfvDistanceAt(0.5 * (ndc[2] + 1), view.GetParameters());
   for (int i = 0; i < 3; i++)
   {
     world[i] = origin[i] + rho * direction[i];
   }
-  return inside;
+  return ray.Inside;
 }
 
-bool vtkWideFoVCamera::NDCToRay(
-  const double ndc[2], double aspect, double origin[3], double direction[3])
+void vtkWideFoVCamera::ToWorld(const wfv::ViewRay& ray, double origin[3], double direction[3])
 {
-  const wfv::ViewRay ray = this->GetView(aspect).Ray(wfv::vec2(ndc[0], ndc[1]));
   double o[4] = { ray.Origin.x, ray.Origin.y, ray.Origin.z, 1 };
   double d[4] = { ray.Direction.x, ray.Direction.y, ray.Direction.z, 0 };
   vtkNew<vtkMatrix4x4> inverse;
@@ -125,11 +129,19 @@ bool vtkWideFoVCamera::NDCToRay(
   vtkMath::Normalize(d);
   std::copy_n(o, 3, origin);
   std::copy_n(d, 3, direction);
+}
+
+bool vtkWideFoVCamera::NDCToRay(
+  const double ndc[2], double aspect, double origin[3], double direction[3])
+{
+  const wfv::ViewRay ray = this->GetView(aspect).Ray(wfv::vec2(ndc[0], ndc[1]));
+  this->ToWorld(ray, origin, direction);
   return ray.Inside;
 }
 
 void vtkWideFoVCamera::PrepareFrame(vtkRenderer* renderer)
 {
+  this->FindEye(renderer);
   if (this->AutomaticClipRadii)
   {
     double bounds[6];
@@ -179,7 +191,24 @@ void vtkWideFoVCamera::ComputeProjectionTransform(double aspect, double nearz, d
   const double n = o.Radii[0] / std::sqrt(1 + tx * tx + ty * ty);
   this->ProjectionTransform->Identity();
   this->ProjectionTransform->AdjustZBuffer(-1, +1, nearz, farz);
-  this->ProjectionTransform->Frustum(-n * tx, n * tx, -n * ty, n * ty, n, o.Radii[1]);
+  if (this->Internal->ForBothEyes)
+  {
+    // two frusta lie in the one with this apex behind the line of the eyes
+    const double s = o.Stereo.Separation;
+    const double back = o.Stereo.Convergence * s / (1 + s);
+    const double near = n + back;
+    const double x = near * tx * (1 + s);
+    this->ProjectionTransform->Frustum(-x, x, -near * ty, near * ty, near, o.Radii[1] + back);
+    this->ProjectionTransform->Translate(0, 0, -back);
+    this->ProjectionTransform->RotateX(-o.Tilt);
+    return;
+  }
+  double eye;
+  double shift;
+  this->GetOffAxisEye(tx, eye, shift);
+  this->ProjectionTransform->Frustum(
+    -n * tx * (1 + shift), n * tx * (1 - shift), -n * ty, n * ty, n, o.Radii[1]);
+  this->ProjectionTransform->Translate(-eye, 0, 0);
   this->ProjectionTransform->RotateX(-o.Tilt);
 }
 
@@ -187,7 +216,7 @@ void vtkWideFoVCamera::GetFrustumPlanes(double aspect, double planes[24])
 {
   if (!this->IsWide())
   {
-    this->Superclass::GetFrustumPlanes(aspect, planes);
+    this->GetFrustumPlanesOfBoth(aspect, planes);
     return;
   }
   // Six planes that everything is in front of: cullers that think in a linear

@@ -95,6 +95,7 @@ struct vtkWideFoVDataPass::Internals
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   vtkNew<vtkTextureObject> Color[Attachments];
   vtkNew<vtkTextureObject> Depth;
+  float Eye[3] = { 0, 0, 0 };      // of a perspective in stereo, view coordinates
   vtkNew<vtkMatrix4x4> ClipToView; // transposed, as VTK's uniforms are
   int Size[2] = { 0, 0 };
   bool Wide = false; // the delegate brings surface edges of its own
@@ -266,11 +267,12 @@ void vtkWideFoVDataPass::Internals::Prepare(vtkRenderer* renderer)
 {
   auto* camera = vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera());
   auto* wide = vtkWideFoVCamera::SafeDownCast(camera);
+  this->Wide = wide && wide->IsWide();
   if (wide)
   {
     wide->PrepareFrame(renderer);
+    wide->GetPerspectiveEye(renderer->GetTiledAspectRatio(), this->Eye);
   }
-  this->Wide = wide && wide->IsWide();
   vtkMatrix4x4* toView;
   vtkMatrix4x4* toClip;
   vtkMatrix4x4* toBoth;
@@ -367,6 +369,7 @@ bool vtkWideFoVDataPass::SetShaderParameters(
     number = props[i].Prop == prop && props[i].Index >= 0 ? static_cast<int>(i) + 1 : number;
   }
   program->SetUniformi("wfvPropNumber", number);
+  program->SetUniform3f("wfvDataEye", this->Internal->Eye);
   program->SetUniformMatrix("wfvClipToView", this->Internal->ClipToView);
   return true;
 }

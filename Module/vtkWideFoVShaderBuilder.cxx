@@ -58,6 +58,12 @@ bool CoversTriangles(const Request& r)
   return vtkWideFoVShaderBuilder::NeedsGeometryStage(r) && r.Kind == Primitive::Triangles;
 }
 
+// True where an eye whose rays begin in several places is served by moving the vertices.
+bool MovesVertices(const Request& r)
+{
+  return r.Stereo && r.Stereo->OwnRays && !CoversTriangles(r);
+}
+
 // What follows from the ray and the distance, where triangles are covered whatever their edges.
 Known KnownOf(const Request& r)
 {
@@ -90,6 +96,9 @@ std::string PrimitiveSource(const Request& r, const std::vector<Varying>& varyin
   // copies of every vertex output at the three corners, which the fragment stage weighs:
   // exact wherever the geometry stage cuts
   return CornerOutputs(varyings, 3, KnownOf(r)) + preclip_emit_glsl + preclip_planes_glsl +
+    (OwnRays(r)     ? own_rays_glsl
+        : Warped(r) ? warped_cover_glsl
+                    : "") +
     preclip_cover_glsl + preclip_narrow_glsl + CoverSource(*r.Projection) +
     (r.DebugView ? preclip_kinds_glsl : "") + preclip_triangles_glsl;
 }
@@ -149,7 +158,8 @@ std::string CoverFragment(
     return wfv::point::FragmentSource(varyings, fragment);
   }
   RewriteFlatNormal(fragment);
-  return std::string(ray_fragment_glsl) + cover_fragment_glsl + chord_fragment_glsl +
+  return std::string(ray_fragment_glsl) + cover_fragment_glsl +
+    (Warped(r) ? warped_fragment_glsl : "") + chord_fragment_glsl +
     (r.Edges || r.DebugView ? edge_distance_glsl : "") +
     CornerInputs(varyings, { "wfvB.x", "wfvB.y", "wfvB.z" }, KnownOf(r));
 }
@@ -192,8 +202,10 @@ void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std:
     declarations = depth_fragment_glsl;
     before = "  wfvPrepareDepth();\n" + RewriteDepth(fragment);
   }
-  const bool round = r.Projection->Axis == wfv::Family::Azimuthal;
-  if (round || EndsAtSeam(r))
+  // of a warped volume the border is elsewhere at every depth
+  const bool straight = !r.Stereo || r.Stereo->Straight;
+  const bool round = straight && r.Projection->Axis == wfv::Family::Azimuthal;
+  if (round || (straight && EndsAtSeam(r)))
   {
     declarations += round ? domain_fragment_glsl : seam_fragment_glsl;
     after += "  if (wfvOutsideDomain()) { discard; }\n";
@@ -285,6 +297,12 @@ void vtkWideFoVShaderBuilder::Prepare(
 void vtkWideFoVShaderBuilder::Finish(
   const Request& r, std::string& vertex, std::string& geometry, std::string& fragment)
 {
+  if (MovesVertices(r))
+  {
+    WrapMain(vertex, "", "  gl_Position = wfvSeenVertex(gl_Position);\n");
+    // without a geometry stage the view's own text follows
+    Declare(vertex, (NeedsGeometryStage(r) ? ViewSource(r) : "") + stereo_vertex_glsl);
+  }
   if (wfv::quadric::Draws(r.Kind))
   {
     return wfv::quadric::Finish(r, vertex, geometry, fragment);

@@ -44,6 +44,7 @@ public:
   struct Request
   {
     const wfv::Projection* Projection = nullptr;
+    const wfv::StereoModel* Stereo = nullptr; // none: mono
     Variant Stage = Variant::Plain;
     Primitive Kind = Primitive::Triangles;
     bool WidePoints = false;  // points wider than a pixel

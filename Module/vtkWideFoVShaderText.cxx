@@ -73,6 +73,25 @@ std::string Define(const char* name, int value)
   return std::string("#define ") + name + " " + std::to_string(value) + "\n";
 }
 
+namespace
+{
+bool AllCovered(const Request& r)
+{
+  return r.Kind == vtkWideFoVShaderBuilder::Primitive::Triangles &&
+    (r.ByRays || r.Stage == vtkWideFoVShaderBuilder::Variant::Exact);
+}
+}
+
+bool OwnRays(const Request& r)
+{
+  return r.Stereo && r.Stereo->OwnRays && AllCovered(r);
+}
+
+bool Warped(const Request& r)
+{
+  return r.Stereo && !r.Stereo->Straight && AllCovered(r);
+}
+
 std::string ViewSource(const Request& r)
 {
   const bool meridian = r.Projection->Axis == wfv::Family::Meridian;
@@ -89,8 +108,10 @@ std::string ViewSource(const Request& r)
     Define("WFV_EDGES", r.Edges || r.DebugView) + Define("WFV_EDGE_FLAGS", r.EdgeFlags) +
     Define("WFV_DEBUG_VIEW", r.DebugView) + "#define WFV_TILTED " + (r.Tilted ? "true" : "false") +
     "\n" + "#define WFV_ANGLES " + (meridian ? "wfvMeridianAngles" : "wfvAzimuthalAngles") + "\n" +
-    wfv::MathGlsl() + wfv::CommonGlsl() + wfv::DepthGlsl() + (sampled ? directions_glsl : "") +
-    r.Projection->Glsl + interface_glsl;
+    Define("WFV_OWN_RAYS", OwnRays(r)) + Define("WFV_WARPED", Warped(r)) +
+    Define("WFV_SHIFTED", r.Stereo && !r.Stereo->Straight && !Warped(r)) + wfv::MathGlsl() +
+    wfv::CommonGlsl() + wfv::DepthGlsl() + (r.Stereo ? sight_glsl + r.Stereo->Glsl : "") +
+    (sampled ? directions_glsl : "") + r.Projection->Glsl + interface_glsl;
 }
 
 std::string Corner(size_t varying, int corner)

@@ -69,6 +69,12 @@ std::string CornerInputs(const std::vector<Varying>& varyings,
 int CornerComponents(const std::vector<Varying>& varyings, int corners);
 
 // The mathematics of the view, for any stage.
+// True for triangles of an eye whose rays begin in several places.
+bool OwnRays(const Request& r);
+
+// True for triangles of an eye whose rays are no straight lines.
+bool Warped(const Request& r);
+
 std::string ViewSource(const Request& request);
 
 // The wide camera's view and clip coordinates are the same; both stock statements are

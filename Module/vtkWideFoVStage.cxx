@@ -113,6 +113,9 @@ void SetViewParameters(vtkShaderProgram* program, const wfv::WfvView& v)
   const float lens[4] = { static_cast<float>(v.lens.x), static_cast<float>(v.lens.y),
     static_cast<float>(v.lens.z), static_cast<float>(v.lens.w) };
   program->SetUniform4f("wfvView.lens", lens);
+  const float stereo[4] = { static_cast<float>(v.stereo.x), static_cast<float>(v.stereo.y),
+    static_cast<float>(v.stereo.z), static_cast<float>(v.stereo.w) };
+  program->SetUniform4f("wfvView.stereo", stereo);
   program->SetUniformf("wfvView.lens5", static_cast<float>(v.lens5));
   program->SetUniformf("wfvView.maxAngle", static_cast<float>(v.maxAngle));
   program->SetUniformf("wfvView.bend", static_cast<float>(v.bend));
@@ -134,10 +137,11 @@ void vtkWideFoVStage::SetView(vtkRenderer* renderer, vtkWideFoVCamera* camera, d
 {
   const wfv::View& view = camera->GetView(wfv::PictureAspect(renderer));
   const bool tilts = !this->Tilted && view.GetParameters().tilt != wfv::vec2(1, 0);
-  if (&view.GetProjection() != this->Projection || tilts ||
+  if (&view.GetProjection() != this->Projection || tilts || view.GetStereoModel() != this->Stereo ||
     view.GetParameters().depthMapping != this->View.depthMapping)
   {
     this->Projection = &view.GetProjection();
+    this->Stereo = view.GetStereoModel();
     this->Tilted = this->Tilted || tilts;
     this->SourceTime.Modified();
   }
@@ -199,6 +203,27 @@ vtkMTimeType vtkWideFoVStage::GetShaderStageMTime()
   return this->SourceTime.GetMTime();
 }
 
+void vtkWideFoVStage::FinishTriangles(vtkWideFoVShaderBuilder::Request& request) const
+{
+  request.Stereo = this->Stereo;
+  const bool straight = !this->Stereo || this->Stereo->Straight;
+  if (request.Kind == vtkWideFoVShaderBuilder::Primitive::Lines && !straight &&
+    request.Stage == vtkWideFoVShaderBuilder::Variant::Exact)
+  {
+    request.Stage = vtkWideFoVShaderBuilder::Variant::PreClip; // strips know one depth alone
+  }
+  if (request.Kind != vtkWideFoVShaderBuilder::Primitive::Triangles)
+  {
+    return;
+  }
+  request.ByRays = this->ByRays;
+  if ((!straight || (this->Stereo && this->Stereo->OwnRays)) && !this->Clipless)
+  {
+    // their edges are no great circles, which is what chords are chosen by
+    request.Stage = vtkWideFoVShaderBuilder::Variant::Exact;
+  }
+}
+
 vtkWideFoVShaderBuilder::Request vtkWideFoVStage::MakeRequest(
   vtkAbstractMapper* mapper, vtkProp* prop) const
 {
@@ -221,7 +246,7 @@ vtkWideFoVShaderBuilder::Request vtkWideFoVStage::MakeRequest(
   {
     request.Stage = Variant::PreClip;
   }
-  request.ByRays = this->ByRays && request.Kind == vtkWideFoVShaderBuilder::Primitive::Triangles;
+  this->FinishTriangles(request);
   const bool lines = request.Kind == vtkWideFoVShaderBuilder::Primitive::Lines;
   if (lines && polydata && this->ExactLines)
   {

@@ -103,6 +103,9 @@ private:
   // as spheres; the width of lines.
   void SetPropParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop) const;
 
+  // Sets the stereo model, and how triangles are covered, in a request whose primitives are known.
+  void FinishTriangles(vtkWideFoVShaderBuilder::Request& request) const;
+
   // Which of the renderer's lights are headlights.
   void FindHeadlights(vtkRenderer* renderer);
 
@@ -115,6 +118,7 @@ private:
   vtkWideFoVShaderBuilder::Variant Variant = vtkWideFoVShaderBuilder::Variant::Plain;
   vtkRenderer* Renderer = nullptr; // valid between SetView and the end of the frame
   const wfv::Projection* Projection = nullptr;
+  const wfv::StereoModel* Stereo = nullptr;
   vtkTimeStamp SourceTime;
   wfv::WfvView View{};
   vtkWideFoVDirectionTextures* Textures = nullptr;

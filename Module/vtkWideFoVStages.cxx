@@ -60,6 +60,8 @@ void vtkWideFoVStages::Begin(
   this->Technique = refused ? static_cast<int>(vtkWideFoVPass::AUTO) : technique;
   const wfv::View& view = camera->GetView(wfv::PictureAspect(renderer));
   this->Projection = &view.GetProjection();
+  const wfv::StereoModel* const stereo = view.GetStereoModel();
+  this->ByPixels = stereo && (stereo->OwnRays || !stereo->Straight);
   this->Tolerance = tolerance;
   const int* const size = renderer->GetSize();
   this->HalfDiagonal = 0.5 * std::hypot(size[0], size[1]);
@@ -79,7 +81,7 @@ void vtkWideFoVStages::Begin(
     stage->SetClipless(technique == vtkWideFoVPass::VERTEX);
     stage->SetByRays(
       this->Technique == vtkWideFoVPass::TESSELLATE || this->Technique == vtkWideFoVPass::AUTO);
-    stage->SetExactLines(this->Technique == vtkWideFoVPass::AUTO);
+    stage->SetExactLines(this->Technique == vtkWideFoVPass::AUTO && (!stereo || stereo->Straight));
     stage->ResetNumberOfDraws();
   }
 }
@@ -118,7 +120,7 @@ vtkWideFoVStage* vtkWideFoVStages::Choose(vtkProp* prop)
   const bool fine = this->Technique == vtkWideFoVPass::AUTO && this->Tolerance < LeastTolerance;
   // a direction map has no chords that something could be said of
   const bool sampled = this->Projection->Axis == wfv::Family::Sampled;
-  if (this->Technique == vtkWideFoVPass::EXACT || fine || sampled)
+  if (this->Technique == vtkWideFoVPass::EXACT || fine || sampled || this->ByPixels)
   {
     return this->Exact;
   }

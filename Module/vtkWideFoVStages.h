@@ -65,6 +65,7 @@ private:
   int Technique = 0;
   int Tessellates = -1; // -1: not asked yet
   const wfv::Projection* Projection = nullptr;
+  bool ByPixels = false; // the stereo model leaves chords no edge to stand for
   wfv::WfvView View;
   double WorldToView[16];
 };

@@ -50,6 +50,16 @@ void Place(vtkCamera* camera, const Pose& pose, double distance)
   camera->SetViewUp(pose.Up.data());
 }
 
+void SetStereo(vtkWideFoVCamera* camera, const wfv::StereoOptions& s)
+{
+  camera->SetStereoModel(s.Model ? s.Model->Name.c_str() : "mono");
+  camera->SetInterpupillaryDistance(s.InterpupillaryDistance);
+  camera->SetPoleFade(s.PoleFade[0], s.PoleFade[1]);
+  camera->SetWarpedStereo(s.Iod, s.Distance, s.Offset);
+  camera->SetSeparation(s.Separation);
+  camera->SetConvergence(s.Convergence);
+}
+
 void SetView(vtkWideFoVCamera* camera, const Options& o)
 {
   const wfv::ViewOptions& v = o.View;
@@ -67,6 +77,7 @@ void SetView(vtkWideFoVCamera* camera, const Options& o)
   {
     camera->ClearLens();
   }
+  SetStereo(camera, v.Stereo);
   if (o.HasClip)
   {
     camera->SetClipRadii(v.Radii[0], v.Radii[1]);

@@ -106,11 +106,13 @@ std::string StatsText(const Options& options, const Scene& scene, const RenderSt
   {
     culled = stats.PropsTotal - *stats.PropsDrawn;
   }
+  const bool mono = options.Stereo == "mono";
   const Json json = { { "version", WIDEFOV_VERSION },
     { "gl",
       { { "vendor", stats.Gl.Vendor }, { "renderer", stats.Gl.Renderer },
         { "version", stats.Gl.Version } } },
     { "projection", options.Projection }, { "technique", options.TechniqueName },
+    { "stereo", options.Stereo }, { "layout", mono ? Json(nullptr) : Json(options.Layout) },
     { "size", { options.Size[0], options.Size[1] } }, { "frames", stats.Milliseconds.size() },
     { "ms", Times(stats.Milliseconds) },
     { "props",

@@ -5,6 +5,7 @@
 #include "Messages.h"
 #include "OptionValues.h"
 #include "Scenes.h"
+#include "StereoOptions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -100,6 +101,7 @@ void CompleteView(Options& o, const FieldsOfView& fov)
   {
     FailUsage("--lens: all coefficients are zero; at least one must not be");
   }
+  CompleteStereo(o);
   const std::string complaint = wfv::CheckOptions(p, v);
   if (!complaint.empty())
   {
@@ -169,12 +171,15 @@ bool SameFile(const std::string& a, const std::string& b)
   return std::filesystem::weakly_canonical(a, error) == std::filesystem::weakly_canonical(b, error);
 }
 
-void CheckOutput(const Options& o)
+// Every file that is written; their endings are checked.
+std::vector<std::string> AllOutputs(const Options& o)
 {
-  std::vector<std::string> all = o.Outputs;
+  std::vector<std::string> all;
   for (const std::string& output : o.Outputs)
   {
     CheckPictureName(output);
+    const std::vector<std::string> files = FilesOf(o, output);
+    all.insert(all.end(), files.begin(), files.end());
   }
   if (!o.Aov.empty())
   {
@@ -185,6 +190,12 @@ void CheckOutput(const Options& o)
   {
     all.push_back(o.Stats);
   }
+  return all;
+}
+
+void CheckOutput(const Options& o)
+{
+  const std::vector<std::string> all = AllOutputs(o);
   if (all.empty())
   {
     FailUsage("nothing to write; give -o FILE, --aov FILE.exr or --stats FILE.json");
@@ -254,6 +265,7 @@ void CheckDrawn(Options& o)
 {
   CheckTechnique(o);
   CheckDrawing(o);
+  CheckStereo(o);
 }
 
 void CheckScene(Options& o, const FieldsOfView& fov)

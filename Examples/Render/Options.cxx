@@ -7,6 +7,7 @@
 #include "OptionCheck.h"
 #include "OptionGroup.h"
 #include "OptionValues.h"
+#include "StereoOptions.h"
 
 namespace widefov
 {
@@ -60,26 +61,6 @@ void DeclareDrawing(CLI::App& app, Options& o)
   group.Integer("--samples", o.Samples, 0, 64, "multisampling; 0 or 1 is off");
   group.Choice("--depth", o.Depth, { "linear", "log", "reversed" }, {}, "depth mapping");
   group.Flag("--debug-view", o.DebugView, "primitives coloured by what happened to them");
-}
-
-void DeclareStereo(CLI::App& app, Options& o)
-{
-  Group group(app, "Stereo");
-  group.Choice(
-    "--stereo", o.Stereo, { "mono" }, { "warped", "omnidirectional", "offaxis" }, "stereo model");
-  group.Add("--layout", "NAME", "", "where the eyes go (comes with a later version)",
-    [](const std::string& option, const std::string& value) {
-      CheckChoice(option, value, {}, { "left", "right", "side-by-side", "top-bottom", "anaglyph" });
-    });
-  group.Later("--ipd", "D", "distance between the eyes");
-  group.Later("--pole-fade", "A,B", "latitudes between which the offset fades");
-  group.Later("--iod", "D", "warped: distance between the eyes");
-  group.Later("--distance", "D", "warped: distance of the viewer");
-  group.Later("--offset", "D", "warped: plane of zero parallax");
-  group.Later("--separation", "F", "offaxis: fraction of the screen's width");
-  group.Later("--convergence", "D", "offaxis: distance of zero parallax");
-  group.Later("--screens", "FILE.pvx", "flat screens of a wall or CAVE");
-  group.Later("--pose", "FILE", "recorded head poses");
 }
 
 void DeclareData(CLI::App& app, Options& o)

@@ -56,7 +56,9 @@ struct Options
   int Samples = 4;
   std::string Depth = "linear";
   bool DebugView = false;
-  std::string Stereo = "mono";
+  std::string Stereo = "mono"; // its numbers are in View
+  std::string Layout = "anaglyph";
+  std::vector<std::string> StereoGiven; // stereo options on the command line
 
   widefov::Look Look;                // colours, glyphs
   Vector3 Background{ { 0, 0, 0 } }; // red, green, blue, 0 to 1

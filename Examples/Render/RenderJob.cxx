@@ -6,6 +6,7 @@
 #include "Messages.h"
 #include "Passes.h"
 #include "Progress.h"
+#include "StereoLayout.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -38,6 +39,7 @@ struct Stage
   vtkSmartPointer<vtkRenderer> Renderer;
   vtkNew<vtkWideFoVPass> WidePass;
   std::vector<vtkSmartPointer<vtkActor>> Actors; // one a prop of the scene
+  std::vector<int> StereoTypes;                  // one a traversal of a frame; none: mono
   vtkSmartPointer<vtkScalarBarActor> Bar;
 };
 
@@ -66,14 +68,33 @@ void Fill(Stage& stage, const Scene& scene, const Options& o)
     stage.Renderer->AddViewProp(stage.Bar);
   }
   SetCamera(stage.Renderer, scene, o);
+  if (o.Stereo != "mono")
+  {
+    stage.StereoTypes = FindStereoLayout(o.Layout).Types;
+  }
   stage.Window->AddRenderer(stage.Renderer);
   stage.Window->SetSize(o.Size[0], o.Size[1]);
 }
 
+// Draws with one of VTK's stereo types, or mono.
+void Draw(Stage& stage, std::size_t i)
+{
+  if (i < stage.StereoTypes.size())
+  {
+    stage.Window->SetStereoType(stage.StereoTypes[i]);
+    stage.Window->StereoRenderOn();
+  }
+  stage.Window->Render();
+}
+
+// Of all eyes.
 double RenderFrame(Stage& stage)
 {
   const auto start = std::chrono::steady_clock::now();
-  stage.Window->Render();
+  for (std::size_t i = 0; i < std::max<std::size_t>(1, stage.StereoTypes.size()); i++)
+  {
+    Draw(stage, i);
+  }
   stage.Window->WaitForCompletion();
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
   return time.count();
@@ -95,6 +116,23 @@ void RenderFrames(Stage& stage, const Options& o, RenderStats& stats)
       stats.Milliseconds.push_back(milliseconds);
     }
   }
+}
+
+// The last frame's, or, where it took several, drawn again.
+std::vector<Picture> ReadPictures(Stage& stage, const Options& o)
+{
+  if (stage.StereoTypes.size() < 2)
+  {
+    return { ReadPicture(stage.Window) };
+  }
+  std::vector<Picture> eyes;
+  for (std::size_t i = 0; i < stage.StereoTypes.size(); i++)
+  {
+    Draw(stage, i);
+    CheckMessages();
+    eyes.push_back(ReadPicture(stage.Window));
+  }
+  return Arrange(FindStereoLayout(o.Layout), eyes);
 }
 
 FloatPicture FlattenAov(vtkImageData* image)
@@ -203,7 +241,7 @@ RenderResult Render(const Scene& scene, const Options& o)
   Count(stage, result.Stats);
   if (!o.Outputs.empty())
   {
-    result.Color = ReadPicture(stage.Window);
+    result.Colors = ReadPictures(stage, o);
   }
   if (!o.Aov.empty())
   {

@@ -28,7 +28,7 @@ struct RenderStats
 
 struct RenderResult
 {
-  Picture Color;                   // where a picture was asked for
+  std::vector<Picture> Colors;     // where a picture was asked for: one a file of its name
   std::optional<FloatPicture> Aov; // where channels were asked for
   RenderStats Stats;
 };

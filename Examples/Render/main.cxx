@@ -11,6 +11,8 @@
 #include "Program.h"
 #include "Progress.h"
 #include "RenderJob.h"
+#include "StereoLayout.h"
+#include "StereoOptions.h"
 
 #include <iostream>
 
@@ -22,7 +24,10 @@ void CheckOutputs(const Options& options)
 {
   for (const std::string& output : options.Outputs)
   {
-    CheckWritable(output);
+    for (const std::string& file : FilesOf(options, output))
+    {
+      CheckWritable(file);
+    }
   }
   for (const std::string& output : { options.Aov, options.Stats })
   {
@@ -37,14 +42,21 @@ void WriteAll(const Options& options, const Scene& scene, const RenderResult& re
 {
   const Progress progress("writing");
   PanoramaInfo info;
-  info.Equirectangular = options.Projection == "equirectangular";
+  // of two eyes in one file, or of a volume that was warped again, viewers know nothing
+  const bool plain = options.Stereo == "mono" ||
+    (options.Stereo == "omnidirectional" && FindStereoLayout(options.Layout).IsOneEye());
+  info.Equirectangular = plain && options.Projection == "equirectangular";
   info.HorizontalFov = options.View.HorizontalFov;
   info.VerticalFov = options.View.VerticalFov;
   OutputFiles files;
   for (const std::string& output : options.Outputs)
   {
-    const std::vector<unsigned char> bytes = EncodePicture(result.Color, output, info);
-    files.Write(output, bytes.data(), bytes.size());
+    const std::vector<std::string> names = FilesOf(options, output);
+    for (std::size_t i = 0; i < names.size(); i++)
+    {
+      const std::vector<unsigned char> bytes = EncodePicture(result.Colors[i], names[i], info);
+      files.Write(names[i], bytes.data(), bytes.size());
+    }
   }
   if (result.Aov)
   {

@@ -3,6 +3,7 @@
 
 #include "Bend.h"
 #include "DirectionMap.h"
+#include "StereoModel.h"
 
 namespace wfv
 {
@@ -113,6 +114,14 @@ std::string CheckOptions(const Projection& p, const ViewOptions& o)
       return problem;
     }
   }
+  if (o.Stereo.Model)
+  {
+    const std::string problem = o.Stereo.Model->Check(o.Stereo, p);
+    if (!problem.empty())
+    {
+      return problem;
+    }
+  }
   if (!std::isfinite(o.Tilt))
   {
     return "the tilt must be a finite number of degrees";
@@ -159,6 +168,7 @@ std::shared_ptr<const DirectionMap> NothingToSee()
 
 View::View(const Projection& projection, const ViewOptions& o)
   : Map(&projection)
+  , Stereo(o.Stereo.Model)
   , Tables(projection.Axis == Family::Sampled && !o.Map ? NothingToSee() : o.Map)
 {
   WfvView& v = this->Parameters;
@@ -174,34 +184,57 @@ View::View(const Projection& projection, const ViewOptions& o)
   v.scale = vec2(1, 1);
   v.scale = Scale(projection, o, v);
   v.bend = Bend(projection, v);
+  v.stereo = this->Stereo ? this->Stereo->Parameters(o.Stereo, v) : vec4(0);
+}
+
+namespace
+{
+// The object that a warped volume is ends with the window; other pictures go on beyond it.
+bool InCube(const StereoModel* model, const vec2& place)
+{
+  return !model || model->Straight || (std::abs(place.x) <= 1 && std::abs(place.y) <= 1);
+}
 }
 
 NdcPoint View::Forward(vec3 point) const
 {
   const WfvView& v = this->Parameters;
   const vec3 p = wfvTilt(point, v);
-  const double rho = std::hypot(std::hypot(p.x, p.y), p.z);
-  NdcPoint result{ vec3(0, 0, 2 * wfvDepthOf(rho, v) - 1), false };
-  const bool behind = this->Map->Axis == Family::Planar && !(p.z < 0);
-  if (!(rho > 0) || !std::isfinite(rho) || behind)
+  const WfvSight sight = this->Stereo ? this->Stereo->See(p, v) : wfvSightFrom(p, vec3(0));
+  NdcPoint result{ vec3(0, 0, 2 * wfvDepthOf(sight.distance, v) - 1), false };
+  const bool behind = this->Map->Axis == Family::Planar && !(sight.direction.z < 0);
+  if (!(sight.distance > 0) || !std::isfinite(sight.distance) || behind)
   {
     return result;
   }
-  vec2 xy = this->Map->Project(p / rho, v);
+  vec2 xy = this->Map->Project(sight.direction, v);
   if (v.map && std::abs(xy.x) > 1)
   {
-    xy = v.map->Find(p / rho);
+    xy = v.map->Find(sight.direction);
   }
+  const bool shown = this->Map->Unproject(xy, v).inside && InCube(this->Stereo, xy);
+  xy = this->Stereo ? this->Stereo->Shift(xy, result.Ndc.z, v) : xy;
   result.Ndc.x = xy.x;
   result.Ndc.y = xy.y;
-  result.Inside = std::abs(xy.x) <= 1 && std::abs(xy.y) <= 1 && std::abs(result.Ndc.z) <= 1 &&
-    this->Map->Unproject(xy, v).inside;
+  result.Inside = sight.seen && std::abs(xy.x) <= 1 && std::abs(xy.y) <= 1 &&
+    std::abs(result.Ndc.z) <= 1 && shown;
   return result;
 }
 
 ViewRay View::Ray(vec2 ndc) const
 {
-  const WfvRay ray = this->Map->Unproject(ndc, this->Parameters);
-  return { vec3(0, 0, 0), wfvUntilt(ray.direction, this->Parameters), ray.inside };
+  // where a model has no plane of zero parallax, the depth does not matter
+  return this->RayAt(vec3(ndc.x, ndc.y, this->Parameters.stereo.z));
+}
+
+ViewRay View::RayAt(vec3 ndc) const
+{
+  const WfvView& v = this->Parameters;
+  const vec2 at(ndc.x, ndc.y);
+  const vec2 place = this->Stereo ? this->Stereo->Unshift(at, ndc.z, v) : at;
+  const WfvRay ray = this->Map->Unproject(place, v);
+  const vec3 eye = this->Stereo ? this->Stereo->EyeAt(ray.direction, v) : vec3(0);
+  return { wfvUntilt(eye, v), wfvUntilt(ray.direction, v),
+    ray.inside && InCube(this->Stereo, place) };
 }
 }

@@ -5,6 +5,7 @@
 #define WideFoVProjection_h
 
 #include "ProjectionMath.h"
+#include "StereoModel.h"
 
 #include <array>
 #include <memory>
@@ -87,6 +88,7 @@ struct ViewOptions
   DepthMapping Mapping = DepthMapping::Linear;
   double Aspect = 2; // width / height of the viewport in pixels; round maps use it
   std::shared_ptr<const DirectionMap> Map; // of the sampled projection; none: shows nothing
+  StereoOptions Stereo;
 };
 
 // An empty string, or why these options do not fit this projection.
@@ -118,14 +120,23 @@ public:
   // Point in view coordinates to NDC. The eye itself goes to the centre, not inside.
   NdcPoint Forward(vec3 point) const;
 
-  // NDC to a ray in view coordinates. Never NaN.
+  // NDC to a ray in view coordinates. Never NaN. Where the stereo model's rays are no straight
+  // lines: the one through what is seen there on the plane of zero parallax.
   ViewRay Ray(vec2 ndc) const;
 
+  // The ray through what is seen there at the depth ndc.z, at the distance of that depth from
+  // its origin: Forward's inverse for every model.
+  ViewRay RayAt(vec3 ndc) const;
+
   const Projection& GetProjection() const { return *this->Map; }
+
+  // nullptr: mono.
+  const StereoModel* GetStereoModel() const { return this->Stereo; }
   const WfvView& GetParameters() const { return this->Parameters; }
 
 private:
   const Projection* Map;
+  const StereoModel* Stereo;
   std::shared_ptr<const DirectionMap> Tables; // what Parameters point to
   WfvView Parameters;
 };

@@ -18,6 +18,8 @@ using vec4 = glm::dvec4;
 using glm::abs;
 using glm::ceil;
 using glm::cos;
+using glm::cross;
+using glm::dot;
 using glm::exp;
 using glm::floor;
 using glm::max;
@@ -69,6 +71,7 @@ constexpr double WFV_ROOT_STEP = 1e-8;
 #define WFV_TILTED true
 #define float double
 #include "common.glsl"
+#include "sight.glsl"
 #include "depth.glsl"
 #undef float
 #undef WFV_TABLES

@@ -8,6 +8,9 @@ void wfvCover(bool front)
   bool centre = wfvHolds(2, -1.0);
   bool antipode = wfvHolds(2, 1.0);
   vec4 a = wfvAngularBounds(vec3(0.0, 0.0, 1.0));
+#if WFV_OWN_RAYS
+  a = wfvGrowAngles(a, min(a.y, WFV_PI - a.w));
+#endif
   a = vec4(a.x, centre ? 0.0 : max(a.y, 0.0), a.z, antipode ? WFV_PI : a.w);
   a.w = min(a.w, min(WFV_PI, wfvView.maxAngle + WFV_ANGLE_PAD));
   if (a.y > a.w)

@@ -24,6 +24,9 @@ WfvPlaces wfvPart(vec3 a, vec3 b, vec3 c)
   vec3 centre = sum / max(length(sum), 1e-30);
   float chord = max(length(a - centre), max(length(b - centre), length(c - centre)));
   float angle = chord < WFV_CAP_CHORD ? WFV_CAP_ANGLE * chord + WFV_ANGLE_PAD : WFV_PI;
+#if WFV_OWN_RAYS
+  angle = min(angle + wfvGrow, WFV_PI);
+#endif
   return wfvCapPlaces(centre, angle, wfvView);
 }
 
@@ -42,7 +45,7 @@ vec4 wfvClose(WfvPlaces cell, vec3 a, vec3 b, vec3 c)
   vec2 low = wfvPixelOfNdc(r.xy, wfvView);
   vec2 high = wfvPixelOfNdc(r.zw, wfvView);
   vec2 middle = 0.5 * (low + high);
-  if (!cell.calm || !(max(high.x - low.x, high.y - low.y) < WFV_CLOSE_PIXELS))
+  if (WFV_OWN_RAYS || !cell.calm || !(max(high.x - low.x, high.y - low.y) < WFV_CLOSE_PIXELS))
   {
     return r;
   }

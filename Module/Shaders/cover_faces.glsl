@@ -9,6 +9,15 @@ const float WFV_FACE_SLACK = 1e-5;
 // A triangle cut by four planes has seven corners at the most.
 const int WFV_FACE_CORNERS = 7;
 
+#if WFV_OWN_RAYS
+// Radians: what is seen as far as this from where the origin sees it may be on any face.
+const float WFV_FACE_GROW = 0.3;
+
+// By how much, at the most, an angle about an axis of the face changes when the direction
+// changes by one: 1 / cos of the latitude of the corner of a cube seen under 45 + 17 degrees.
+const float WFV_FACE_STEEP = 2.0;
+#endif
+
 vec3 wfvPolygon[WFV_FACE_CORNERS];
 int wfvPolygonSize;
 
@@ -17,7 +26,13 @@ int wfvPolygonSize;
 float wfvPyramid(vec3 q, int k)
 {
   float sideways = k < 2 ? q.x : q.y;
-  return q.z * (1.0 + WFV_FACE_SLACK) + ((k & 1) == 0 ? -sideways : sideways);
+#if WFV_OWN_RAYS
+  // beyond 45 degrees by what the circle adds
+  float ahead = wfvGrow < WFV_FACE_GROW ? (1.0 + tan(wfvGrow)) / (1.0 - tan(wfvGrow)) : 1e9;
+#else
+  const float ahead = 1.0;
+#endif
+  return q.z * ahead * (1.0 + WFV_FACE_SLACK) + ((k & 1) == 0 ? -sideways : sideways);
 }
 
 // Cuts the polygon by one plane of the pyramid.
@@ -70,6 +85,13 @@ vec4 wfvFaceBounds(int face)
   vec2 pad = 2.0 * WFV_PAD / (wfvViewport.zw * wfvTile.xy);
   vec2 centre = wfvFaceCentre(face);
   vec2 half_ = vec2(1.0 / 3.0, 0.5);
+#if WFV_OWN_RAYS
+  if (!(wfvGrow < WFV_FACE_GROW))
+  {
+    return vec4(centre - half_, centre + half_);
+  }
+  pad += half_ * (4.0 / WFV_PI * WFV_FACE_STEEP * wfvGrow);
+#endif
   vec4 r = vec4(1e9, 1e9, -1e9, -1e9);
   wfvCutToFace(face);
   for (int i = 0; i < wfvPolygonSize; i++)

@@ -7,6 +7,15 @@ flat in vec3 wfvEdge1;
 flat in vec3 wfvEdge2;
 flat in vec3 wfvPlane;
 flat in vec3 wfvAnchor;
+#if WFV_OWN_RAYS
+flat in vec3 wfvSpan0;
+flat in vec3 wfvSpan1;
+flat in vec3 wfvSpan2;
+float wfvTurn; // of the ray asked for last: -1 where it sees the other side than the origin
+float wfvFacing = 1.0; // that of the pixel's centre
+#else
+const float wfvFacing = 1.0;
+#endif
 #if !WFV_EXACT
 in vec3 wfvBary;
 in vec3 wfvPosition;
@@ -36,10 +45,54 @@ vec3 wfvChordReach();
 vec3 wfvToChords(vec3 e, vec3 dx, vec3 dy);
 bool wfvAllInside(vec3 e, vec3 toChords);
 
+#if WFV_WARPED
+WfvRay wfvSurfaceRay(vec2 offset); // warped_fragment.glsl
+#else
+// The ray of the map that this pixel sees the surface by.
+WfvRay wfvSurfaceRay(vec2 offset)
+{
+  return wfvRayAt(offset);
+}
+#endif
+
+#if WFV_OWN_RAYS
+// Where the ray of a direction begins, the stage's own units.
+vec3 wfvStart(vec3 direction)
+{
+  return wfvEyeAt(direction, wfvView) / wfvScale();
+}
+
+// Times the triangle's normal, how far its plane is ahead of such a place; below 0 for one that
+// sees it from the side that the origin does not.
+float wfvAhead(vec3 start)
+{
+  return dot(wfvPlane, wfvAnchor - start);
+}
+#endif
+
 // Positive inside.
 vec3 wfvEdgesAt(vec3 direction)
 {
-  return vec3(dot(direction, wfvEdge0), dot(direction, wfvEdge1), dot(direction, wfvEdge2));
+  vec3 e = vec3(dot(direction, wfvEdge0), dot(direction, wfvEdge1), dot(direction, wfvEdge2));
+#if WFV_OWN_RAYS
+  // a ray's moment, times the edge, is what it changes to begin elsewhere than in the origin
+  vec3 start = wfvStart(direction);
+  vec3 moment = cross(start, direction);
+  e += vec3(dot(moment, wfvSpan0), dot(moment, wfvSpan1), dot(moment, wfvSpan2));
+  wfvTurn = wfvAhead(start) < 0.0 ? -1.0 : 1.0;
+  e *= wfvTurn;
+#endif
+  return e;
+}
+
+// How they change over a step of the direction.
+vec3 wfvEdgeStep(vec3 direction, vec3 step_)
+{
+#if WFV_OWN_RAYS
+  return wfvEdgesAt(direction + step_) - wfvEdgesAt(direction);
+#else
+  return wfvEdgesAt(step_);
+#endif
 }
 
 // Barycentric coordinates from the edge functions. Where a triangle is seen edge-on they
@@ -56,7 +109,7 @@ vec3 wfvWeigh(vec3 e)
 #define WFV_FLAT_NORMAL
 vec3 wfvFlatNormal()
 {
-  vec3 n = wfvUntilt(-wfvPlane, wfvView);
+  vec3 n = wfvUntilt(-wfvFacing * wfvPlane, wfvView);
   return n / wfvLength(n);
 }
 
@@ -82,8 +135,13 @@ void wfvSetDistance(float rho)
 // of the way from there, not of the whole distance.
 float wfvMeet(vec3 direction, float sum)
 {
-  float along = dot(direction, wfvAnchor);
-  return along + dot(wfvPlane, wfvAnchor - along * direction) / sum;
+#if WFV_OWN_RAYS
+  vec3 anchor = wfvAnchor - wfvStart(direction);
+#else
+  vec3 anchor = wfvAnchor;
+#endif
+  float along = dot(direction, anchor);
+  return along + dot(wfvPlane, anchor - along * direction) / sum;
 }
 
 #if WFV_EXACT
@@ -96,6 +154,9 @@ void wfvSetSurface(vec3 direction)
 {
   wfvSight = wfvUntilt(direction, wfvView);
   wfvSurface = wfvSight * (wfvRho * wfvScale());
+#if WFV_OWN_RAYS
+  wfvSurface += wfvUntilt(wfvEyeAt(direction, wfvView), wfvView);
+#endif
 }
 #endif
 
@@ -110,17 +171,37 @@ const bool wfvByChord = false;
 bool wfvByChord; // drawn with chords: a chord decides which pixels are covered
 #endif
 
+#if WFV_OWN_RAYS
+// Share of the angle to the axis of the circle: rays that turn about it by more from pixel to
+// pixel say nothing of what is between them.
+const float WFV_TURNING = 0.1;
+
+// True where the places at which rays begin turn about within this pixel.
+bool wfvTurns(vec3 direction)
+{
+  vec3 x = dFdx(direction);
+  vec3 y = dFdy(direction);
+  float axis = wfvLength(cross(direction, wfvUpright(wfvView)));
+  return !(length(x) + length(y) < WFV_TURNING * axis);
+}
+#endif
+
 #if WFV_MULTISAMPLE
 // Coverage by the ray of each sample, or by that of the pixel's centre where all samples
 // agree with it. e: the edge functions there; x, y: how they change from pixel to pixel.
 bool wfvCoverage(WfvRay ray, vec3 e, vec3 x, vec3 y, bool rim)
 {
   vec3 reach = WFV_PIXEL_SAFETY * (WFV_SAMPLE_REACH + wfvChordReach()) * (abs(x) + abs(y));
+#if WFV_OWN_RAYS
+  rim = rim || wfvTurns(ray.direction);
+#elif WFV_WARPED
+  rim = true; // every sample has a depth of its own
+#endif
   bool certain = wfvByChord || (!rim && all(greaterThan(abs(e), reach)));
   int mask = wfvByChord || (certain && all(greaterThan(e, vec3(0.0)))) ? -1 : 0;
   for (int i = 0; i < wfvSamples && !certain; i++)
   {
-    WfvRay at = wfvRayAt(wfvSampleOffsets[i]);
+    WfvRay at = wfvSurfaceRay(wfvSampleOffsets[i]);
     wfvSample = wfvSampleOffsets[i];
     vec3 there = wfvEdgesAt(at.direction);
     mask |= at.inside && wfvAllInside(there, wfvToChords(there, x, y)) ? 1 << i : 0;
@@ -148,21 +229,25 @@ bool wfvCovered(WfvRay ray, vec3 e)
 #else
   mat2x3 pixel = wfvRaySteps(ray, rim);
 #endif
-  return wfvCoverage(ray, e, wfvEdgesAt(pixel[0]), wfvEdgesAt(pixel[1]), rim);
+  return wfvCoverage(
+    ray, e, wfvEdgeStep(ray.direction, pixel[0]), wfvEdgeStep(ray.direction, pixel[1]), rim);
 #endif
 }
 
 void wfvPrepare()
 {
-  WfvRay ray = wfvRayAt(vec2(0.0));
+  WfvRay ray = wfvSurfaceRay(vec2(0.0));
   vec3 e = wfvEdgesAt(ray.direction);
   float sum = dot(ray.direction, wfvPlane);
+#if WFV_OWN_RAYS
+  wfvFacing = wfvTurn;
+#endif
 #if WFV_EXACT
-  wfvFront = gl_FrontFacing;
+  wfvFront = gl_FrontFacing == (wfvFacing > 0.0);
   wfvB = wfvWeigh(e);
   wfvSetDistance(wfvMeet(ray.direction, sum));
   wfvSetSurface(ray.direction);
-  bool meets = sum > 0.0;
+  bool meets = wfvFacing * sum > 0.0;
 #else
   wfvByChord = (wfvMode & 1) == 0;
   wfvFront = gl_FrontFacing;

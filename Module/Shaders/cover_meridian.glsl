@@ -8,6 +8,13 @@
 // Sine of the angle to the axis at which the plane of an edge counts as upright.
 const float WFV_UPRIGHT = 1e-6;
 
+#if WFV_OWN_RAYS
+// Radians: a column widened by more on both sides is no longer less than half a turn wide.
+const float WFV_WIDEST_TURN = 0.9;
+
+float wfvTurnPad; // radians of azimuth that the bounds are widened by
+#endif
+
 // Range of the tangent of the latitude that one edge leaves the triangle between two
 // longitudes at most half a turn apart: x above y: none. n: the edge's plane, inside up.
 vec2 wfvEdgeRange(vec3 n, vec2 lambda)
@@ -31,16 +38,24 @@ vec2 wfvEdgeRange(vec3 n, vec2 lambda)
 vec2 wfvColumn(vec2 lambda)
 {
   vec2 r = vec2(-1e30, 1e30);
+  float pad = WFV_ANGLE_PAD;
+#if WFV_OWN_RAYS
+  pad += wfvGrow;
+#endif
   for (int i = 0; i < 3; i++)
   {
+#if WFV_OWN_RAYS
+    vec2 edge = wfvEdgeRange(wfvN[i], lambda + vec2(-wfvTurnPad, wfvTurnPad));
+    edge = wfvTurnPad < WFV_WIDEST_TURN ? edge : vec2(-1e30, 1e30);
+#else
     vec2 edge = wfvEdgeRange(wfvN[i], lambda);
+#endif
     r = vec2(max(r.x, edge.x), min(r.y, edge.y));
   }
   if (r.x > r.y)
   {
     return vec2(1e9, -1e9);
   }
-  float pad = WFV_ANGLE_PAD;
   vec2 phi = vec2(wfvAtan2(r.x, 1.0) - pad, wfvAtan2(r.y, 1.0) + pad);
   phi = clamp(phi, -0.5 * WFV_PI, 0.5 * WFV_PI);
   vec4 b = wfvBounds(vec4(lambda.x, phi.x, lambda.y, phi.y), wfvView);
@@ -85,6 +100,10 @@ void wfvCover(bool front)
   bool pole = (wfvHolds(1, 1.0) || wfvHolds(1, -1.0)) &&
     !wfvCornerAtPole(vec3(0.0, 1.0, 0.0));
   vec4 a = wfvAngularBounds(vec3(0.0, 1.0, 0.0));
+#if WFV_OWN_RAYS
+  wfvTurnPad = wfvGrowAzimuth(0.5 * WFV_PI - max(abs(a.y), abs(a.w)));
+  a += vec4(-wfvTurnPad, 0.0, wfvTurnPad, 0.0);
+#endif
   bool round_ = pole || a.z - a.x >= 2.0 * WFV_PI;
   vec2 here = round_ ? vec2(-WFV_PI, WFV_PI) : vec2(max(a.x, -WFV_PI), min(a.z, WFV_PI));
   vec2 across = vec2(0.0);
@@ -110,6 +129,9 @@ void wfvCover(bool front)
   bool north = wfvHolds(1, 1.0);
   bool south = wfvHolds(1, -1.0);
   vec4 a = wfvAngularBounds(vec3(0.0, 1.0, 0.0));
+#if WFV_OWN_RAYS
+  a = wfvGrowAngles(a, 0.5 * WFV_PI - max(abs(a.y), abs(a.w)));
+#endif
   a = vec4(a.x, south ? -0.5 * WFV_PI : max(a.y, -0.5 * WFV_PI), a.z,
     north ? 0.5 * WFV_PI : min(a.w, 0.5 * WFV_PI));
   bool round_ = (north || south) && !wfvCornerAtPole(vec3(0.0, 1.0, 0.0));

@@ -14,8 +14,11 @@ vec3 wfvFlatNormal()
 }
 #endif
 
+// Of a perspective in stereo, view coordinates; the rays of a wide view know their own.
+uniform vec3 wfvDataEye;
+
 #ifndef WFV_DISTANCE
-#define WFV_DISTANCE length(position)
+#define WFV_DISTANCE length(position - wfvDataEye)
 #endif
 
 vec4 wfvData(vec3 position, int primitive)

@@ -22,7 +22,7 @@ const float WFV_EDGE_DIFFERENCE = 0.25;
 // where the map is one of several.
 WfvRay wfvRayOfHere(vec2 offset)
 {
-  WfvRay ray = wfvRayAt(offset);
+  WfvRay ray = wfvSurfaceRay(offset);
 #if WFV_FACES
   int face = wfvFaceBeside(vec2(0.0));
   ray.direction = wfvFaceDirection(wfvOnFace(wfvPlaceBeside(offset) / wfvView.scale, face), face);
@@ -50,7 +50,9 @@ float wfvEdgeDistance(int i, float e, vec2 slope)
     vec3 right = wfvRayOfHere(foot + x.xy).direction - wfvRayOfHere(foot - x.xy).direction;
     vec3 above = wfvRayOfHere(foot + x.yx).direction - wfvRayOfHere(foot - x.yx).direction;
     e = wfvEdgesAt(there.direction)[i];
-    slope = vec2(wfvEdgesAt(right)[i], wfvEdgesAt(above)[i]) / (2.0 * WFV_EDGE_DIFFERENCE);
+    slope =
+      vec2(wfvEdgeStep(there.direction, right)[i], wfvEdgeStep(there.direction, above)[i]) /
+      (2.0 * WFV_EDGE_DIFFERENCE);
   }
   return length(foot);
 }
@@ -61,12 +63,17 @@ float wfvEdgeDistance(int i, float e, vec2 slope)
 // not ask what the neighbouring pixels show: they may see another triangle, or nothing.
 vec3 wfvEdgeDistances()
 {
-  WfvRay ray = wfvRayAt(vec2(0.0));
+  WfvRay ray = wfvSurfaceRay(vec2(0.0));
+#if WFV_WARPED
+  mat2x3 pixel = mat2x3(wfvSurfaceRay(vec2(1.0, 0.0)).direction - ray.direction,
+    wfvSurfaceRay(vec2(0.0, 1.0)).direction - ray.direction);
+#else
   bool rim;
   mat2x3 pixel = wfvRaySteps(ray, rim);
+#endif
   vec3 e = wfvEdgesAt(ray.direction);
-  vec3 x = wfvEdgesAt(pixel[0]);
-  vec3 y = wfvEdgesAt(pixel[1]);
+  vec3 x = wfvEdgeStep(ray.direction, pixel[0]);
+  vec3 y = wfvEdgeStep(ray.direction, pixel[1]);
   vec3 d = abs(e) / max(sqrt(x * x + y * y), vec3(WFV_NO_SLOPE));
   for (int i = 0; i < 3; i++)
   {

@@ -11,6 +11,9 @@ uniform vec4 wfvTile;      // NDC of the tile = NDC of the picture * xy + zw
 vec4 wfvClip(vec2 ndc, float rho)
 {
   float depth = 2.0 * wfvLinearDepth(rho, wfvView) - 1.0;
+#if WFV_SHIFTED
+  ndc = wfvShift(ndc, clamp(2.0 * wfvDepthOf(rho, wfvView) - 1.0, -1.0, 1.0), wfvView);
+#endif
   return vec4((ndc * wfvTile.xy + wfvTile.zw) * rho, depth * rho, rho);
 }
 

@@ -59,7 +59,7 @@ vec4 wfvAngularBounds(vec3 pole)
   float reach = 0.0;
   for (int i = 0; i < 3; i++)
   {
-    vec3 n = wfvT.w < 0.0 ? -wfvN[i] : wfvN[i]; // as p and q turn
+    vec3 n = wfvT.w > 0.0 ? wfvN[i] : -wfvN[i]; // as p and q turn
     float l2 = dot(n, n);
     vec3 top = l2 > 0.0 ? pole - n * (dot(pole, n) / l2) : pole;
     vec3 p = wfvP[i == 2 ? 0 : i + 1];
@@ -113,6 +113,9 @@ void wfvEmitRectangle(vec4 r, bool front)
 // Pixels of the tile, from its centre.
 vec2 wfvPixel(vec3 p)
 {
+#if WFV_OWN_RAYS
+  p = wfvSeenPlace(p);
+#endif
   vec4 c = wfvClipOnSide(p, 0.0);
   return 0.5 * wfvViewport.zw * c.xy / c.w;
 }

@@ -26,6 +26,11 @@ flat out vec2 wfvCorner2;
 flat out vec4 wfvSeam; // where the edges cross the seam: three heights, and the seam's x
 #endif
 #endif
+#if WFV_OWN_RAYS
+flat out vec3 wfvSpan0; // the edges opposite to corner i, from end to end
+flat out vec3 wfvSpan1;
+flat out vec3 wfvSpan2;
+#endif
 #if !WFV_EXACT || WFV_DEBUG_VIEW
 flat out int wfvMode;    // bits: 1 covered, more in wfvPlaceCorners
 #endif
@@ -47,13 +52,19 @@ vec3 wfvN[3];
 vec4 wfvT; // the plane, and dot(xyz, p) of its points: below 0 where seen from its front
 vec3 wfvA;
 vec3 wfvS;
+vec3 wfvSpans[3]; // as wfvSpan0, ..
 vec2 wfvC[3]; // corners in the picture
 vec4 wfvSeamPlaces;
 float wfvReach; // pixels: how far the edges surely stay from their chords
 bool wfvBent;   // an edge bends by more than the tolerance
 int wfvEmitted;
 
-void wfvEmit(vec4 position, vec3 bary)
+#if WFV_WARPED
+flat out vec2 wfvDepths; // warped_fragment.glsl
+vec2 wfvDepthsHere; // NDC depths at which the triangle may be
+#endif
+
+void wfvEmitVertex(vec4 position, vec3 bary)
 {
   gl_Position = position;
 #if !WFV_EXACT
@@ -68,6 +79,14 @@ void wfvEmit(vec4 position, vec3 bary)
     wfvEdge2 = wfvN[2];
     wfvPlane = wfvT.xyz;
     wfvAnchor = wfvA;
+#if WFV_WARPED
+    wfvDepths = wfvDepthsHere;
+#endif
+#if WFV_OWN_RAYS
+    wfvSpan0 = wfvSpans[0];
+    wfvSpan1 = wfvSpans[1];
+    wfvSpan2 = wfvSpans[2];
+#endif
 #if !WFV_EXACT
     wfvSlack = wfvS;
     wfvCorners01 = vec4(wfvC[0], wfvC[1]);
@@ -86,11 +105,27 @@ void wfvEmit(vec4 position, vec3 bary)
   EmitVertex();
 }
 
-void wfvEnd()
+void wfvEndShape()
 {
   EndPrimitive();
   wfvEmitted = 0;
 }
+
+#if WFV_WARPED
+// warped_cover.glsl
+void wfvEmit(vec4 position, vec3 bary);
+void wfvEnd();
+#else
+void wfvEmit(vec4 position, vec3 bary)
+{
+  wfvEmitVertex(position, bary);
+}
+
+void wfvEnd()
+{
+  wfvEndShape();
+}
+#endif
 
 vec3 wfvCorner(int i)
 {

@@ -5,7 +5,9 @@
 // one face of the cube.
 bool wfvReachesSeam()
 {
-#if WFV_FACES
+#if WFV_OWN_RAYS
+  return wfvOwnReachesSeam();
+#elif WFV_FACES
   int face = wfvFaceOf(wfvP[0]);
   return wfvFaceOf(wfvP[1]) != face || wfvFaceOf(wfvP[2]) != face;
 #elif !WFV_MERIDIAN
@@ -37,6 +39,9 @@ const float WFV_TIGHT_REACH = 1.0;
 // wfvReach.
 bool wfvEasy(vec3 lengths)
 {
+#if WFV_OWN_RAYS
+  return false;
+#endif
 #if WFV_EXACT
   float tolerance = WFV_TIGHT_REACH;
 #else
@@ -78,7 +83,7 @@ bool wfvOutside(vec3 lengths)
   {
     return true;
   }
-#if !WFV_ROUND
+#if !WFV_ROUND || WFV_OWN_RAYS
   return false;
 #else
   vec3 cosines = -vec3(wfvP[0].z, wfvP[1].z, wfvP[2].z) / lengths;
@@ -91,9 +96,15 @@ bool wfvOutside(vec3 lengths)
 // and wfvBent.
 bool wfvMustCover()
 {
+#if WFV_OWN_RAYS
+  vec2 e0 = wfvOwnChordError(wfvP[1], wfvP[2]);
+  vec2 e1 = wfvOwnChordError(wfvP[2], wfvP[0]);
+  vec2 e2 = wfvOwnChordError(wfvP[0], wfvP[1]);
+#else
   vec2 e0 = wfvChordError(wfvP[1], wfvP[2]);
   vec2 e1 = wfvChordError(wfvP[2], wfvP[0]);
   vec2 e2 = wfvChordError(wfvP[0], wfvP[1]);
+#endif
   wfvS = vec3(e0.x, e1.x, e2.x);
   wfvReach = max(e0.y, max(e1.y, e2.y));
   wfvBent = min(wfvS.x, min(wfvS.y, wfvS.z)) < 0.0;
@@ -203,7 +214,12 @@ void main()
   vec3 lengths = vec3(length(wfvP[0]), length(wfvP[1]), length(wfvP[2]));
   wfvT = wfvTrianglePlane(lengths);
   // seen edge-on, or not a number: it covers no pixel
-  if (!(abs(wfvT.w) > 0.0) || wfvOutside(lengths))
+#if WFV_OWN_RAYS
+  bool none = wfvOwnNothing();
+#else
+  bool none = !(abs(wfvT.w) > 0.0);
+#endif
+  if (none || wfvOutside(lengths))
   {
     return;
   }
@@ -214,6 +230,11 @@ void main()
   wfvN[0] = facing * wfvEdgePlane(1, 2);
   wfvN[1] = facing * wfvEdgePlane(2, 0);
   wfvN[2] = facing * wfvEdgePlane(0, 1);
+#if WFV_OWN_RAYS
+  wfvSetOwn(lengths, facing);
+#elif WFV_WARPED
+  wfvSetDepths(lengths);
+#endif
   bool seam = wfvReachesSeam();
 #if WFV_SAMPLED
   wfvVertexMode = WFV_COVERED;

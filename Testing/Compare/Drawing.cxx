@@ -113,6 +113,13 @@ void PlaceCamera(vtkWideFoVCamera* camera, const Shot& s)
   camera->SetHorizontalFieldOfView(s.Options.HorizontalFov);
   camera->SetVerticalFieldOfView(s.Options.VerticalFov);
   camera->SetTilt(s.Options.Tilt);
+  const StereoOptions& stereo = s.Options.Stereo;
+  camera->SetStereoModel(stereo.Model ? stereo.Model->Name.c_str() : "mono");
+  camera->SetInterpupillaryDistance(stereo.InterpupillaryDistance);
+  camera->SetPoleFade(stereo.PoleFade[0], stereo.PoleFade[1]);
+  camera->SetWarpedStereo(stereo.Iod, stereo.Distance, stereo.Offset);
+  camera->SetSeparation(stereo.Separation);
+  camera->SetConvergence(stereo.Convergence);
   camera->SetClipRadii(s.Options.Radii[0], s.Options.Radii[1]);
   camera->SetPosition(s.Eye.x, s.Eye.y, s.Eye.z);
   // as far as the scene is large: a focal point one unit away vanishes beside 1e8
@@ -121,11 +128,21 @@ void PlaceCamera(vtkWideFoVCamera* camera, const Shot& s)
   camera->SetViewUp(s.Up.x, s.Up.y, s.Up.z);
 }
 
+namespace
+{
+void SetEye(vtkRenderWindow* window, Eye eye)
+{
+  window->SetStereoType(eye == Eye::Left ? VTK_STEREO_LEFT : VTK_STEREO_RIGHT);
+  window->SetStereoRender(eye != Eye::Middle);
+}
+}
+
 reference::DrawnPicture Drawing::Draw(const Shot& s)
 {
   Internals& in = *this->Internal;
   in.Window->SetSize(s.Width, s.Height);
   PlaceCamera(in.Camera, s);
+  SetEye(in.Window, s.Options.Stereo.Eye);
   in.Window->Render();
   in.LastView.reset(new View(in.Camera->GetView(double(s.Width) / s.Height)));
   return reference::ToDrawnPicture(in.Data->GetOutput());
@@ -163,11 +180,13 @@ std::string Describe(const Shot& s)
 {
   char text[400];
   std::snprintf(text, sizeof text,
-    "%s hfov %g vfov %g size %dx%d eye %.9g,%.9g,%.9g direction %.9g,%.9g,%.9g up "
+    "%s hfov %g vfov %g %s %d size %dx%d eye %.9g,%.9g,%.9g direction %.9g,%.9g,%.9g up "
     "%.9g,%.9g,%.9g clip %g,%g",
-    s.Projection.c_str(), s.Options.HorizontalFov, s.Options.VerticalFov, s.Width, s.Height,
-    s.Eye.x, s.Eye.y, s.Eye.z, s.Direction.x, s.Direction.y, s.Direction.z, s.Up.x, s.Up.y, s.Up.z,
-    s.Options.Radii[0], s.Options.Radii[1]);
+    s.Projection.c_str(), s.Options.HorizontalFov, s.Options.VerticalFov,
+    s.Options.Stereo.Model ? s.Options.Stereo.Model->Name.c_str() : "mono",
+    static_cast<int>(s.Options.Stereo.Eye), s.Width, s.Height, s.Eye.x, s.Eye.y, s.Eye.z,
+    s.Direction.x, s.Direction.y, s.Direction.z, s.Up.x, s.Up.y, s.Up.z, s.Options.Radii[0],
+    s.Options.Radii[1]);
   return text;
 }
 

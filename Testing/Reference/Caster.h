@@ -51,8 +51,13 @@ public:
   // the direction has unit length. Safe to call from several threads.
   virtual Hit Cast(const vec3& origin, const vec3& direction) const = 0;
 
-  // The same for the ray of a place in the picture.
+  // The same for the ray of a place in the picture, or for the curve that the stereo model of
+  // the view makes of it.
   Hit Cast(vec2 ndc) const;
+
+  // The first hit on the way from one point to another, at most the distance between them;
+  // clip spheres do not count. Needed where a stereo model bends rays.
+  virtual Hit CastSegment(const vec3&, const vec3&) const { return {}; }
 
   // Whether Cast(ndc) hits this cell (-1: nothing).
   virtual bool Sees(vec2 ndc, vtkIdType cell) const { return this->Cast(ndc).Cell == cell; }
@@ -67,6 +72,10 @@ public:
 
 protected:
   View TheView;
+
+private:
+  // Between two depths, in so many straight pieces.
+  Hit CastCurve(vec2 ndc, double near, double far, int pieces) const;
 };
 }
 }

@@ -81,7 +81,11 @@ struct RayCaster::Locator
 
   vtkIdList* Find(const vec3& origin, const vec3& direction) const
   {
-    const vec3 end = origin + direction * this->Reach(origin);
+    return this->FindBetween(origin, origin + direction * this->Reach(origin));
+  }
+
+  vtkIdList* FindBetween(const vec3& origin, const vec3& end) const
+  {
     const double a[3] = { origin.x, origin.y, origin.z };
     const double b[3] = { end.x, end.y, end.z };
     vtkIdList* ids = this->Ids.Local();
@@ -142,10 +146,39 @@ RayTriangleHit RayCaster::Intersect(
   return hit;
 }
 
+Hit RayCaster::CastSegment(const vec3& from, const vec3& to) const
+{
+  Hit best;
+  if (this->Soup.Triangles.empty())
+  {
+    return best;
+  }
+  const double length = glm::length(to - from);
+  const vec3 direction = (to - from) / length;
+  vtkIdList* ids = this->Candidates->FindBetween(from, to);
+  for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+  {
+    const vtkIdType id = ids->GetId(i);
+    const auto& t = this->Soup.Triangles[id];
+    const auto& p = this->Soup.Points;
+    const RayTriangleHit hit =
+      IntersectTriangle(from, direction, { { p[t[0]], p[t[1]], p[t[2]] } });
+    if (hit.Found && hit.Distance <= length && hit.Distance < best.Distance)
+    {
+      best.Cell = this->Soup.CellIds[id];
+      best.Triangle = id;
+      best.Distance = hit.Distance;
+      best.Barycentrics = hit.Barycentrics;
+    }
+  }
+  return best;
+}
+
 bool RayCaster::Sees(vec2 ndc, vtkIdType cell) const
 {
+  const StereoModel* const model = this->TheView.GetStereoModel();
   const ViewRay ray = this->TheView.Ray(ndc);
-  if (cell < 0 || !ray.Inside)
+  if (cell < 0 || !ray.Inside || (model && !model->Straight))
   {
     return this->Cast(ndc).Cell == cell;
   }

@@ -31,6 +31,7 @@ public:
   // Of two hits at the same distance, the one of the lower triangle.
   Hit Cast(const vec3& origin, const vec3& direction) const override;
   using Caster::Cast;
+  Hit CastSegment(const vec3& from, const vec3& to) const override;
 
   // Without looking at the others where the cell's own triangles are missed already: far
   // cheaper where that is the usual answer.

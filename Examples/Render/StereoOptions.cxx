@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "StereoOptions.h"
+
+#include "Messages.h"
+#include "StereoLayout.h"
+#include "Stereo/Stereo.h"
+
+#include <algorithm>
+
+namespace widefov
+{
+namespace
+{
+// The largest distance that may be asked for, scene units: squares of it still fit a float32.
+constexpr double Most = 1e18;
+
+// A number that one model alone takes; that it was given is kept.
+void ModelNumber(OptionGroup& group, Options& o, const std::string& name, const std::string& type,
+  double& target, const Range& range, const std::string& text)
+{
+  group.Add(name, type, Text(target), text + ", " + range.Describe(),
+    [&o, &target, range](const std::string& option, const std::string& value) {
+      target = ParseNumber(option, value, range);
+      o.StereoGiven.push_back(option);
+    });
+}
+
+// The options that a model has.
+std::vector<std::string> OptionsOfModel(const std::string& model)
+{
+  if (model == "omnidirectional")
+  {
+    return { "--ipd", "--pole-fade" };
+  }
+  if (model == "warped")
+  {
+    return { "--iod", "--distance", "--offset" };
+  }
+  return model == "offaxis" ? std::vector<std::string>{ "--separation", "--convergence" }
+                            : std::vector<std::string>{};
+}
+}
+
+void DeclareStereo(CLI::App& app, Options& o)
+{
+  OptionGroup group(app, "Stereo");
+  wfv::StereoOptions& s = o.View.Stereo;
+  group.Choice(
+    "--stereo", o.Stereo, { "mono", "warped", "omnidirectional", "offaxis" }, {}, "stereo model");
+  group.Add("--layout", "NAME", "anaglyph", "where the eyes go: " + Join(StereoLayoutNames()),
+    [&o](const std::string& option, const std::string& value) {
+      CheckChoice(option, value, StereoLayoutNames());
+      o.Layout = value;
+      o.StereoGiven.push_back(option);
+    });
+  ModelNumber(group, o, "--ipd", "D", s.InterpupillaryDistance, { 0, Most },
+    "omnidirectional: distance between the eyes, scene units");
+  group.Add("--pole-fade", "A,B", "off",
+    "omnidirectional: latitudes, degrees, between which the eyes' distance fades",
+    [&o, &s](const std::string& option, const std::string& value) {
+      const std::vector<double> fade = ParseNumbers(option, value, 2, 2);
+      s.PoleFade = { { fade[0], fade[1] } };
+      o.StereoGiven.push_back(option);
+    });
+  ModelNumber(group, o, "--iod", "D", s.Iod, { 0, 10 }, "warped: distance between the eyes, NDC");
+  ModelNumber(group, o, "--distance", "D", s.Distance, { 0, Most },
+    "warped: of the viewer from the plane of zero parallax, NDC");
+  ModelNumber(
+    group, o, "--offset", "D", s.Offset, { -1, 1 }, "warped: plane of zero parallax, NDC depth");
+  ModelNumber(group, o, "--separation", "F", s.Separation, { 0, 0.5 },
+    "offaxis: parallax far away, fraction of the width");
+  ModelNumber(group, o, "--convergence", "D", s.Convergence, { 0, Most, true },
+    "offaxis: distance of zero parallax, scene units");
+  group.Later("--screens", "FILE.pvx", "flat screens of a wall or CAVE");
+  group.Later("--pose", "FILE", "recorded head poses");
+}
+
+void CompleteStereo(Options& o)
+{
+  o.View.Stereo.Model = wfv::FindStereoModel(o.Stereo);
+  std::vector<std::string> known = OptionsOfModel(o.Stereo);
+  if (o.Stereo != "mono")
+  {
+    known.emplace_back("--layout");
+  }
+  for (const std::string& given : o.StereoGiven)
+  {
+    if (std::find(known.begin(), known.end(), given) == known.end())
+    {
+      FailUsage(given + " does not go with --stereo " + o.Stereo +
+        (known.empty() ? "; choose a stereo model" : ", which has " + Join(known)));
+    }
+  }
+}
+
+void CheckStereo(const Options& o)
+{
+  if (o.Stereo == "mono")
+  {
+    return;
+  }
+  if (o.Technique == Technique::CubeMap)
+  {
+    FailUsage("--technique cubemap has no stereo model; leave --stereo out");
+  }
+  if (!o.Aov.empty() && o.Layout != "left" && o.Layout != "right")
+  {
+    FailUsage("--aov is for one eye; give --layout left or --layout right");
+  }
+}
+
+std::vector<std::string> FilesOf(const Options& o, const std::string& output)
+{
+  const StereoLayout& layout = FindStereoLayout(o.Layout);
+  if (o.Stereo == "mono" || !layout.Separate)
+  {
+    return { output };
+  }
+  return { FileOfEye(layout, output, 0), FileOfEye(layout, output, 1) };
+}
+}

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The stereo options of the command line.
+#ifndef WideFoVStereoOptions_h
+#define WideFoVStereoOptions_h
+
+#include "OptionGroup.h"
+#include "Options.h"
+
+namespace widefov
+{
+void DeclareStereo(CLI::App& app, Options& options);
+
+// After the projection is known and before wfv::CheckOptions: sets the model. Throws a Failure
+// with ExitUsage where an option is given that the model does not have.
+void CompleteStereo(Options& options);
+
+// After everything is known.
+void CheckStereo(const Options& options);
+
+// The files that an output file becomes: two where each eye has its own.
+std::vector<std::string> FilesOf(const Options& options, const std::string& output);
+}
+
+#endif

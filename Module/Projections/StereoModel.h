@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a view asks of a stereo model. The models themselves: Stereo/Stereo.h.
+#ifndef WideFoVStereoModel_h
+#define WideFoVStereoModel_h
+
+#include "ProjectionMath.h"
+
+#include <array>
+#include <string>
+
+namespace wfv
+{
+struct Projection;
+struct StereoModel;
+
+// Which of the eyes a view is that of.
+enum class Eye
+{
+  Left = -1,
+  Middle = 0, // between them: the picture without stereo
+  Right = 1
+};
+
+// What a user sets. Angles in degrees; each model looks at its own alone.
+struct StereoOptions
+{
+  const StereoModel* Model = nullptr; // none: both eyes see the same
+  wfv::Eye Eye = wfv::Eye::Middle;
+
+  double InterpupillaryDistance = 0.065;      // omnidirectional: scene units
+  std::array<double, 2> PoleFade{ { 0, 0 } }; // omnidirectional: latitudes; equal: no fade
+
+  double Iod = 0.5;     // warped: between the eyes, NDC
+  double Distance = 5;  // warped: of the viewer from the plane of zero parallax, NDC
+  double Offset = -0.8; // warped: that plane, NDC depth
+
+  double Separation = 0.03; // offaxis: parallax far away, fraction of the picture's width
+  double Convergence = 10;  // offaxis: distance of zero parallax, scene units
+};
+
+struct StereoModel
+{
+  std::string Name;     // as on the command line
+  std::string Title;    // for people
+  bool Straight = true; // the rays are straight lines
+  bool OwnRays = false; // the rays of one eye begin in several places
+  std::string Glsl;     // source text of its files
+  WfvSight (*See)(vec3 point, WfvView view) = nullptr;
+  vec3 (*EyeAt)(vec3 direction, WfvView view) = nullptr;
+  vec2 (*Shift)(vec2 ndc, double depth, WfvView view) = nullptr;
+  vec2 (*Unshift)(vec2 ndc, double depth, WfvView view) = nullptr;
+
+  // What WfvView::stereo is; view: complete but for it.
+  vec4 (*Parameters)(const StereoOptions& options, const WfvView& view) = nullptr;
+
+  // An empty string, or why these options do not fit this model or this projection.
+  std::string (*Check)(const StereoOptions& options, const Projection& projection) = nullptr;
+};
+}
+
+#endif

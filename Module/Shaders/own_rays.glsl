@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pre-clip of triangles where each ray of an eye begins at a place of its own, on a circle round
+// the origin (Stereo/omnidirectional.glsl). Planes and bounds are those of the view from the
+// origin; the fragment stage adds what the ray's beginning changes, exactly. What is here makes
+// the shapes large enough: seen from anywhere on the circle, nothing is farther than wfvGrow
+// from where the origin sees it.
+
+// Radii of the circle: an edge that passes its axis nearer than so many has no chord.
+const float WFV_OWN_NEAR = 16.0;
+
+// Cosine of the angle that an edge with a chord is seen under at the most.
+const float WFV_OWN_SHORT = 0.5;
+
+float wfvGrow; // radians; half a turn where the triangle is as near as the circle
+
+// Radius of the circle in the stage's own units, the largest of all rays.
+float wfvOwnRadius()
+{
+  return abs(wfvView.stereo.x) / wfvScale();
+}
+
+// Where the eye sees a point, as if it were the origin.
+vec3 wfvSeenPlace(vec3 p)
+{
+  WfvSight s = wfvSee(p * wfvScale(), wfvView);
+  return s.direction * (s.distance / wfvScale());
+}
+
+// True where the triangle has no plane. One that is seen edge-on from the origin may be seen from
+// the circle.
+bool wfvOwnNothing()
+{
+  return !(max(abs(wfvT.x), max(abs(wfvT.y), abs(wfvT.z))) > 0.0);
+}
+
+// The triangle's least distance from the origin: that of its plane, or what its corners and
+// edges leave. Sets wfvGrow.
+void wfvSetGrow(vec3 lengths, vec4 plane)
+{
+  vec3 edges = vec3(length(wfvP[2] - wfvP[1]), length(wfvP[0] - wfvP[2]), length(wfvP[1] - wfvP[0]));
+  float corners = min(lengths.x, min(lengths.y, lengths.z)) - max(edges.x, max(edges.y, edges.z));
+  float nearest = max(corners, abs(plane.w) / length(plane.xyz));
+  float s = 1.0001 * wfvOwnRadius() / max(nearest, 1e-30);
+  wfvGrow = s < 1.0 ? wfvAtan2(s, sqrt((1.0 - s) * (1.0 + s))) : WFV_PI;
+}
+
+// What the fragment stage needs to know of the edges beside their planes, and wfvGrow.
+void wfvSetOwn(vec3 lengths, float facing)
+{
+  wfvSpans[0] = facing * (wfvP[2] - wfvP[1]);
+  wfvSpans[1] = facing * (wfvP[0] - wfvP[2]);
+  wfvSpans[2] = facing * (wfvP[1] - wfvP[0]);
+  wfvSetGrow(lengths, wfvT);
+}
+
+// Radians of azimuth that a direction moves by at the most, when it moves by wfvGrow and is
+// farther than that from the poles; half a turn where it is not. toPole: its angle from them.
+float wfvGrowAzimuth(float toPole)
+{
+  float s = sin(min(wfvGrow, 0.5 * WFV_PI)) / max(sin(toPole), 1e-30);
+  return toPole > wfvGrow && s < 1.0 ? wfvAtan2(s, sqrt((1.0 - s) * (1.0 + s))) : WFV_PI;
+}
+
+// A rectangle of angles, so much larger; all azimuths where it reaches a pole.
+vec4 wfvGrowAngles(vec4 a, float toPole)
+{
+  float turn = wfvGrowAzimuth(toPole);
+  return a + vec4(-turn, -wfvGrow, turn, wfvGrow);
+}
+
+// True unless nothing of the triangle is seen across the seam, from anywhere on the circle.
+bool wfvOwnReachesSeam()
+{
+  float r = 1.0001 * wfvOwnRadius();
+  vec3 low = min(wfvP[0], min(wfvP[1], wfvP[2]));
+  vec3 high = max(wfvP[0], max(wfvP[1], wfvP[2]));
+#if WFV_FACES
+  int face = wfvFaceOf(wfvP[0]);
+  for (int i = 0; i < 3; i++)
+  {
+    vec3 q = wfvInFace(wfvP[i], face);
+    if (!(q.z - max(abs(q.x), abs(q.y)) > 2.0 * r))
+    {
+      return true;
+    }
+  }
+  return false;
+#elif WFV_MERIDIAN
+  return !(low.x > r || high.x < -r || high.z < -r);
+#else
+  return false;
+#endif
+}
+
+// Square of the least distance of the edge a, b from the axis of the circle.
+float wfvOwnAxisSquared(vec3 a, vec3 b)
+{
+  vec3 up = wfvUpright(wfvView);
+  vec3 p = a - up * dot(a, up);
+  vec3 d = (b - up * dot(b, up)) - p;
+  float t = clamp(-dot(p, d) / max(dot(d, d), 1e-30), 0.0, 1.0);
+  vec3 nearest = p + t * d;
+  return dot(nearest, nearest);
+}
+
+// The point of an edge whose direction is halfway between those of a and b.
+vec3 wfvOwnBetween(vec3 a, vec3 b)
+{
+  float l = length(a);
+  float m = length(b);
+  return (a * m + b * l) / (l + m);
+}
+
+// Largest sampled distance between the picture of an edge and its chord, pixels.
+float wfvOwnEdgeError(vec3 a, vec3 b)
+{
+  vec3 m = wfvOwnBetween(a, b);
+  vec3 p = wfvOwnBetween(a, m);
+  vec3 q = wfvOwnBetween(m, b);
+#if WFV_MERIDIAN && WFV_STRAIGHT_SEAM
+  // longitudes are continued along the edge
+  vec2 ta = wfvMeridianAngles(wfvSeenPlace(a));
+  vec2 tp = wfvContinued(wfvSeenPlace(p), ta);
+  vec2 tm = wfvContinued(wfvSeenPlace(m), tp);
+  vec2 tq = wfvContinued(wfvSeenPlace(q), tm);
+  vec2 tb = wfvContinued(wfvSeenPlace(b), tq);
+  vec2 na = wfvMap(ta, wfvView);
+  vec2 np = wfvMap(tp, wfvView);
+  vec2 nm = wfvMap(tm, wfvView);
+  vec2 nq = wfvMap(tq, wfvView);
+  vec2 nb = wfvMap(tb, wfvView);
+#else
+  vec2 na = wfvProject(wfvSeenPlace(a), wfvView);
+  vec2 np = wfvProject(wfvSeenPlace(p), wfvView);
+  vec2 nm = wfvProject(wfvSeenPlace(m), wfvView);
+  vec2 nq = wfvProject(wfvSeenPlace(q), wfvView);
+  vec2 nb = wfvProject(wfvSeenPlace(b), wfvView);
+#endif
+  float e = max(wfvChordDistance(na, nb, nm),
+    max(wfvChordDistance(na, nb, np), wfvChordDistance(na, nb, nq)));
+  return WFV_CURVE_SAFETY * e;
+}
+
+// As wfvChordError, of an edge as this eye sees it: y alone is asked for.
+vec2 wfvOwnChordError(vec3 a, vec3 b)
+{
+  float near = WFV_OWN_NEAR * wfvOwnRadius();
+  if (!(wfvOwnAxisSquared(a, b) > near * near))
+  {
+    return vec2(WFV_CURVED, WFV_UNKNOWN);
+  }
+  vec3 da = normalize(wfvSeenPlace(a));
+  vec3 db = normalize(wfvSeenPlace(b));
+  bool unknown = !(dot(da, db) > WFV_OWN_SHORT) || wfvNearsSingularity(da, db);
+#if WFV_FACES
+  unknown = unknown || wfvFaceOf(da) != wfvFaceOf(db);
+#elif WFV_ROUND
+  unknown = unknown || -max(da.z, db.z) < wfvChordEnd();
+#endif
+  return vec2(WFV_CURVED, unknown ? WFV_UNKNOWN : wfvOwnEdgeError(a, b));
+}

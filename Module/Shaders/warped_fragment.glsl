@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Fragment side of triangles of a warped volume: what a pixel of an eye's picture sees is a line
+// of the volume, and a curve of the scene. It meets the triangle's plane at a depth that is found
+// by false position (Illinois), between the depths at which the triangle may be; with the ray of
+// the map at that depth everything goes on as without stereo.
+
+flat in vec2 wfvDepths; // NDC depths at which the triangle may be
+
+// Steps of the search: from the whole volume to float32's end at surfaces not seen edge-on.
+const int WFV_WARPED_STEPS = 10;
+
+// The ray of the map, for a place of the picture and a depth; outside where the volume ends.
+WfvRay wfvRayOfDepth(vec2 place, float depth)
+{
+  vec2 ndc = wfvUnshift(place, depth, wfvView);
+  WfvRay ray = wfvUnproject(ndc, wfvView);
+  ray.inside = ray.inside && abs(ndc.x) <= 1.0 && abs(ndc.y) <= 1.0;
+  return ray;
+}
+
+// By how much the curve is behind the plane at a depth, times the plane's normal.
+float wfvBehind(vec2 place, float depth)
+{
+  float rho = wfvDistanceAt(0.5 * depth + 0.5, wfvView) / wfvScale();
+  return dot(wfvPlane, rho * wfvRayOfDepth(place, depth).direction - wfvAnchor);
+}
+
+WfvRay wfvSurfaceRay(vec2 offset)
+{
+  vec2 place = wfvPlaceBeside(offset);
+  vec2 z = wfvDepths;
+  vec2 f = vec2(wfvBehind(place, z.x), wfvBehind(place, z.y));
+  bool crosses = (f.x <= 0.0) != (f.y <= 0.0);
+  float side = 0.0;
+  float middle = z.y;
+  for (int i = 0; i < WFV_WARPED_STEPS; i++)
+  {
+    middle = crosses ? clamp(z.x - f.x * (z.y - z.x) / (f.y - f.x), z.x, z.y) : z.y;
+    float at = wfvBehind(place, middle);
+    bool low = (at <= 0.0) == (f.x <= 0.0);
+    // the end that stays twice counts for half
+    f = low ? vec2(at, side > 0.0 ? 0.5 * f.y : f.y) : vec2(side < 0.0 ? 0.5 * f.x : f.x, at);
+    z = low ? vec2(middle, z.y) : vec2(z.x, middle);
+    side = low ? 1.0 : -1.0;
+  }
+  WfvRay ray = wfvRayOfDepth(place, middle);
+  ray.inside = ray.inside && crosses;
+  return ray;
+}

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What there is: the files of the models compiled as C++, and one entry for each.
+#include "Stereo.h"
+
+#include "WideFoVGlsl.h"
+
+#include <cmath>
+
+// A file may leave out what its family offers it, such as the view.
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#endif
+#define float double
+namespace wfv
+{
+namespace mono
+{
+#include "mono.glsl"
+}
+namespace offaxis
+{
+#include "offaxis.glsl"
+}
+namespace warped
+{
+#include "warped.glsl"
+}
+namespace omnidirectional
+{
+#include "omnidirectional.glsl"
+}
+}
+#undef float
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
+
+namespace wfv
+{
+namespace
+{
+const double Degree = WFV_PI / 180;
+
+// Fraction of the picture's width: a larger separation leaves the eyes nothing in common.
+constexpr double MaxSeparation = 0.5;
+
+std::string Text(double v)
+{
+  std::string s = std::to_string(v);
+  s.erase(s.find_last_not_of('0') + 1);
+  return s.back() == '.' ? s.substr(0, s.size() - 1) : s;
+}
+
+double Sign(const StereoOptions& o)
+{
+  return static_cast<double>(o.Eye);
+}
+
+vec4 NoParameters(const StereoOptions&, const WfvView&)
+{
+  return vec4(0);
+}
+
+vec4 OffAxisParameters(const StereoOptions& o, const WfvView& v)
+{
+  const double shift = Sign(o) * o.Separation;
+  return vec4(shift * o.Convergence / v.scale.x, shift, 0, 0);
+}
+
+vec4 WarpedParameters(const StereoOptions& o, const WfvView&)
+{
+  return vec4(0.5 * Sign(o) * o.Iod, o.Distance, o.Offset, 0);
+}
+
+vec4 OmnidirectionalParameters(const StereoOptions& o, const WfvView&)
+{
+  return vec4(
+    0.5 * Sign(o) * o.InterpupillaryDistance, o.PoleFade[0] * Degree, o.PoleFade[1] * Degree, 0);
+}
+
+std::string CheckNothing(const StereoOptions&, const Projection&)
+{
+  return "";
+}
+
+std::string CheckOffAxis(const StereoOptions& o, const Projection& p)
+{
+  if (p.Axis != Family::Planar)
+  {
+    return "the stereo model offaxis is for the projection perspective, not for " + p.Name +
+      "; omnidirectional and warped are for the others";
+  }
+  if (!(o.Separation >= 0) || !(o.Separation <= MaxSeparation))
+  {
+    return "the separation must be in [0, " + Text(MaxSeparation) + "] of the width, not " +
+      Text(o.Separation);
+  }
+  return o.Convergence > 0 && std::isfinite(o.Convergence)
+    ? ""
+    : "the convergence must be above 0, not " + Text(o.Convergence);
+}
+
+// The models that change what the stages draw; a perspective goes without.
+std::string CheckWide(const char* name, const Projection& p)
+{
+  return p.Axis != Family::Planar ? ""
+                                  : "the stereo model " + std::string(name) +
+      " is for wide projections; offaxis is for perspective";
+}
+
+std::string CheckWarped(const StereoOptions& o, const Projection& p)
+{
+  if (!(o.Iod >= 0) || !std::isfinite(o.Iod) || !std::isfinite(o.Distance) ||
+    !(std::abs(o.Offset) <= 1))
+  {
+    return "warped stereo needs a finite iod of at least 0 and an offset in [-1, 1], not " +
+      Text(o.Iod) + " and " + Text(o.Offset);
+  }
+  if (!(o.Distance > 1 + o.Offset))
+  {
+    return "the distance of warped stereo must be above 1 + offset = " + Text(1 + o.Offset) +
+      ", in front of the whole cube, not " + Text(o.Distance);
+  }
+  return CheckWide("warped", p);
+}
+
+std::string CheckOmnidirectional(const StereoOptions& o, const Projection& p)
+{
+  if (!(o.InterpupillaryDistance >= 0) || !std::isfinite(o.InterpupillaryDistance))
+  {
+    return "the interpupillary distance must be at least 0, not " + Text(o.InterpupillaryDistance);
+  }
+  const std::array<double, 2>& fade = o.PoleFade;
+  if (!(fade[0] >= 0) || !(fade[1] >= fade[0]) || !(fade[1] <= 90))
+  {
+    return "the pole fade needs latitudes 0 <= A <= B <= 90, not " + Text(fade[0]) + " and " +
+      Text(fade[1]);
+  }
+  return CheckWide("omnidirectional", p);
+}
+
+// A model before its own traits: the functions of one of the namespaces above.
+#define WFV_STEREO(ns, name, title, source)                                                        \
+  MakeModel(name, title, source, ns::wfvSee, ns::wfvEyeAt, ns::wfvShift, ns::wfvUnshift)
+
+StereoModel MakeModel(const char* name, const char* title, const char* source,
+  decltype(StereoModel::See) see, decltype(StereoModel::EyeAt) eyeAt,
+  decltype(StereoModel::Shift) shift, decltype(StereoModel::Unshift) unshift)
+{
+  StereoModel m;
+  m.Name = name;
+  m.Title = title;
+  m.Glsl = std::string(source);
+  m.See = see;
+  m.EyeAt = eyeAt;
+  m.Shift = shift;
+  m.Unshift = unshift;
+  m.Parameters = NoParameters;
+  m.Check = CheckNothing;
+  return m;
+}
+
+std::vector<StereoModel> MakeModels()
+{
+  std::vector<StereoModel> all{ WFV_STEREO(mono, "mono", "No stereo", mono_glsl),
+    WFV_STEREO(warped, "warped", "Warped volume", warped_glsl),
+    WFV_STEREO(omnidirectional, "omnidirectional", "Omnidirectional", omnidirectional_glsl),
+    WFV_STEREO(offaxis, "offaxis", "Off-axis", offaxis_glsl) };
+  all[1].Straight = false;
+  all[1].Parameters = WarpedParameters;
+  all[1].Check = CheckWarped;
+  all[2].OwnRays = true;
+  all[2].Parameters = OmnidirectionalParameters;
+  all[2].Check = CheckOmnidirectional;
+  all[3].Parameters = OffAxisParameters;
+  all[3].Check = CheckOffAxis;
+  return all;
+}
+}
+
+const std::vector<StereoModel>& StereoModels()
+{
+  static const std::vector<StereoModel> all = MakeModels();
+  return all;
+}
+
+const StereoModel* FindStereoModel(const std::string& name)
+{
+  for (const StereoModel& m : StereoModels())
+  {
+    if (m.Name == name)
+    {
+      return &m;
+    }
+  }
+  return nullptr;
+}
+}

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Off-axis stereo of a perspective: two eyes side by side whose frusta share the plane of
+// convergence, x_clip += eye separation (w - convergence). Parallax, as a fraction of the
+// picture's width: separation (1 - convergence / w); nothing at the convergence, the separation
+// far away, - separation at half the convergence. Source: S. Gateau and S. Nash, Implementing
+// Stereoscopic 3D in Your Applications.
+//
+// v.stereo: x  the eye, scene units to the right
+//           y  by how much its picture is shifted, NDC
+
+WFV_FN WfvSight wfvSee(vec3 p, WfvView v)
+{
+  return wfvSightFrom(p, vec3(v.stereo.x, 0.0, 0.0));
+}
+
+WFV_FN vec3 wfvEyeAt(vec3 direction, WfvView v)
+{
+  return vec3(v.stereo.x, 0.0, 0.0);
+}
+
+WFV_FN vec2 wfvShift(vec2 ndc, float depth, WfvView v)
+{
+  return vec2(ndc.x + v.stereo.y, ndc.y);
+}
+
+WFV_FN vec2 wfvUnshift(vec2 ndc, float depth, WfvView v)
+{
+  return vec2(ndc.x - v.stereo.y, ndc.y);
+}

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The paper's stereo: the map with its depth fills the unit cube, and the cube is an object
+// that two off-axis perspectives look at, onto the plane of zero parallax. What is at the depth
+// `offset` stays where it is; what is nearer grows and is seen to the other side by each eye.
+// Source: Ardouin et al. 2014, section 3.5. The rays of this eye are curves: lines of the
+// cube, that the map bends.
+//
+// v.stereo: x  the eye, NDC to the right of the cube's axis (half of iod, signed)
+//           y  distance of the viewer in front of the plane of zero parallax, NDC
+//           z  that plane, NDC depth
+
+WFV_FN WfvSight wfvSee(vec3 p, WfvView v)
+{
+  return wfvSightFrom(p, vec3(0.0, 0.0, 0.0));
+}
+
+WFV_FN vec3 wfvEyeAt(vec3 direction, WfvView v)
+{
+  return vec3(0.0, 0.0, 0.0);
+}
+
+WFV_FN vec2 wfvShift(vec2 ndc, float depth, WfvView v)
+{
+  float k = v.stereo.y / (v.stereo.y + (depth - v.stereo.z));
+  return vec2(v.stereo.x + (ndc.x - v.stereo.x) * k, ndc.y * k);
+}
+
+WFV_FN vec2 wfvUnshift(vec2 ndc, float depth, WfvView v)
+{
+  float k = (v.stereo.y + (depth - v.stereo.z)) / v.stereo.y;
+  return vec2(v.stereo.x + (ndc.x - v.stereo.x) * k, ndc.y * k);
+}
