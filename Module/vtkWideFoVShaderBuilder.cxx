@@ -184,6 +184,18 @@ bool EndsAtSeam(const Request& r)
     !r.Projection->StraightSeam;
 }
 
+// Where the map ends; empty where nothing reaches across. Of a warped volume the border is
+// elsewhere at every depth.
+std::string BorderSource(const Request& r)
+{
+  const bool straight = !r.Stereo || r.Stereo->Straight;
+  if (straight && r.Projection->Axis == wfv::Family::Azimuthal)
+  {
+    return domain_fragment_glsl;
+  }
+  return straight && EndsAtSeam(r) ? seam_fragment_glsl : "";
+}
+
 void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
 {
   const bool covers = Covers(r);
@@ -202,12 +214,10 @@ void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std:
     declarations = depth_fragment_glsl;
     before = "  wfvPrepareDepth();\n" + RewriteDepth(fragment);
   }
-  // of a warped volume the border is elsewhere at every depth
-  const bool straight = !r.Stereo || r.Stereo->Straight;
-  const bool round = straight && r.Projection->Axis == wfv::Family::Azimuthal;
-  if (round || (straight && EndsAtSeam(r)))
+  const std::string border = BorderSource(r);
+  if (!border.empty())
   {
-    declarations += round ? domain_fragment_glsl : seam_fragment_glsl;
+    declarations += border;
     after += "  if (wfvOutsideDomain()) { discard; }\n";
   }
   declarations += DebugSource(r);

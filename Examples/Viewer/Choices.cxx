@@ -3,6 +3,11 @@
 
 #include "Messages.h"
 #include "OptionCheck.h"
+#include "StereoLayout.h"
+#include "Stereo/Stereo.h"
+
+#include <algorithm>
+#include <vector>
 
 namespace widefov
 {
@@ -12,6 +17,8 @@ constexpr const char* Techniques[] = { "auto", "exact", "tessellate", "preclip",
   "cubemap" };
 constexpr int TechniqueCount = 6;
 
+const std::vector<std::string> StereoNames{ "mono", "omnidirectional", "warped", "offaxis" };
+
 int IndexOf(const std::string& technique)
 {
   int index = 0;
@@ -20,6 +27,14 @@ int IndexOf(const std::string& technique)
     index++;
   }
   return index;
+}
+
+// The name so many steps behind the present one, round and round.
+std::string NameBehind(const std::vector<std::string>& names, const std::string& name, int step)
+{
+  const int count = static_cast<int>(names.size());
+  const int at = static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin());
+  return names[static_cast<std::size_t>(((at + step) % count + count) % count)];
 }
 }
 
@@ -87,6 +102,8 @@ void StepProjection(Options& o, const Fields& fields, int step, bool tiled)
     {
       next.DebugView = false;
       next.Depth = "linear";
+      next.Stereo = "mono";
+      next.View.Stereo.Model = nullptr;
     }
     if (WhyNot(next, tiled).empty())
     {
@@ -112,6 +129,40 @@ bool StepTechnique(Options& o, int step, bool tiled)
     }
   }
   return false;
+}
+
+bool StepStereo(Options& o, int step, bool tiled)
+{
+  for (int tries = 1; tries < static_cast<int>(StereoNames.size()); tries++)
+  {
+    Options next = o;
+    next.Stereo = NameBehind(StereoNames, o.Stereo, step * tries);
+    next.View.Stereo.Model = wfv::FindStereoModel(next.Stereo);
+    if (WhyNot(next, tiled).empty())
+    {
+      o = next;
+      return true;
+    }
+  }
+  return false;
+}
+
+bool FitsWindow(const Options& options)
+{
+  return options.Stereo == "mono" || FindStereoLayout(options.Layout).Types.size() == 1;
+}
+
+bool StepLayout(Options& o, int step)
+{
+  if (o.Stereo == "mono")
+  {
+    return false;
+  }
+  do
+  {
+    o.Layout = NameBehind(StereoLayoutNames(), o.Layout, step);
+  } while (!FitsWindow(o)); // "anaglyph" does
+  return true;
 }
 
 bool SetDebugView(Options& o, bool on)

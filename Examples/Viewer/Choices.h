@@ -24,6 +24,14 @@ void StepProjection(Options& options, const Fields& fields, int step, bool tiled
 // Takes the next technique that can draw the view. False where there is no other.
 bool StepTechnique(Options& options, int step, bool tiled = false);
 
+// Another stereo model, and another place for the eyes that one traversal of VTK's can draw.
+// False where there is none.
+bool StepStereo(Options& options, int step, bool tiled = false);
+bool StepLayout(Options& options, int step);
+
+// True where a window can show the eyes so: several pictures are for files.
+bool FitsWindow(const Options& options);
+
 // False, and nothing changes, where the view cannot be drawn so.
 bool SetDebugView(Options& options, bool on);
 

@@ -76,6 +76,26 @@ std::string LookText(const Look& look)
   return text;
 }
 
+std::string StereoText(const Options& o)
+{
+  const wfv::StereoOptions& s = o.View.Stereo;
+  if (o.Stereo == "mono")
+  {
+    return "";
+  }
+  const std::string text = " --stereo " + o.Stereo + " --layout " + o.Layout;
+  if (o.Stereo == "omnidirectional")
+  {
+    const bool fades = s.PoleFade[0] < s.PoleFade[1];
+    return text + " --ipd " + Exactly(s.InterpupillaryDistance) +
+      (fades ? " --pole-fade " + Exactly(s.PoleFade[0]) + "," + Exactly(s.PoleFade[1]) : "");
+  }
+  return o.Stereo == "warped"
+    ? text + " --iod " + Exactly(s.Iod) + " --distance " + Exactly(s.Distance) + " --offset " +
+      Exactly(s.Offset)
+    : text + " --separation " + Exactly(s.Separation) + " --convergence " + Exactly(s.Convergence);
+}
+
 std::string DrawingText(const Options& o)
 {
   std::string text = " --technique " + o.TechniqueName + " --tolerance " + Exactly(o.Tolerance) +
@@ -86,7 +106,7 @@ std::string DrawingText(const Options& o)
   }
   text += o.HasClip ? " --clip " + Exactly(o.View.Radii[0]) + "," + Exactly(o.View.Radii[1]) : "";
   text += o.DebugView ? " --debug-view" : "";
-  return text + " --background " + Exactly(o.Background);
+  return text + StereoText(o) + " --background " + Exactly(o.Background);
 }
 }
 

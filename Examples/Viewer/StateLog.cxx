@@ -27,8 +27,9 @@ std::string StateLine(const ViewerState& s, const Options& o)
 {
   Json json{ { "event", s.Event }, { "frame", s.Frame }, { "pending", s.Pending },
     { "size", o.Size }, { "projection", o.Projection }, { "technique", o.TechniqueName },
-    { "debug_view", o.DebugView }, { "hfov", o.View.HorizontalFov }, { "vfov", o.View.VerticalFov },
-    { "tilt", o.View.Tilt }, { "eye", o.Eye.value_or(Vector3{ { 0, 0, 0 } }) },
+    { "debug_view", o.DebugView }, { "stereo", o.Stereo }, { "layout", o.Layout },
+    { "hfov", o.View.HorizontalFov }, { "vfov", o.View.VerticalFov }, { "tilt", o.View.Tilt },
+    { "eye", o.Eye.value_or(Vector3{ { 0, 0, 0 } }) },
     { "direction", o.Direction.value_or(Vector3{ { 0, 0, -1 } }) },
     { "up", o.Up.value_or(Vector3{ { 0, 1, 0 } }) }, { "yaw", s.Yaw }, { "pitch", s.Pitch },
     { "cursor", s.Cursor }, { "under_cursor", nullptr }, { "full_screen", s.FullScreen },

@@ -49,6 +49,7 @@ private:
   void Do(Action action);
   bool DoView(Action action);
   bool DoHead(Action action);
+  bool StepEyes(Action action);
   void Zoom(double notches);
   void Leave();
   void TakeScreenshot();

@@ -80,8 +80,28 @@ bool Viewer::DoView(Action action)
       this->ShowsHelp = !this->ShowsHelp;
       return true;
     default:
-      return this->DoHead(action);
+      return this->StepEyes(action) || this->DoHead(action);
   }
+}
+
+// The stereo model, and where the eyes go.
+bool Viewer::StepEyes(Action action)
+{
+  const bool forth = action == Action::NextStereo || action == Action::NextLayout;
+  const int step = forth ? 1 : -1;
+  if (action == Action::NextStereo || action == Action::PreviousStereo)
+  {
+    const bool other = StepStereo(this->Now, step, this->Windows.IsSeveral());
+    this->Message = other ? "stereo: " + this->Now.Stereo : "there is no stereo model for this";
+    return true;
+  }
+  if (action == Action::NextLayout || action == Action::PreviousLayout)
+  {
+    const bool other = StepLayout(this->Now, step);
+    this->Message = other ? "layout: " + this->Now.Layout : "without stereo there is no layout";
+    return true;
+  }
+  return false;
 }
 
 // Those that turn the head.

@@ -66,6 +66,10 @@ std::optional<int> ParseViewerOptions(int argc, char** argv, ViewerOptions& o)
   o.Picture.HasSize = app.count("--size") > 0;
   CheckScene(o.Picture, fov);
   CheckWall(o);
+  if (!FitsWindow(o.Picture))
+  {
+    FailUsage("--layout " + o.Picture.Layout + " is for files; take one that is one picture");
+  }
   return std::nullopt;
 }
 }

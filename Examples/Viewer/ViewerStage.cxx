@@ -6,6 +6,7 @@
 #include "Frame.h"
 #include "Messages.h"
 #include "Passes.h"
+#include "StereoLayout.h"
 
 #include <vtkPanoramicProjectionPass.h>
 #include <vtkWideFoVCamera.h>
@@ -92,6 +93,11 @@ void ViewerStage::Apply(const Options& o, const std::array<int, 2>& size)
     this->Renderer->SetPass(this->WidePass);
   }
   SetCamera(this->Renderer, this->What, o);
+  if (o.Stereo != "mono")
+  {
+    this->Window->SetStereoType(FindStereoLayout(o.Layout).Types.front());
+  }
+  this->Window->SetStereoRender(o.Stereo != "mono");
 }
 
 bool ViewerStage::HasRoom()

@@ -64,6 +64,34 @@ flat out vec2 wfvDepths; // warped_fragment.glsl
 vec2 wfvDepthsHere; // NDC depths at which the triangle may be
 #endif
 
+void wfvWriteFlat()
+{
+  wfvEdge0 = wfvN[0];
+  wfvEdge1 = wfvN[1];
+  wfvEdge2 = wfvN[2];
+  wfvPlane = wfvT.xyz;
+  wfvAnchor = wfvA;
+#if WFV_WARPED
+  wfvDepths = wfvDepthsHere;
+#endif
+#if WFV_OWN_RAYS
+  wfvSpan0 = wfvSpans[0];
+  wfvSpan1 = wfvSpans[1];
+  wfvSpan2 = wfvSpans[2];
+#endif
+#if !WFV_EXACT
+  wfvSlack = wfvS;
+  wfvCorners01 = vec4(wfvC[0], wfvC[1]);
+  wfvCorner2 = wfvC[2];
+#if WFV_MERIDIAN && WFV_STRAIGHT_SEAM
+  wfvSeam = wfvSeamPlaces;
+#endif
+#endif
+#if !WFV_EXACT || WFV_DEBUG_VIEW
+  wfvMode = wfvVertexMode;
+#endif
+}
+
 void wfvEmitVertex(vec4 position, vec3 bary)
 {
   gl_Position = position;
@@ -74,30 +102,7 @@ void wfvEmitVertex(vec4 position, vec3 bary)
   // flat outputs count at a strip's third and later vertices only
   if (wfvEmitted > 1)
   {
-    wfvEdge0 = wfvN[0];
-    wfvEdge1 = wfvN[1];
-    wfvEdge2 = wfvN[2];
-    wfvPlane = wfvT.xyz;
-    wfvAnchor = wfvA;
-#if WFV_WARPED
-    wfvDepths = wfvDepthsHere;
-#endif
-#if WFV_OWN_RAYS
-    wfvSpan0 = wfvSpans[0];
-    wfvSpan1 = wfvSpans[1];
-    wfvSpan2 = wfvSpans[2];
-#endif
-#if !WFV_EXACT
-    wfvSlack = wfvS;
-    wfvCorners01 = vec4(wfvC[0], wfvC[1]);
-    wfvCorner2 = wfvC[2];
-#if WFV_MERIDIAN && WFV_STRAIGHT_SEAM
-    wfvSeam = wfvSeamPlaces;
-#endif
-#endif
-#if !WFV_EXACT || WFV_DEBUG_VIEW
-    wfvMode = wfvVertexMode;
-#endif
+    wfvWriteFlat();
     wfvWriteCorners();
     gl_PrimitiveID = gl_PrimitiveIDIn;
   }

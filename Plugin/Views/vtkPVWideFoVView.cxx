@@ -254,8 +254,9 @@ void vtkPVWideFoVView::WarnOfVolumes()
   }
   if (visible && !this->Internal->WarnedOfVolumes)
   {
-    vtkWarningMacro(<< "Volumes cannot be drawn in this view yet: their rays assume a flat picture. "
-                       "Show contours or slices instead.");
+    vtkWarningMacro(
+      << "Volumes cannot be drawn in this view yet: their rays assume a flat picture. "
+         "Show contours or slices instead.");
   }
   this->Internal->WarnedOfVolumes = visible; // again when one is shown anew
 }
