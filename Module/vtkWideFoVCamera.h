@@ -245,6 +245,21 @@ public:
   virtual double GetConvergence();
   ///@}
 
+  ///@{
+  /**
+   * Comfort of the off-axis model. Parallax of a point at this distance ahead (above 0), per cent
+   * of the picture's width, positive behind the screen; distances between which content belongs
+   * (half the convergence and a hundred times it); the angle in degrees under which a parallax
+   * is seen on a screen of this width from this distance; the largest separation with which no
+   * eyes have to diverge on a screen of this width (both in the same unit; people's eyes are
+   * 0.065 m apart). Arguments that are not above 0 give 0.
+   */
+  double GetParallax(double distance);
+  void GetDepthBudget(double range[2]);
+  static double GetParallaxAngle(double percent, double screenWidth, double viewerDistance);
+  static double GetLargestSeparation(double screenWidth, double eyeDistance);
+  ///@}
+
   /**
    * Which eye the camera is now: -1 the left, 1 the right, 0 neither, where the window that
    * last drew with it is not in stereo mode.

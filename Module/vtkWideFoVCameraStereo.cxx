@@ -2,6 +2,7 @@
 // vtkWideFoVCamera: two eyes.
 #include "vtkWideFoVCamera.h"
 
+#include "Stereo/Comfort.h"
 #include "Stereo/Stereo.h"
 #include "vtkWideFoVCameraInternals.h"
 
@@ -156,6 +157,30 @@ void vtkWideFoVCamera::SetConvergence(double distance)
 double vtkWideFoVCamera::GetConvergence()
 {
   return this->Internal->Options.Stereo.Convergence;
+}
+
+double vtkWideFoVCamera::GetParallax(double distance)
+{
+  const wfv::StereoOptions& o = this->Internal->Options.Stereo;
+  return distance > 0 ? wfv::OffAxisParallax(o.Separation, o.Convergence, distance) : 0;
+}
+
+void vtkWideFoVCamera::GetDepthBudget(double range[2])
+{
+  const std::array<double, 2> budget = wfv::DepthBudget(this->GetConvergence());
+  std::copy_n(budget.begin(), 2, range);
+}
+
+double vtkWideFoVCamera::GetParallaxAngle(double percent, double screenWidth, double viewerDistance)
+{
+  return screenWidth > 0 && viewerDistance > 0 && std::isfinite(percent)
+    ? wfv::ParallaxAngle(percent, screenWidth, viewerDistance)
+    : 0;
+}
+
+double vtkWideFoVCamera::GetLargestSeparation(double screenWidth, double eyeDistance)
+{
+  return screenWidth > 0 && eyeDistance > 0 ? wfv::LargestSeparation(screenWidth, eyeDistance) : 0;
 }
 
 int vtkWideFoVCamera::GetCurrentEye()

@@ -8,6 +8,7 @@
 #include "vtkWideFoVLineMapper.h"
 #include "vtkWideFoVPass.h"
 #include "vtkWideFoVQuadricKind.h"
+#include "vtkWideFoVQuadricShaders.h"
 #include "vtkWideFoVPolyDataMapper.h"
 #include "vtkWideFoVTessellation.h"
 #include "vtkWideFoVTile.h"
@@ -203,6 +204,16 @@ vtkMTimeType vtkWideFoVStage::GetShaderStageMTime()
   return this->SourceTime.GetMTime();
 }
 
+namespace
+{
+bool WarnOfBodies()
+{
+  vtkGenericWarningMacro(<< "balls, sticks, tubes and splats are drawn without parallax by the "
+                            "stereo model warped; draw them as surfaces");
+  return true;
+}
+}
+
 void vtkWideFoVStage::FinishTriangles(vtkWideFoVShaderBuilder::Request& request) const
 {
   request.Stereo = this->Stereo;
@@ -211,6 +222,11 @@ void vtkWideFoVStage::FinishTriangles(vtkWideFoVShaderBuilder::Request& request)
     request.Stage == vtkWideFoVShaderBuilder::Variant::Exact)
   {
     request.Stage = vtkWideFoVShaderBuilder::Variant::PreClip; // strips know one depth alone
+  }
+  if (!straight && wfv::quadric::Draws(request.Kind))
+  {
+    static const bool said = WarnOfBodies();
+    (void)said;
   }
   if (request.Kind != vtkWideFoVShaderBuilder::Primitive::Triangles)
   {

@@ -5,7 +5,12 @@
 #include "StereoLayout.h"
 #include "Stereo/Stereo.h"
 
+#include <vtkNew.h>
+#include <vtkStaticCellLocator.h>
+
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace widefov
 {
@@ -106,6 +111,37 @@ void CheckStereo(const Options& o)
   if (!o.Aov.empty() && o.Layout != "left" && o.Layout != "right")
   {
     FailUsage("--aov is for one eye; give --layout left or --layout right");
+  }
+}
+
+void WarnOfNearness(const Options& o, const Scene& scene, const Vector3& eye)
+{
+  if (o.Stereo != "omnidirectional")
+  {
+    return;
+  }
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const SceneProp& prop : scene.Props)
+  {
+    if (!prop.Surface || prop.Surface->GetNumberOfCells() == 0)
+    {
+      continue;
+    }
+    vtkNew<vtkStaticCellLocator> cells;
+    cells->SetDataSet(prop.Surface);
+    cells->BuildLocator();
+    double point[3];
+    vtkIdType cell = 0;
+    int part = 0;
+    double squared = 0;
+    cells->FindClosestPoint(eye.data(), point, cell, part, squared);
+    nearest = std::min(nearest, std::sqrt(squared));
+  }
+  const double ipd = o.View.Stereo.InterpupillaryDistance;
+  if (ipd > nearest)
+  {
+    Say("warning: --ipd " + Text(ipd) + " is larger than the distance of the nearest surface, " +
+      Text(nearest) + ": what is inside the circle of the eyes is not shown; choose a smaller one");
   }
 }
 

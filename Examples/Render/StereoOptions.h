@@ -5,6 +5,7 @@
 
 #include "OptionGroup.h"
 #include "Options.h"
+#include "Scene.h"
 
 namespace widefov
 {
@@ -16,6 +17,9 @@ void CompleteStereo(Options& options);
 
 // After everything is known.
 void CheckStereo(const Options& options);
+
+// Says in one line where the eyes are farther apart than the nearest surface is from them.
+void WarnOfNearness(const Options& options, const Scene& scene, const Vector3& eye);
 
 // The files that an output file becomes: two where each eye has its own.
 std::vector<std::string> FilesOf(const Options& options, const std::string& output);

@@ -89,6 +89,7 @@ int Run(int argc, char** argv)
   LoadDirectionMap(options);
   const Scene scene = LoadScene(options);
   MakePose(scene, options); // complains before a window is opened
+  WarnOfNearness(options, scene, MakePose(scene, options).Eye);
   const RenderResult result = Render(scene, options);
   WriteAll(options, scene, result);
   return ExitDone;

@@ -6,8 +6,11 @@
 
 flat in vec2 wfvDepths; // NDC depths at which the triangle may be
 
-// Steps of the search: from the whole volume to float32's end at surfaces not seen edge-on.
-const int WFV_WARPED_STEPS = 10;
+// Parts of these depths: a curve that bends much, or leaves the map, may meet the plane twice.
+const int WFV_WARPED_PARTS = 8;
+
+// Steps of the search in one of them: to float32's end at surfaces not seen edge-on.
+const int WFV_WARPED_STEPS = 8;
 
 // The ray of the map, for a place of the picture and a depth; outside where the volume ends.
 WfvRay wfvRayOfDepth(vec2 place, float depth)
@@ -25,17 +28,40 @@ float wfvBehind(vec2 place, float depth)
   return dot(wfvPlane, rho * wfvRayOfDepth(place, depth).direction - wfvAnchor);
 }
 
+// The first of the parts at whose ends the curve is on different sides of the plane, and inside
+// the volume at one of them at least; x above y: none.
+vec2 wfvCrossedPart(vec2 place)
+{
+  vec2 part = vec2(1.0, -1.0);
+  float before = wfvBehind(place, wfvDepths.x);
+  bool inside = wfvRayOfDepth(place, wfvDepths.x).inside;
+  for (int i = 1; i <= WFV_WARPED_PARTS; i++)
+  {
+    vec2 ends = mix(wfvDepths.xx, wfvDepths.yy, vec2(float(i - 1), float(i)) / float(WFV_WARPED_PARTS));
+    float here = wfvBehind(place, ends.y);
+    bool next = wfvRayOfDepth(place, ends.y).inside;
+    bool crosses = (before <= 0.0) != (here <= 0.0) && (inside || next);
+    part = crosses && part.x > part.y ? ends : part;
+    before = here;
+    inside = next;
+  }
+  return part;
+}
+
 WfvRay wfvSurfaceRay(vec2 offset)
 {
   vec2 place = wfvPlaceBeside(offset);
-  vec2 z = wfvDepths;
+  vec2 z = wfvCrossedPart(place);
+  bool crosses = z.x <= z.y;
+  // beside the triangle, where samples of the pixel may be inside: the end that is nearer to it
+  z = crosses ? z : wfvDepths;
   vec2 f = vec2(wfvBehind(place, z.x), wfvBehind(place, z.y));
-  bool crosses = (f.x <= 0.0) != (f.y <= 0.0);
   float side = 0.0;
-  float middle = z.y;
+  float end = abs(f.x) < abs(f.y) ? z.x : z.y;
+  float middle = end;
   for (int i = 0; i < WFV_WARPED_STEPS; i++)
   {
-    middle = crosses ? clamp(z.x - f.x * (z.y - z.x) / (f.y - f.x), z.x, z.y) : z.y;
+    middle = crosses ? clamp(z.x - f.x * (z.y - z.x) / (f.y - f.x), z.x, z.y) : end;
     float at = wfvBehind(place, middle);
     bool low = (at <= 0.0) == (f.x <= 0.0);
     // the end that stays twice counts for half

@@ -94,6 +94,11 @@ COMMAND_LINE = [
     usage("good.vtk --stereo omnidirectional --pole-fade 60,40", "pole fade"),
     usage("good.vtk --stereo omnidirectional --pole-fade 0,100", "pole fade"),
     usage("good.vtk --stereo omnidirectional --projection perspective", "offaxis"),
+    usage("good.vtk --stereo warped --projection perspective", "offaxis"),
+    usage("good.vtk --stereo warped --iod nan", "--iod"),
+    usage("good.vtk --stereo warped --offset -2", "--offset"),
+    usage("good.vtk --stereo warped --distance 0.1", "in front of the whole cube"),
+    usage("good.vtk --stereo warped --ipd 1", "--ipd does not go with --stereo warped"),
     usage("good.vtk --stereo offaxis", "perspective"),
     usage("good.vtk --stereo offaxis --projection perspective --separation 2", "--separation"),
     usage("good.vtk --stereo offaxis --projection perspective --convergence 0", "--convergence"),
@@ -157,6 +162,7 @@ TOLERATED = [
     Case("only-zero-area.vtk", DONE, None),
     Case("no-cells.vtk", DONE, None),
     Case("good.vtk", DONE, None),
+    Case("good.vtk --stereo omnidirectional --ipd 100", DONE, "--ipd 100 is larger"),
     Case(MAP + "map.exr", DONE, None),
 ]
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The stereo models in double: closed forms, round trips, parallax, and an answer everywhere.
+#include "Comfort.h"
 #include "Stereo.h"
 #include "Views.h"
 
@@ -284,6 +285,22 @@ TEST(Stereo, OffAxisParallaxIsThatOfTheTalk)
     EXPECT_NEAR(parallax, 0.05 * (1 - 4 / w), RoundTrip) << w;
     EXPECT_NEAR(right.Forward(q).Ndc.y, left.Forward(q).Ndc.y, RoundTrip) << w;
   }
+}
+
+TEST(Stereo, ComfortIsThatOfTheModels)
+{
+  EXPECT_DOUBLE_EQ(OffAxisParallax(0.03, 4, 2), -3);
+  EXPECT_DOUBLE_EQ(OffAxisParallax(0.03, 4, 4), 0);
+  EXPECT_NEAR(OffAxisParallax(0.03, 4, 1e15), 3, RoundTrip);
+  // of a screen 2 wide seen from 1, one per cent is 0.02 across
+  EXPECT_NEAR(ParallaxAngle(1, 2, 1), 2 * std::atan(0.01) / Degree, RoundTrip);
+  EXPECT_DOUBLE_EQ(OmnidirectionalDisparity(0.065, 0.065), 60);
+  EXPECT_DOUBLE_EQ(OmnidirectionalDisparity(0.065, 0.03), 180);
+  const std::array<double, 2> budget = DepthBudget(3);
+  EXPECT_DOUBLE_EQ(budget[0], 1.5);
+  EXPECT_DOUBLE_EQ(budget[1], 300);
+  EXPECT_DOUBLE_EQ(LargestSeparation(1.3, 0.065), 0.05);
+  EXPECT_DOUBLE_EQ(LargestSeparation(0.05, 0.065), 0.5);
 }
 
 TEST(Stereo, BothEyesOfNoDistanceAreMono)

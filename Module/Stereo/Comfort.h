@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How far apart the pictures of the two eyes are, and how far apart they may be. Parallax is
+// positive for what lies behind the screen. Distances are in one unit of the caller's choice,
+// angles in degrees. Sources: the stereo models; S. Gateau and S. Nash, Implementing
+// Stereoscopic 3D in Your Applications (the budget).
+#ifndef WideFoVComfort_h
+#define WideFoVComfort_h
+
+#include "Projections/Projection.h"
+
+#include <array>
+
+namespace wfv
+{
+// Off-axis: parallax of a point at the distance w > 0 ahead, per cent of the picture's width.
+WFV_EXPORT double OffAxisParallax(double separation, double convergence, double w);
+
+// Omnidirectional: the angle between the two longitudes at which a point at the horizontal
+// distance d is seen, degrees; 180 from inside the circle.
+WFV_EXPORT double OmnidirectionalDisparity(double interpupillaryDistance, double d);
+
+// The angle that a parallax (per cent of the width) is seen under on a screen of this width from
+// this distance, degrees.
+WFV_EXPORT double ParallaxAngle(double percent, double screenWidth, double viewerDistance);
+
+// Distances between which content belongs: half the convergence and a hundred times it.
+WFV_EXPORT std::array<double, 2> DepthBudget(double convergence);
+
+// The largest separation (fraction of the width) with which nobody's eyes have to diverge on a
+// screen of this width: the distance between the eyes over the width, at most 0.5.
+WFV_EXPORT double LargestSeparation(double screenWidth, double eyeDistance);
+}
+
+#endif
