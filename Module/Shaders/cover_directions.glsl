@@ -45,7 +45,7 @@ vec4 wfvClose(WfvPlaces cell, vec3 a, vec3 b, vec3 c)
   vec2 low = wfvPixelOfNdc(r.xy, wfvView);
   vec2 high = wfvPixelOfNdc(r.zw, wfvView);
   vec2 middle = 0.5 * (low + high);
-  if (WFV_OWN_RAYS || !cell.calm || !(max(high.x - low.x, high.y - low.y) < WFV_CLOSE_PIXELS))
+  if (WFV_OWN_RAYS == 1 || !cell.calm || !(max(high.x - low.x, high.y - low.y) < WFV_CLOSE_PIXELS))
   {
     return r;
   }
