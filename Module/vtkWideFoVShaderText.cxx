@@ -220,6 +220,8 @@ std::string RewriteDepth(std::string& fragment)
   ReplaceAll(fragment, "gl_FragCoord.z", "wfvDepth");
   // the stock template names gl_FragDepth in a comment; only a value given counts
   static const std::regex setsDepth(R"(gl_FragDepth\s*=)");
+  // depth peeling, where it comes later, would put the depth of the covering shape here
+  ReplaceAll(fragment, "//VTK::Depth::Impl", "");
   return std::regex_search(fragment, setsDepth) ? "" : "  gl_FragDepth = wfvDepth;\n";
 }
 }

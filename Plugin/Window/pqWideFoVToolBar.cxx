@@ -107,6 +107,9 @@ void pqWideFoVToolBar::build()
     &pqWideFoVToolBar::followView);
   QObject::connect(
     &this->Links, &pqPropertyLinks::qtWidgetChanged, this, &pqWideFoVToolBar::render);
+  // undo changes the property and leaves the picture
+  QObject::connect(
+    &this->Links, &pqPropertyLinks::smPropertyChanged, this, &pqWideFoVToolBar::render);
   this->followView(pqActiveObjects::instance().activeView());
 }
 

@@ -8,18 +8,38 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 import scene
 
 
-def read_numbers(path):
-    """A function from a pixel, counted from the lower left, to its colour as a number."""
+def _read(path):
     reader = vtkPNGReader()
     reader.SetFileName(path)
     reader.Update()
-    image = reader.GetOutput()
+    return reader.GetOutput()
+
+
+def read_numbers(path):
+    """A function from a pixel, counted from the lower left, to its colour as a number."""
+    image = _read(path)
 
     def read(x, y):
         red, green, blue = (int(image.GetScalarComponentAsDouble(x, y, 0, i)) for i in range(3))
         return 65536 * red + 256 * green + blue
 
     return read
+
+
+def read_levels(path):
+    """Rows of the red of each pixel, 0 to 255."""
+    image = _read(path)
+    width, height, _ = image.GetDimensions()
+    return [
+        [int(image.GetScalarComponentAsDouble(x, y, 0, 0)) for x in range(width)]
+        for y in range(height)
+    ]
+
+
+def count_other(first, second, rounding):
+    """Pixels of two pictures whose red differs by more levels than these."""
+    rows = zip(read_levels(first), read_levels(second))
+    return sum(abs(a - b) > rounding for x, y in rows for a, b in zip(x, y))
 
 
 def select(view, x, y):
