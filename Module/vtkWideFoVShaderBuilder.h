@@ -57,6 +57,7 @@ public:
     bool Tilted = false;      // the view may have a tilt
     Material Surface;         // of triangles
     int DepthMapping = 0;     // wfv::DepthMapping; all but linear by the fragment stage
+    bool SurfaceDepth = false; // depth is the surface's, not interpolated along chords
   };
 
   // True where this request needs the pre-clip's own geometry stage.

@@ -8,6 +8,7 @@
 #include "vtkWideFoVLineMapper.h"
 #include "vtkWideFoVPass.h"
 #include "vtkWideFoVQuadricKind.h"
+#include "vtkWideFoVSortedDraw.h"
 #include "vtkWideFoVPolyDataMapper.h"
 #include "vtkWideFoVTessellation.h"
 #include "vtkWideFoVTile.h"
@@ -235,9 +236,9 @@ vtkWideFoVShaderBuilder::Request vtkWideFoVStage::MakeRequest(
   request.DepthMapping = this->View.depthMapping;
   request.Multisample = this->Multisample;
   request.Tilted = this->Tilted;
+  request.SurfaceDepth = this->SurfaceDepth;
   auto* polydata = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
-  auto* actor = vtkActor::SafeDownCast(prop);
-  if (polydata && actor && this->Renderer)
+  if (auto* actor = vtkActor::SafeDownCast(prop); polydata && actor && this->Renderer)
   {
     MapperAccess::Describe(polydata, this->Renderer, actor, request);
   }
@@ -276,8 +277,13 @@ bool vtkWideFoVStage::PostReplaceShaderValues(std::string& vertexShader,
   std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper,
   vtkProp* prop)
 {
-  vtkWideFoVShaderBuilder::Finish(
-    this->MakeRequest(mapper, prop), vertexShader, geometryShader, fragmentShader);
+  const vtkWideFoVShaderBuilder::Request request = this->MakeRequest(mapper, prop);
+  const bool triangles = request.Kind == vtkWideFoVShaderBuilder::Primitive::Triangles;
+  if (triangles && vtkWideFoVPolyDataMapper::SafeDownCast(mapper))
+  {
+    wfv::TakeSortedNumbers(fragmentShader);
+  }
+  vtkWideFoVShaderBuilder::Finish(request, vertexShader, geometryShader, fragmentShader);
   return true;
 }
 
