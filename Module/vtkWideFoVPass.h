@@ -21,6 +21,8 @@
 
 #include <memory> // For std::unique_ptr
 
+class vtkProp;
+
 class VTKRENDERINGWIDEFOV_EXPORT vtkWideFoVPass : public vtkOpenGLRenderPass
 {
 public:
@@ -79,6 +81,17 @@ public:
 
   ///@{
   /**
+   * Leave out what the view cannot show (default on): props, and runs of triangles of a
+   * vtkWideFoVPolyDataMapper, that lie outside the window or the clip spheres. The picture is
+   * the same without it, to the bit.
+   */
+  vtkSetMacro(Culling, vtkTypeBool);
+  vtkGetMacro(Culling, vtkTypeBool);
+  vtkBooleanMacro(Culling, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
    * The pass that draws the props; nullptr (the default) draws as a renderer without
    * passes does: opaque, translucent, volumetric, overlay.
    */
@@ -97,6 +110,18 @@ public:
   vtkGetMacro(NumberOfTessellateDraws, int);
   ///@}
 
+  ///@{
+  /**
+   * What the last frame left out: visible props that it drew and did not; runs of 128 triangles
+   * of vtkWideFoVPolyDataMapper, all of them and those that were not drawn (a run counts once a
+   * draw, and meshes of less than 256 triangles have none).
+   */
+  vtkGetMacro(NumberOfDrawnProps, int);
+  vtkGetMacro(NumberOfCulledProps, int);
+  vtkGetMacro(NumberOfClusters, int);
+  vtkGetMacro(NumberOfCulledClusters, int);
+  ///@}
+
   void Render(const vtkRenderState* s) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
@@ -111,6 +136,11 @@ protected:
   int NumberOfPreClipDraws = 0;
   int NumberOfExactDraws = 0;
   int NumberOfTessellateDraws = 0;
+  vtkTypeBool Culling = 1;
+  int NumberOfDrawnProps = 0;
+  int NumberOfCulledProps = 0;
+  int NumberOfClusters = 0;
+  int NumberOfCulledClusters = 0;
 
 private:
   vtkWideFoVPass(const vtkWideFoVPass&) = delete;
@@ -118,6 +148,14 @@ private:
 
   // Draws the props by the delegate, or as a renderer without passes does.
   void DrawDelegate(const vtkRenderState* s);
+
+  // Moves the props that are not seen behind the others; returns how many are left.
+  int Cull(vtkProp** props, int count);
+
+  // Draws these props, of those of the state, with the stages that they need.
+  void DrawProps(const vtkRenderState* s, vtkProp** props, int count);
+
+  void TakeCounts();
 
   struct Internals;
   std::unique_ptr<Internals> Internal;

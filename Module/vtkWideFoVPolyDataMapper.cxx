@@ -3,6 +3,7 @@
 
 #include "vtkWideFoVCamera.h"
 #include "vtkWideFoVPass.h"
+#include "vtkWideFoVSortedDraw.h"
 #include "vtkWideFoVStages.h"
 #include "vtkWideFoVTessellation.h"
 
@@ -25,6 +26,8 @@ vtkStandardNewMacro(vtkWideFoVPolyDataMapper);
 struct vtkWideFoVPolyDataMapper::Internals
 {
   vtkWideFoVStages Stages;
+  wfv::SortedDraw Sorted;
+  vtkWindow* Window = nullptr; // that is drawn to
 };
 
 vtkWideFoVPolyDataMapper::vtkWideFoVPolyDataMapper()
@@ -53,6 +56,10 @@ void vtkWideFoVPolyDataMapper::RenderPiece(vtkRenderer* renderer, vtkActor* acto
   vtkWideFoVStages& stages = this->Internal->Stages;
   stages.Begin(renderer, camera, this->Technique, this->Tolerance);
   stages.SetDebugView(this->DebugView != 0);
+  if (stages.IsUnseen(actor))
+  {
+    return;
+  }
   vtkWideFoVStage* stage = stages.Choose(actor);
   vtkWideFoVStages::Attach(actor, stage);
   this->Superclass::RenderPiece(renderer, actor);
@@ -63,6 +70,7 @@ void vtkWideFoVPolyDataMapper::RenderPiece(vtkRenderer* renderer, vtkActor* acto
 void vtkWideFoVPolyDataMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internal->Stages.ReleaseGraphicsResources(window);
+  this->Internal->Sorted.ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
@@ -85,6 +93,7 @@ void vtkWideFoVPolyDataMapper::SetCustomUniforms(vtkOpenGLHelper& cellBO, vtkAct
       cellBO.ShaderSourceTime.Modified();
     }
   }
+  this->Internal->Sorted.SetParameters(cellBO.Program, this->Internal->Window);
   this->Superclass::SetCustomUniforms(cellBO, actor);
 }
 
@@ -112,27 +121,76 @@ void vtkWideFoVPolyDataMapper::DrawPrimitives(
   cellBO.IBO->Release();
 }
 
-// Where patches may be among the primitives. The mode that the stock mapper draws them in
-// cannot be overridden; everything else goes to it.
+// Those that are covered with the program that the stage asks for, plain ones with another.
+void vtkWideFoVPolyDataMapper::DrawSorted(vtkRenderer* renderer, vtkActor* actor)
+{
+  wfv::SortedDraw& sorted = this->Internal->Sorted;
+  vtkOpenGLHelper& own = this->Primitives[PrimitiveTris];
+  const auto vertices = static_cast<unsigned int>(this->VBOs->GetNumberOfTuples("vertexMC"));
+  if (sorted.GetNumberOfCovered() > 0)
+  {
+    sorted.Choose(wfv::SortedDraw::Lot::Covered);
+    this->UpdateShaders(own, renderer, actor);
+    sorted.Draw(own.IBO, vertices);
+  }
+  if (sorted.GetNumberOfPlain() > 0)
+  {
+    vtkWideFoVStage* const stage = vtkWideFoVStages::FindAttached(actor);
+    vtkWideFoVStage* const plain = stage->GetStages()->PlainAmong;
+    vtkWideFoVStages::Replace(actor, stage, plain);
+    sorted.Choose(wfv::SortedDraw::Lot::Plain);
+    vtkOpenGLHelper& second = sorted.GetPlainHelper();
+    second.IBO->IndexCount = own.IBO->IndexCount; // it has none of its own
+    this->UpdateShaders(second, renderer, actor);
+    sorted.Draw(own.IBO, vertices);
+    vtkWideFoVStages::Replace(actor, plain, stage);
+  }
+  sorted.Choose(wfv::SortedDraw::Lot::All);
+}
+
+// Where patches may be among the primitives, or triangles are sorted. The mode that the stock
+// mapper draws them in cannot be overridden; everything else goes to it.
 void vtkWideFoVPolyDataMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
 {
+  this->Internal->Window = renderer->GetRenderWindow();
+  wfv::SortedDraw& sorted = this->Internal->Sorted;
   vtkWideFoVStage* stage = vtkWideFoVStages::FindAttached(actor);
-  const int representation = actor->GetProperty()->GetRepresentation();
-  const bool edges = actor->GetProperty()->GetEdgeVisibility() && !renderer->GetSelector();
-  if (!stage || stage->GetVariant() != vtkWideFoVShaderBuilder::Variant::Tessellate ||
-    this->PointPicking || edges || representation != VTK_SURFACE)
+  vtkProperty* const property = actor->GetProperty();
+  const bool edges = property->GetEdgeVisibility() && !renderer->GetSelector();
+  const bool surface =
+    stage && !this->PointPicking && !edges && property->GetRepresentation() == VTK_SURFACE;
+  const bool patches =
+    surface && stage->GetVariant() == vtkWideFoVShaderBuilder::Variant::Tessellate;
+  const bool sorts = surface && !patches && sorted.Prepare(this->CurrentInput, actor, stage);
+  if (patches || sorts)
+  {
+    this->DrawSurface(renderer, actor, sorts);
+  }
+  else
   {
     this->Superclass::RenderPieceDraw(renderer, actor);
-    return;
   }
+  sorted.Finish();
+}
+
+// As the stock mapper does it, but for the triangles.
+void vtkWideFoVPolyDataMapper::DrawSurface(vtkRenderer* renderer, vtkActor* actor, bool sorts)
+{
   this->DrawingVertices = false;
   for (int i = PrimitiveStart; i <= PrimitiveTriStrips; i++)
   {
     this->DrawingSelection = false;
     if (this->Primitives[i].IBO->IndexCount)
     {
-      this->DrawPrimitives(
-        this->Primitives[i], this->GetOpenGLMode(representation, i), renderer, actor);
+      if (i == PrimitiveTris && sorts)
+      {
+        this->DrawSorted(renderer, actor);
+      }
+      else
+      {
+        this->DrawPrimitives(
+          this->Primitives[i], this->GetOpenGLMode(VTK_SURFACE, i), renderer, actor);
+      }
       this->PrimitiveIDOffset =
         i < PrimitiveTriStrips ? this->CellCellMap->GetPrimitiveOffsets()[i + 1] : 0;
     }

@@ -61,6 +61,12 @@ private:
   // Draws one kind of primitives, as patches where its program tessellates.
   void DrawPrimitives(vtkOpenGLHelper& cellBO, int mode, vtkRenderer* renderer, vtkActor* actor);
 
+  // Draws what there is of a surface; its triangles sorted, or as patches.
+  void DrawSurface(vtkRenderer* renderer, vtkActor* actor, bool sorts);
+
+  // Draws the triangles that are seen, sorted by what they need.
+  void DrawSorted(vtkRenderer* renderer, vtkActor* actor);
+
   struct Internals;
   std::unique_ptr<Internals> Internal;
 };

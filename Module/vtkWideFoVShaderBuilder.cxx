@@ -196,6 +196,12 @@ std::string BorderSource(const Request& r)
   return straight && EndsAtSeam(r) ? seam_fragment_glsl : "";
 }
 
+// True where depth is not what the rasterizer interpolates: places are, on the surface.
+bool WritesDepth(const Request& r)
+{
+  return r.DepthMapping != wfv::WFV_DEPTH_LINEAR || r.SurfaceDepth;
+}
+
 void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
 {
   const bool covers = Covers(r);
@@ -209,7 +215,7 @@ void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std:
     ReplaceAll(fragment, "gl_FrontFacing", "wfvFront");
     before += RewriteDepth(fragment);
   }
-  else if (r.DepthMapping != wfv::WFV_DEPTH_LINEAR)
+  else if (WritesDepth(r))
   {
     declarations = depth_fragment_glsl;
     before = "  wfvPrepareDepth();\n" + RewriteDepth(fragment);
@@ -321,7 +327,7 @@ void vtkWideFoVShaderBuilder::Finish(
   {
     wfv::FlattenArrays(vertex, fragment);
   }
-  if (r.DepthMapping != wfv::WFV_DEPTH_LINEAR && !Covers(r))
+  if (WritesDepth(r) && !Covers(r))
   {
     WrapMain(vertex, "", "  wfvPlaceVSOutput = gl_Position.xyz;\n");
     Declare(vertex, depth_vertex_glsl);

@@ -47,16 +47,17 @@ public:
     const wfv::StereoModel* Stereo = nullptr; // none: mono
     Variant Stage = Variant::Plain;
     Primitive Kind = Primitive::Triangles;
-    bool WidePoints = false;  // points wider than a pixel
-    bool WideLines = false;   // lines wider than the hardware draws
-    bool Edges = false;       // surface with edges
-    bool EdgeFlags = false;   // some edges of the triangles are inside a cell
-    bool ByRays = false;      // triangles are covered, whatever their edges: no chords
-    bool DebugView = false;   // coloured by what happens to each primitive
-    bool Multisample = false; // the framebuffer may have several samples a pixel
-    bool Tilted = false;      // the view may have a tilt
-    Material Surface;         // of triangles
-    int DepthMapping = 0;     // wfv::DepthMapping; all but linear by the fragment stage
+    bool WidePoints = false;   // points wider than a pixel
+    bool WideLines = false;    // lines wider than the hardware draws
+    bool Edges = false;        // surface with edges
+    bool EdgeFlags = false;    // some edges of the triangles are inside a cell
+    bool ByRays = false;       // triangles are covered, whatever their edges: no chords
+    bool DebugView = false;    // coloured by what happens to each primitive
+    bool Multisample = false;  // the framebuffer may have several samples a pixel
+    bool Tilted = false;       // the view may have a tilt
+    Material Surface;          // of triangles
+    int DepthMapping = 0;      // wfv::DepthMapping; all but linear by the fragment stage
+    bool SurfaceDepth = false; // depth is the surface's, not interpolated along chords
   };
 
   // True where this request needs the pre-clip's own geometry stage.

@@ -9,6 +9,7 @@
 #include "vtkWideFoVPass.h"
 #include "vtkWideFoVQuadricKind.h"
 #include "vtkWideFoVQuadricShaders.h"
+#include "vtkWideFoVSortedDraw.h"
 #include "vtkWideFoVPolyDataMapper.h"
 #include "vtkWideFoVTessellation.h"
 #include "vtkWideFoVTile.h"
@@ -251,9 +252,9 @@ vtkWideFoVShaderBuilder::Request vtkWideFoVStage::MakeRequest(
   request.DepthMapping = this->View.depthMapping;
   request.Multisample = this->Multisample;
   request.Tilted = this->Tilted;
+  request.SurfaceDepth = this->SurfaceDepth;
   auto* polydata = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
-  auto* actor = vtkActor::SafeDownCast(prop);
-  if (polydata && actor && this->Renderer)
+  if (auto* actor = vtkActor::SafeDownCast(prop); polydata && actor && this->Renderer)
   {
     MapperAccess::Describe(polydata, this->Renderer, actor, request);
   }
@@ -292,8 +293,13 @@ bool vtkWideFoVStage::PostReplaceShaderValues(std::string& vertexShader,
   std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper,
   vtkProp* prop)
 {
-  vtkWideFoVShaderBuilder::Finish(
-    this->MakeRequest(mapper, prop), vertexShader, geometryShader, fragmentShader);
+  const vtkWideFoVShaderBuilder::Request request = this->MakeRequest(mapper, prop);
+  const bool triangles = request.Kind == vtkWideFoVShaderBuilder::Primitive::Triangles;
+  if (triangles && vtkWideFoVPolyDataMapper::SafeDownCast(mapper))
+  {
+    wfv::TakeSortedNumbers(fragmentShader);
+  }
+  vtkWideFoVShaderBuilder::Finish(request, vertexShader, geometryShader, fragmentShader);
   return true;
 }
 

@@ -13,6 +13,7 @@ class vtkOpenGLPolyDataMapper;
 class vtkRenderer;
 class vtkWideFoVCamera;
 class vtkWideFoVDirectionTextures;
+class vtkWideFoVStages;
 
 // One variant. Two objects, not one with a switch: a prop that changes its variant
 // changes its key, and VTK rebuilds the shaders of that prop alone.
@@ -39,6 +40,10 @@ public:
       this->SourceTime.Modified();
     }
   }
+
+  // Depth of the surface itself where the vertex stage projects: for triangles among others that
+  // are covered, so that which of two is in front is decided alike.
+  void SetSurfaceDepth(bool surfaceDepth) { this->SurfaceDepth = surfaceDepth; }
 
   // Lines by the exact variant, as long as they are few: the technique "auto".
   void SetExactLines(bool exact)
@@ -73,6 +78,13 @@ public:
 
   // The tables of a direction map; they outlive the frame.
   void SetTextures(vtkWideFoVDirectionTextures* textures) { this->Textures = textures; }
+
+  // Those that this is one of.
+  void SetStages(vtkWideFoVStages* stages) { this->Stages = stages; }
+  vtkWideFoVStages* GetStages() const { return this->Stages; }
+
+  // NDC of the tile = NDC of the picture * first two + last two.
+  const float* GetTile() const { return this->Tile; }
 
   // Of all, and those of them that were tessellated.
   int GetNumberOfDraws() const { return this->NumberOfDraws; }
@@ -122,6 +134,7 @@ private:
   vtkTimeStamp SourceTime;
   wfv::WfvView View{};
   vtkWideFoVDirectionTextures* Textures = nullptr;
+  vtkWideFoVStages* Stages = nullptr;
   float Viewport[4] = { 0, 0, 1, 1 };
   float Tile[4] = { 1, 1, 0, 0 };
   float Tolerance = 0.25f;
@@ -135,6 +148,7 @@ private:
   bool ByRays = false;
   bool ExactLines = false;
   bool DebugView = false;
+  bool SurfaceDepth = false;
   int NumberOfDraws = 0;
   int NumberOfTessellateDraws = 0;
 };

@@ -33,6 +33,7 @@ constexpr double PixelSafety = 8;
 
 vtkWideFoVStages::vtkWideFoVStages()
 {
+  this->PlainAmong->SetSurfaceDepth(true);
   this->PreClip->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
   this->Exact->SetVariant(vtkWideFoVShaderBuilder::Variant::Exact);
   this->Tessellate->SetVariant(vtkWideFoVShaderBuilder::Variant::Tessellate);
@@ -61,6 +62,7 @@ void vtkWideFoVStages::Begin(
   const wfv::View& view = camera->GetView(wfv::PictureAspect(renderer));
   this->Projection = &view.GetProjection();
   const wfv::StereoModel* const stereo = view.GetStereoModel();
+  this->Mono = !stereo;
   this->ByPixels = stereo && (stereo->OwnRays || !stereo->Straight);
   this->Tolerance = tolerance;
   const int* const size = renderer->GetSize();
@@ -73,22 +75,26 @@ void vtkWideFoVStages::Begin(
   {
     this->Textures.Load(this->View.map, window);
   }
-  for (vtkWideFoVStage* stage :
-    { this->Plain.Get(), this->PreClip.Get(), this->Exact.Get(), this->Tessellate.Get() })
+  for (vtkWideFoVStage* stage : { this->Plain.Get(), this->PlainAmong.Get(), this->PreClip.Get(),
+         this->Exact.Get(), this->Tessellate.Get() })
   {
     stage->SetView(renderer, camera, tolerance);
     stage->SetTextures(&this->Textures);
+    stage->SetStages(this);
     stage->SetClipless(technique == vtkWideFoVPass::VERTEX);
     stage->SetByRays(
       this->Technique == vtkWideFoVPass::TESSELLATE || this->Technique == vtkWideFoVPass::AUTO);
     stage->SetExactLines(this->Technique == vtkWideFoVPass::AUTO && (!stereo || stereo->Straight));
     stage->ResetNumberOfDraws();
   }
+  this->SetPart(renderer, this->Plain->GetTile());
+  this->Clusters = this->UnseenClusters = 0;
 }
 
 void vtkWideFoVStages::SetDebugView(bool debugView)
 {
-  for (vtkWideFoVStage* stage : { this->Plain.Get(), this->PreClip.Get(), this->Exact.Get() })
+  for (vtkWideFoVStage* stage :
+    { this->Plain.Get(), this->PlainAmong.Get(), this->PreClip.Get(), this->Exact.Get() })
   {
     stage->SetDebugView(debugView);
   }

@@ -6,7 +6,12 @@
 #include "vtkWideFoVBufferScale.h"
 #include "vtkWideFoVDirectionTextures.h"
 #include "vtkWideFoVMeshScale.h"
+#include "vtkWideFoVSorter.h"
 #include "vtkWideFoVStage.h"
+
+#include <memory>
+
+class vtkActor;
 
 // The variants and the choice between them.
 class vtkWideFoVStages
@@ -29,9 +34,34 @@ public:
   // For all variants, from the next draw on.
   void SetDebugView(bool debugView);
 
+  // Whether what is not seen is left out (true).
+  void SetCulling(bool culling) { this->Culling = culling; }
+
   // The stage for a prop: the cheapest that the technique allows it. Prepares its vertex
   // buffer, too.
   vtkWideFoVStage* Choose(vtkProp* prop);
+
+  // True where nothing of the prop can be in the picture: it need not be drawn.
+  bool IsUnseen(vtkProp* prop) const;
+
+  // What the triangles of an actor, drawn with this stage, are sorted by. False where they are
+  // all drawn alike.
+  bool GetSortView(const vtkWideFoVStage* stage, vtkActor* actor, wfv::SortView& view);
+
+  // From the actor's coordinates to the map's own frame, row-major.
+  void GetToMap(vtkActor* actor, double matrix[16]) const;
+
+  // Clusters of triangles of this frame's draws, and those of them that were left out.
+  void CountClusters(int all, int unseen)
+  {
+    this->Clusters += all;
+    this->UnseenClusters += unseen;
+  }
+  int GetNumberOfClusters() const { return this->Clusters; }
+  int GetNumberOfUnseenClusters() const { return this->UnseenClusters; }
+
+  // Puts one stage in the place of another in the prop's keys.
+  static void Replace(vtkProp* prop, vtkWideFoVStage* from, vtkWideFoVStage* to);
 
   // Appends the stage to the prop's keys, and takes it away again.
   static void Attach(vtkProp* prop, vtkWideFoVStage* stage);
@@ -42,6 +72,7 @@ public:
   static vtkWideFoVStage* FindAttached(vtkProp* prop);
 
   vtkNew<vtkWideFoVStage> Plain;
+  vtkNew<vtkWideFoVStage> PlainAmong; // plain triangles of a prop whose others are covered
   vtkNew<vtkWideFoVStage> PreClip;
   vtkNew<vtkWideFoVStage> Exact;
   vtkNew<vtkWideFoVStage> Tessellate; // other mappers than ours: the pre-clip
@@ -68,6 +99,19 @@ private:
   bool ByPixels = false; // the stereo model leaves chords no edge to stand for
   wfv::WfvView View;
   double WorldToView[16];
+  void SetPart(vtkRenderer* renderer, const float tile[4]);
+  wfv::Window Part;      // of the picture, with a margin
+  wfv::vec2 Pixels{ 1 }; // of the whole picture
+  bool Culling = true;
+  bool Mono = true; // no eye beside the middle, from which bounds look otherwise
+  int Clusters = 0;
+  int UnseenClusters = 0;
+
+  // The present view's, made when it is first asked for.
+  std::shared_ptr<const wfv::LocalBend> GetBends();
+  std::shared_ptr<const wfv::LocalBend> Bends;
+  wfv::WfvView BendsView;
+  const wfv::Projection* BendsProjection = nullptr;
 };
 
 #endif

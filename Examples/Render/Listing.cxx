@@ -101,11 +101,6 @@ std::string ListingText(const Options& options)
 std::string StatsText(const Options& options, const Scene& scene, const RenderStats& stats)
 {
   const PrimitiveCount count = CountPrimitives(scene);
-  std::optional<int> culled;
-  if (stats.PropsDrawn)
-  {
-    culled = stats.PropsTotal - *stats.PropsDrawn;
-  }
   const bool mono = options.Stereo == "mono";
   const Json json = { { "version", WIDEFOV_VERSION },
     { "gl",
@@ -117,7 +112,9 @@ std::string StatsText(const Options& options, const Scene& scene, const RenderSt
     { "ms", Times(stats.Milliseconds) },
     { "props",
       { { "total", stats.PropsTotal }, { "drawn", Known(stats.PropsDrawn) },
-        { "culled", Known(culled) } } },
+        { "culled", Known(stats.PropsCulled) } } },
+    { "clusters",
+      { { "total", Known(stats.Clusters) }, { "culled", Known(stats.ClustersCulled) } } },
     { "primitives",
       { { "triangles", count.Triangles }, { "lines", count.Lines }, { "points", count.Points } } },
     { "variants",

@@ -218,6 +218,11 @@ void Count(Stage& stage, RenderStats& stats)
   auto* const camera = vtkWideFoVCamera::SafeDownCast(stage.Renderer->GetActiveCamera());
   if (camera != nullptr && camera->IsWide()) // otherwise stock VTK draws, and does not count
   {
+    const int others = stage.Bar ? 1 : 0; // it is no prop of the scene
+    stats.PropsDrawn = stage.WidePass->GetNumberOfDrawnProps() - others;
+    stats.PropsCulled = stage.WidePass->GetNumberOfCulledProps();
+    stats.Clusters = stage.WidePass->GetNumberOfClusters();
+    stats.ClustersCulled = stage.WidePass->GetNumberOfCulledClusters();
     stats.PlainDraws = stage.WidePass->GetNumberOfPlainDraws();
     stats.PreClipDraws = stage.WidePass->GetNumberOfPreClipDraws();
     stats.TessellateDraws = stage.WidePass->GetNumberOfTessellateDraws();

@@ -20,6 +20,9 @@ struct RenderStats
   std::vector<double> Milliseconds; // one a frame
   int PropsTotal = 0;
   std::optional<int> PropsDrawn;
+  std::optional<int> PropsCulled;
+  std::optional<int> Clusters; // runs of triangles that were looked at
+  std::optional<int> ClustersCulled;
   std::optional<int> PlainDraws;
   std::optional<int> PreClipDraws;
   std::optional<int> TessellateDraws;

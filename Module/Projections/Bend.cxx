@@ -32,20 +32,6 @@ constexpr double Singular = 0.03;
 // -z of the directions that a planar map still has a place for.
 constexpr double PlanarEnd = 0.02;
 
-// Sine of the angle to the nearest singular point.
-double SineToSingularity(Family family, const vec3& d)
-{
-  switch (family)
-  {
-    case Family::Meridian:
-      return std::hypot(d.x, d.z);
-    case Family::Azimuthal:
-      return d.z > 0 ? std::hypot(d.x, d.y) : 1;
-    default:
-      return 1;
-  }
-}
-
 // The face of a cube that a direction meets, any numbers.
 int FaceOf(const vec3& d)
 {
@@ -106,21 +92,8 @@ double BendAt(const Projection& p, const WfvView& v, const vec3& d)
   {
     return 0;
   }
-  const double step = std::min(LargestStep, PartOfView * std::min(v.halfFov.x, v.halfFov.y));
-  const Tangents tangents(d);
-  vec2 second[3];
-  for (int i = 0; i < 3; i++)
-  {
-    const vec3 t = tangents.At(0.25 * WFV_PI * i);
-    if (Torn(p.Axis, d + t * step, d - t * step) || Torn(p.Axis, d + t * step, d))
-    {
-      return 0;
-    }
-    second[i] = Second(p, v, d, t, step);
-  }
-  const double x = Largest(second[0].x, second[2].x, second[1].x);
-  const double y = Largest(second[0].y, second[2].y, second[1].y);
-  return std::max(x, y) * sine * sine;
+  const vec2 second = SecondAt(p, v, d);
+  return std::max(second.x, second.y) * sine * sine;
 }
 
 // The directions on the border of what is seen: of the window, and of a round map's rim.
@@ -186,6 +159,37 @@ struct Kept
       w.lens5 == v.lens5;
   }
 };
+}
+
+vec2 SecondAt(const Projection& p, const WfvView& v, const vec3& d)
+{
+  const double step = std::min(LargestStep, PartOfView * std::min(v.halfFov.x, v.halfFov.y));
+  const Tangents tangents(d);
+  vec2 second[3];
+  for (int i = 0; i < 3; i++)
+  {
+    const vec3 t = tangents.At(0.25 * WFV_PI * i);
+    if (Torn(p.Axis, d + t * step, d - t * step) || Torn(p.Axis, d + t * step, d))
+    {
+      return vec2(0);
+    }
+    second[i] = Second(p, v, d, t, step);
+  }
+  return vec2(
+    Largest(second[0].x, second[2].x, second[1].x), Largest(second[0].y, second[2].y, second[1].y));
+}
+
+double SineToSingularity(Family family, const vec3& d)
+{
+  switch (family)
+  {
+    case Family::Meridian:
+      return std::hypot(d.x, d.z);
+    case Family::Azimuthal:
+      return d.z > 0 ? std::hypot(d.x, d.y) : 1;
+    default:
+      return 1;
+  }
 }
 
 double Bend(const Projection& p, const WfvView& v)

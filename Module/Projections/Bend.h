@@ -19,6 +19,15 @@ namespace wfv
 // Computed from second differences at some 1,700 directions, and kept for the last views
 // asked for. The tilt does not matter.
 WFV_EXPORT double Bend(const Projection& projection, const WfvView& view);
+
+// The largest second derivatives of x and of y along great circles of unit speed at a
+// direction (unit length, in the map's own frame), NDC per squared radian; 0 where the map is
+// torn there.
+vec2 SecondAt(const Projection& projection, const WfvView& view, const vec3& direction);
+
+// Sine of the angle from a direction to the nearest singular point of a family; 1 where there
+// is none.
+double SineToSingularity(Family family, const vec3& direction);
 }
 
 #endif

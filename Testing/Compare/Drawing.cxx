@@ -29,7 +29,7 @@ struct Drawing::Internals
   vtkNew<vtkWideFoVPass> Pass;
   vtkNew<vtkWideFoVDataPass> Data;
   vtkNew<vtkPolyDataMapper> Mapper;
-  vtkNew<vtkWideFoVPolyDataMapper> WideMapper; // for the technique no stock mapper has
+  vtkNew<vtkWideFoVPolyDataMapper> WideMapper; // tessellates, and sorts triangles
   vtkNew<vtkActor> Actor;
   std::unique_ptr<View> LastView;
 };
@@ -89,8 +89,23 @@ void Drawing::SetTechnique(int technique)
 {
   Internals& in = *this->Internal;
   in.Pass->SetTechnique(technique);
-  const bool wide = technique == vtkWideFoVPass::TESSELLATE;
+  const bool wide = technique == vtkWideFoVPass::TESSELLATE || technique == vtkWideFoVPass::AUTO;
   in.Actor->SetMapper(wide ? in.WideMapper.Get() : in.Mapper.Get());
+}
+
+void Drawing::SetCulling(bool culling)
+{
+  this->Internal->Pass->SetCulling(culling);
+}
+
+int Drawing::GetNumberOfCulledClusters() const
+{
+  return this->Internal->Pass->GetNumberOfCulledClusters();
+}
+
+int Drawing::GetNumberOfPlainDraws() const
+{
+  return this->Internal->Pass->GetNumberOfPlainDraws();
 }
 
 void Drawing::SetLineWidth(double pixels)

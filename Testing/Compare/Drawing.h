@@ -65,6 +65,13 @@ public:
   // vtkWideFoVPass::Techniques (default PRECLIP).
   void SetTechnique(int technique);
 
+  // Whether what is not seen is left out (yes).
+  void SetCulling(bool culling);
+
+  // Of the last picture: runs of triangles that were left out, draws by the vertex stage alone.
+  int GetNumberOfCulledClusters() const;
+  int GetNumberOfPlainDraws() const;
+
   // Of lines, pixels (1).
   void SetLineWidth(double pixels);
 

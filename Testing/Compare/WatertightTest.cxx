@@ -125,6 +125,26 @@ TEST_P(Watertight, Tessellated)
   Picture->SetTechnique(vtkWideFoVPass::PRECLIP);
 }
 
+// Triangles that are sorted: fine ones by their chords, the others covered, side by side.
+TEST_P(Watertight, Sorted)
+{
+  const Projection& p = *FindProjection(this->GetParam());
+  Picture->SetTechnique(vtkWideFoVPass::AUTO);
+  int both = 0;
+  const NamedPose pose = PlainPoses().back(); // off the middle
+  for (const int n : { 24, 40, 64 })
+  {
+    Picture->SetMesh(MakeRoom(n));
+    for (const double fov : FovsOf(p, { 90.0, 360.0 }))
+    {
+      Check(*Picture, MakeShot(p.Name, fov, pose), "sorted room of " + std::to_string(n));
+      both += Picture->GetNumberOfPlainDraws() > 0 && Picture->GetNumberOfPreClipDraws() > 0;
+    }
+  }
+  EXPECT_TRUE(both > 0 || p.Axis == Family::Planar) << "no picture had both kinds";
+  Picture->SetTechnique(vtkWideFoVPass::PRECLIP);
+}
+
 // The count can tell: projected per vertex alone, the room of 12 has holes and strays.
 TEST_P(Watertight, VerticesAloneAreNot)
 {

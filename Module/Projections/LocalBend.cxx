@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LocalBend.h"
+
+#include "Bend.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace wfv
+{
+namespace
+{
+// Cells along a face of the cube, and nodes along it: one more on either side.
+constexpr int Cells = 32;
+constexpr int Nodes = Cells + 3;
+
+// For what lies between the nodes; Testing/Unit/LocalBendTest.cxx looks there.
+constexpr double BendSafety = 1.25;
+
+// Sine of the angle from a singular point below which there is no bound.
+constexpr double Singular = 0.05;
+
+constexpr float Unbounded = std::numeric_limits<float>::infinity();
+
+// A direction from its face (axis, and 3 more where it looks along the axis), and the two
+// coordinates of the next axes over that of its own.
+vec3 FromFace(int face, double s, double t)
+{
+  vec3 d(0);
+  const int axis = face % 3;
+  d[axis] = face < 3 ? -1 : 1;
+  d[(axis + 1) % 3] = s;
+  d[(axis + 2) % 3] = t;
+  return glm::normalize(d);
+}
+
+std::array<float, 2> NodeAt(const Projection& p, const WfvView& v, int face, int i, int j)
+{
+  const vec3 d = FromFace(face, -1 + 2.0 * (i - 1) / Cells, -1 + 2.0 * (j - 1) / Cells);
+  if (SineToSingularity(p.Axis, d) < Singular)
+  {
+    return { { Unbounded, Unbounded } };
+  }
+  const vec2 second = BendSafety * SecondAt(p, v, d);
+  const bool known = std::isfinite(second.x) && std::isfinite(second.y);
+  return { { known ? float(second.x) : Unbounded, known ? float(second.y) : Unbounded } };
+}
+}
+
+LocalBend::LocalBend(const Projection& p, const WfvView& v)
+  : Table(6 * Cells * Cells, std::array<float, 2>{ { 0, 0 } })
+{
+  for (int face = 0; face < 6; face++)
+  {
+    for (int i = 0; i < Nodes; i++)
+    {
+      for (int j = 0; j < Nodes; j++)
+      {
+        const std::array<float, 2> node = NodeAt(p, v, face, i, j);
+        // every cell that it is a corner of, and their neighbours
+        for (int k = std::max(0, i - 3); k <= std::min(Cells - 1, i); k++)
+        {
+          for (int l = std::max(0, j - 3); l <= std::min(Cells - 1, j); l++)
+          {
+            std::array<float, 2>& cell = this->Table[(face * Cells + k) * Cells + l];
+            cell = { { std::max(cell[0], node[0]), std::max(cell[1], node[1]) } };
+          }
+        }
+      }
+    }
+  }
+}
+
+const std::array<float, 2>& LocalBend::At(const vec3& d) const
+{
+  const vec3 a = glm::abs(d);
+  const int axis = a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
+  const int face = d[axis] < 0 ? axis : axis + 3;
+  const double scale = 0.5 * Cells / a[axis];
+  const int i = std::min(Cells - 1, int(0.5 * Cells + d[(axis + 1) % 3] * scale));
+  const int j = std::min(Cells - 1, int(0.5 * Cells + d[(axis + 2) % 3] * scale));
+  return this->Table[(face * Cells + i) * Cells + j];
+}
+}

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How far chords are from the edges that they stand for, place by place.
+#ifndef WideFoVLocalBend_h
+#define WideFoVLocalBend_h
+
+#include "Projection.h"
+
+#include <array>
+#include <vector>
+
+namespace wfv
+{
+// wfv::Bend bounds a whole view by its worst place; this is a table of directions, the cells of
+// a cube's faces, each with a bound for itself and its neighbours. A chord of an edge of the
+// angle a (radians), which is at most a cell's (LongestEdge), is at most At(d) a^2 / 8 away from
+// its edge on either axis, NDC, with d any direction of the edge, as long as the edge crosses no
+// discontinuity. Infinite near the points that the family stretches without bound.
+class WFV_EXPORT LocalBend
+{
+public:
+  static constexpr double LongestEdge = 0.03; // radians; cells measure from 0.031 (corners) on
+
+  LocalBend(const Projection& projection, const WfvView& view);
+
+  // direction: unit length, in the map's own frame (behind the tilt).
+  const std::array<float, 2>& At(const vec3& direction) const;
+
+private:
+  std::vector<std::array<float, 2>> Table;
+};
+}
+
+#endif

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Visibility.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wfv
+{
+namespace
+{
+// Relative: what float32 makes of distances, and of the rim of a round map.
+constexpr double Rounding = 1e-5;
+
+struct Range
+{
+  double Low;
+  double High;
+};
+
+// Distances of a rectangle of a plane from its origin.
+Range RadiiOf(const Range& u, const Range& v)
+{
+  return { std::hypot(std::max({ u.Low, -u.High, 0.0 }), std::max({ v.Low, -v.High, 0.0 })),
+    std::hypot(std::max(-u.Low, u.High), std::max(-v.Low, v.High)) };
+}
+
+// Range of atan2(v, u): all round where the rectangle holds the origin, else less than pi wide,
+// and possibly beyond pi or -pi.
+Range TurnsOf(const Range& u, const Range& v)
+{
+  if (u.Low <= 0 && u.High >= 0 && v.Low <= 0 && v.High >= 0)
+  {
+    return { -WFV_PI, WFV_PI };
+  }
+  const double middle = std::atan2(0.5 * (v.Low + v.High), 0.5 * (u.Low + u.High));
+  Range turns{ middle, middle };
+  for (int i = 0; i < 4; i++)
+  {
+    const double angle = std::atan2(i & 1 ? v.Low : v.High, i & 2 ? u.Low : u.High);
+    const double off = std::remainder(angle - middle, 2 * WFV_PI);
+    turns = { std::min(turns.Low, middle + off), std::max(turns.High, middle + off) };
+  }
+  return turns;
+}
+
+bool Meets(const vec4& bounds, const Window& w)
+{
+  // written so that what is no number meets
+  return !(bounds.x > w.High.x || bounds.z < w.Low.x || bounds.y > w.High.y || bounds.w < w.Low.y);
+}
+
+bool MeetsMeridian(const Projection& p, const WfvView& v, const Box& b, const Window& w)
+{
+  const Range x{ b.Low.x, b.High.x };
+  const Range ahead{ -b.High.z, -b.Low.z };
+  const Range flat = RadiiOf(x, ahead);
+  const Range lambda = TurnsOf(ahead, x);
+  const double endX = 0.5 * p.MaxHorizontalFov * WFV_PI / 180;
+  const double endY = 0.5 * p.MaxVerticalFov * WFV_PI / 180;
+  const double low = std::atan2(b.Low.y, b.Low.y < 0 ? flat.Low : flat.High);
+  const double high = std::atan2(b.High.y, b.High.y < 0 ? flat.High : flat.Low);
+  for (int turn = -1; turn <= 1; turn++)
+  {
+    const double from = lambda.Low + 2 * WFV_PI * turn;
+    const double to = lambda.High + 2 * WFV_PI * turn;
+    if (to < -WFV_PI || from > WFV_PI)
+    {
+      continue;
+    }
+    const vec4 angles(std::clamp(from, -endX, endX), std::clamp(low, -endY, endY),
+      std::clamp(to, -endX, endX), std::clamp(high, -endY, endY));
+    if (Meets(p.Bounds(angles, v), w))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool MeetsAzimuthal(const Projection& p, const WfvView& v, const Box& b, const Window& w)
+{
+  const Range x{ b.Low.x, b.High.x };
+  const Range y{ b.Low.y, b.High.y };
+  const Range ahead{ -b.High.z, -b.Low.z };
+  const Range radii = RadiiOf(x, y);
+  const double nearest = std::atan2(ahead.High > 0 ? radii.Low : radii.High, ahead.High);
+  const double farthest = std::atan2(ahead.Low > 0 ? radii.High : radii.Low, ahead.Low);
+  if (nearest > v.maxAngle * (1 + Rounding))
+  {
+    return false;
+  }
+  const Range azimuth = TurnsOf(x, y);
+  return Meets(p.Bounds(vec4(azimuth.Low, std::min(nearest, v.maxAngle), azimuth.High,
+                          std::min(farthest, v.maxAngle)),
+                 v),
+    w);
+}
+}
+
+vec2 Distances(const Box& b)
+{
+  const Range flat = RadiiOf({ b.Low.x, b.High.x }, { b.Low.z, b.High.z });
+  return vec2(std::hypot(flat.Low, std::max({ b.Low.y, -b.High.y, 0.0 })),
+    std::hypot(flat.High, std::max(-b.Low.y, b.High.y)));
+}
+
+bool IsUnseen(const Projection& p, const WfvView& v, const Box& b, const Window& w)
+{
+  const vec2 distances = Distances(b);
+  if (distances.x > v.radii.y * (1 + Rounding) || distances.y < v.radii.x * (1 - Rounding))
+  {
+    return true;
+  }
+  switch (p.Axis)
+  {
+    case Family::Meridian:
+      return !MeetsMeridian(p, v, b, w);
+    case Family::Azimuthal:
+      return !MeetsAzimuthal(p, v, b, w);
+    default:
+      return false; // the faces of a cube show all directions; of a table nothing is said
+  }
+}
+}

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a view surely does not show.
+#ifndef WideFoVVisibility_h
+#define WideFoVVisibility_h
+
+#include "Projection.h"
+
+namespace wfv
+{
+// A box in the map's own frame: view coordinates behind the tilt.
+struct Box
+{
+  vec3 Low{ 1e300 };
+  vec3 High{ -1e300 };
+
+  void Add(const vec3& p)
+  {
+    this->Low = glm::min(this->Low, p);
+    this->High = glm::max(this->High, p);
+  }
+};
+
+// The part of the picture that is drawn, NDC, with a margin for what is drawn larger than it is.
+struct Window
+{
+  vec2 Low{ -1 };
+  vec2 High{ 1 };
+};
+
+// True where no point of the box is between the clip spheres and in the window. Never where one
+// is; boxes that are near may be called seen though they are not. In double.
+WFV_EXPORT bool IsUnseen(
+  const Projection& projection, const WfvView& view, const Box& box, const Window& window);
+
+// Distances of the nearest and of the farthest point of the box from the eye.
+WFV_EXPORT vec2 Distances(const Box& box);
+}
+
+#endif

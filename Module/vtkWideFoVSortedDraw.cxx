@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWideFoVSortedDraw.h"
+
+#include "WideFoVGlsl.h"
+#include "vtkWideFoVGl.h"
+#include "vtkWideFoVShaderBuilder.h"
+#include "vtkWideFoVShaderText.h"
+#include "vtkWideFoVStages.h"
+
+#include "vtkActor.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLBufferObject.h"
+#include "vtkOpenGLIndexBufferObject.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPolyData.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+
+namespace
+{
+// Triangles under which sorting is not worth a draw more.
+constexpr vtkIdType FewTriangles = 256;
+
+// Actors that may share a mapper and each keep what was sorted for them.
+constexpr std::size_t MostActors = 8;
+}
+
+namespace wfv
+{
+// What was sorted for one actor.
+struct SortedDraw::Entry
+{
+  vtkWeakPointer<vtkActor> Actor;
+  vtkPolyData* Data = nullptr;
+  vtkMTimeType Time = 0;
+  double ToMap[16] = { 0 };
+  SortView View;
+  std::size_t All = 0;
+  std::size_t Covered = 0;
+  std::size_t Plain = 0;
+  int Clusters = 0;
+  int Unseen = 0;
+  std::vector<unsigned int> Order; // kept for programs that ask for numbers
+  vtkNew<vtkOpenGLIndexBufferObject> Indices;
+
+  bool IsWhole() const
+  {
+    return (this->Covered == 0 && this->Plain == this->All) ||
+      (this->Plain == 0 && this->Covered == this->All);
+  }
+};
+
+SortedDraw::SortedDraw()
+{
+  this->PlainHelper.PrimitiveType = vtkOpenGLPolyDataMapper::PrimitiveTris;
+  this->NumberBuffer->SetType(vtkOpenGLBufferObject::TextureBuffer);
+}
+
+SortedDraw::~SortedDraw() = default;
+
+bool SortedDraw::Prepare(vtkPolyData* data, vtkActor* actor, vtkWideFoVStage* stage)
+{
+  this->Current = nullptr;
+  this->Chosen = Lot::All;
+  vtkWideFoVStages* const stages = stage->GetStages();
+  SortView view;
+  if (!stages || data->GetNumberOfPolys() < FewTriangles ||
+    !stages->GetSortView(stage, actor, view))
+  {
+    return false;
+  }
+  std::unique_ptr<Entry>& entry = this->Entries[actor];
+  if (!entry || entry->Actor != actor)
+  {
+    if (this->Entries.size() > MostActors)
+    {
+      this->Entries.erase(actor);
+      return false;
+    }
+    entry.reset(new Entry);
+    entry->Actor = actor;
+  }
+  Entry& e = *entry;
+  double toMap[16];
+  stages->GetToMap(actor, toMap);
+  if (e.Data != data || e.Time != data->GetMTime() || !std::equal(toMap, toMap + 16, e.ToMap) ||
+    !(e.View == view))
+  {
+    this->Sort(e, data, toMap, view);
+  }
+  this->Current = &e;
+  stages->CountClusters(e.Clusters, e.Unseen);
+  return e.All > 0 && e.Covered != e.All;
+}
+
+void SortedDraw::Sort(Entry& e, vtkPolyData* data, const double toMap[16], const SortView& view)
+{
+  this->Mesh.Update(data);
+  e.Data = data;
+  e.Time = data->GetMTime();
+  std::copy_n(toMap, 16, e.ToMap);
+  e.View = view;
+  e.Clusters = this->Mesh.GetNumberOfClusters();
+  e.All = static_cast<std::size_t>(this->Mesh.GetNumberOfTriangles());
+  if (!this->Triangles.Sort(this->Mesh, data->GetPoints(), toMap, view))
+  {
+    e.All = 0;
+    return;
+  }
+  e.Unseen = this->Triangles.GetNumberOfUnseen();
+  e.Order = this->Triangles.GetOrder();
+  e.Covered = this->Triangles.GetNumberOfCovered();
+  e.Plain = e.Order.size() - e.Covered;
+  this->NumbersOf = this->NumbersOf == &e ? nullptr : this->NumbersOf;
+  if (e.IsWhole())
+  {
+    e.Order.clear();
+    return;
+  }
+  const std::vector<unsigned int>& corners = this->Mesh.GetCorners();
+  std::vector<unsigned int> indices;
+  indices.reserve(3 * e.Order.size());
+  for (const unsigned int triangle : e.Order)
+  {
+    const auto first = corners.begin() + 3 * static_cast<std::ptrdiff_t>(triangle);
+    indices.insert(indices.end(), first, first + 3);
+  }
+  if (!indices.empty())
+  {
+    e.Indices->Upload(indices, vtkOpenGLBufferObject::ElementArrayBuffer);
+  }
+}
+
+std::size_t SortedDraw::GetNumberOfCovered() const
+{
+  return this->Current ? this->Current->Covered : 0;
+}
+
+std::size_t SortedDraw::GetNumberOfPlain() const
+{
+  return this->Current ? this->Current->Plain : 0;
+}
+
+void SortedDraw::Draw(vtkOpenGLIndexBufferObject* all, unsigned int vertices)
+{
+  const Entry& e = *this->Current;
+  const bool plain = this->Chosen == Lot::Plain;
+  vtkOpenGLIndexBufferObject* const indices = e.IsWhole() ? all : e.Indices.Get();
+  const std::size_t first = plain ? e.Covered : 0;
+  const auto count = static_cast<GLsizei>(3 * (plain ? e.Plain : e.Covered));
+  indices->Bind();
+  glDrawRangeElements(GL_TRIANGLES, 0, vertices - 1, count, GL_UNSIGNED_INT,
+    reinterpret_cast<const void*>(3 * first * sizeof(GLuint)));
+  indices->Release();
+}
+
+void SortedDraw::LoadNumbers(vtkOpenGLRenderWindow* window)
+{
+  static const std::vector<unsigned int> none(1, 0);
+  Entry* const wanted =
+    this->Chosen == Lot::All || this->Current->IsWhole() ? nullptr : this->Current;
+  const bool loaded = this->Numbers->GetHandle() != 0 && this->Numbers->GetContext() == window;
+  if (loaded && (!wanted || this->NumbersOf == wanted))
+  {
+    return;
+  }
+  const std::vector<unsigned int>& numbers = wanted ? wanted->Order : none;
+  this->NumbersOf = wanted;
+  this->Numbers->SetContext(window);
+  this->Numbers->SetInternalFormat(GL_R32UI);
+  this->Numbers->SetFormat(GL_RED_INTEGER);
+  this->NumberBuffer->Upload(numbers, vtkOpenGLBufferObject::TextureBuffer);
+  this->Numbers->CreateTextureBuffer(
+    static_cast<unsigned int>(numbers.size()), 1, VTK_UNSIGNED_INT, this->NumberBuffer);
+}
+
+void SortedDraw::SetParameters(vtkShaderProgram* program, vtkWindow* window)
+{
+  if (!program->IsUniformUsed("wfvNumbers"))
+  {
+    return;
+  }
+  this->LoadNumbers(static_cast<vtkOpenGLRenderWindow*>(window));
+  this->Numbers->Activate();
+  program->SetUniformi("wfvNumbers", this->Numbers->GetTextureUnit());
+  const bool own = this->Chosen == Lot::All || this->Current->IsWhole();
+  const std::size_t first = own || this->Chosen == Lot::Covered ? 0 : this->Current->Covered;
+  program->SetUniformi("wfvFirstNumber", own ? -1 : static_cast<int>(first));
+}
+
+void SortedDraw::Finish()
+{
+  this->Chosen = Lot::All;
+  if (this->Numbers->GetHandle())
+  {
+    this->Numbers->Deactivate();
+  }
+}
+
+void SortedDraw::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (auto& entry : this->Entries)
+  {
+    entry.second->Indices->ReleaseGraphicsResources();
+  }
+  this->Entries.clear();
+  this->Current = this->NumbersOf = nullptr;
+  this->PlainHelper.ReleaseGraphicsResources(window);
+  this->Numbers->ReleaseGraphicsResources(window);
+  this->NumberBuffer->ReleaseGraphicsResources();
+}
+
+void TakeSortedNumbers(std::string& fragment)
+{
+  if (fragment.find("gl_PrimitiveID") == std::string::npos)
+  {
+    return;
+  }
+  shader::ReplaceAll(fragment, "gl_PrimitiveID", "wfvNumber()");
+  vtkWideFoVShaderBuilder::Declare(fragment, sorted_number_glsl);
+}
+}

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWideFoVSorter.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkPoints.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+using namespace wfv;
+
+enum Kind : unsigned char
+{
+  Unseen = 0,
+  Plain = 1,
+  Cover = 2, // both: 3
+  Aside = 4, // and drawn nevertheless: what is seen does not depend on it
+  Front = 8, // the side that the eye sees; nearly edge-on, both
+  Back = 16,
+  BothSides = Front | Back
+};
+
+// Clusters a thread takes at least.
+constexpr vtkIdType Grain = 64;
+
+// An affine map.
+struct Affine
+{
+  vec3 Columns[3];
+  vec3 Shift;
+
+  explicit Affine(const double m[16])
+    : Columns{ vec3(m[0], m[4], m[8]), vec3(m[1], m[5], m[9]), vec3(m[2], m[6], m[10]) }
+    , Shift(m[3], m[7], m[11])
+  {
+  }
+
+  vec3 Of(double x, double y, double z) const
+  {
+    return this->Columns[0] * x + this->Columns[1] * y + this->Columns[2] * z + this->Shift;
+  }
+};
+
+// Sorts clusters; a functor for threads.
+template <typename Real>
+class Work
+{
+public:
+  Work(const Clusters& clusters, const Real* points, const double toMap[16], const SortView& view,
+    unsigned char* kinds)
+    : All(clusters)
+    , Points(points)
+    , ToMap(toMap)
+    , V(view)
+    , Kinds(kinds)
+  {
+  }
+
+  void operator()(vtkIdType from, vtkIdType to) const
+  {
+    const TriangleJudge judge(this->V);
+    for (vtkIdType c = from; c < to; c++)
+    {
+      this->Sort(static_cast<int>(c), judge);
+    }
+  }
+
+private:
+  Box BoxOf(int cluster) const
+  {
+    const std::array<double, 6>& b = this->All.GetBounds(cluster);
+    Box box;
+    for (int i = 0; i < 8; i++)
+    {
+      box.Add(this->ToMap.Of(b[i & 1], b[2 + ((i >> 1) & 1)], b[4 + ((i >> 2) & 1)]));
+    }
+    return box;
+  }
+
+  void Sort(int cluster, const TriangleJudge& judge) const
+  {
+    const vtkIdType first = static_cast<vtkIdType>(cluster) * Clusters::Size;
+    const vtkIdType end =
+      std::min<vtkIdType>(first + Clusters::Size, this->All.GetNumberOfTriangles());
+    const bool unseen = IsUnseen(*this->V.Map, this->V.View, this->BoxOf(cluster), this->V.Part);
+    const int aside = unseen ? Aside : 0;
+    const bool left = unseen && this->V.Culls;
+    if (left || !this->V.Bends)
+    {
+      const int kind = left ? Unseen : Cover | aside;
+      std::fill(this->Kinds + first, this->Kinds + end, static_cast<unsigned char>(kind));
+      return;
+    }
+    const unsigned int* corner = this->All.GetCorners().data() + 3 * first;
+    for (vtkIdType i = first; i < end; i++, corner += 3)
+    {
+      vec3 q[3];
+      for (int j = 0; j < 3; j++)
+      {
+        const Real* p = this->Points + 3 * static_cast<std::size_t>(corner[j]);
+        q[j] = this->ToMap.Of(p[0], p[1], p[2]);
+      }
+      const int side = TriangleJudge::GetSide(q);
+      const int sides = aside ? 0 : side == 0 ? BothSides : side < 0 ? Front : Back;
+      const bool plain = sides != BothSides && judge.IsPlain(q);
+      this->Kinds[i] = static_cast<unsigned char>((plain ? Plain : Cover) | aside | sides);
+    }
+  }
+
+  const Clusters& All;
+  const Real* Points;
+  Affine ToMap;
+  const SortView& V;
+  unsigned char* Kinds;
+};
+
+template <typename Real>
+void SortAll(const Clusters& clusters, const Real* points, const double toMap[16],
+  const SortView& view, unsigned char* kinds)
+{
+  Work<Real> work(clusters, points, toMap, view, kinds);
+  vtkSMPTools::For(0, clusters.GetNumberOfClusters(), Grain, work);
+}
+}
+
+namespace wfv
+{
+bool Sorter::Sort(
+  Clusters& clusters, vtkPoints* points, const double toMap[16], const SortView& view)
+{
+  const auto n = static_cast<std::size_t>(clusters.GetNumberOfTriangles());
+  this->Kinds.resize(n);
+  if (auto* singles = vtkFloatArray::SafeDownCast(points->GetData()))
+  {
+    SortAll(clusters, singles->GetPointer(0), toMap, view, this->Kinds.data());
+  }
+  else if (auto* doubles = vtkDoubleArray::SafeDownCast(points->GetData()))
+  {
+    SortAll(clusters, doubles->GetPointer(0), toMap, view, this->Kinds.data());
+  }
+  else
+  {
+    return false;
+  }
+  this->Unseen = 0;
+  for (std::size_t i = 0; i < n; i += Clusters::Size)
+  {
+    this->Unseen += this->Kinds[i] == ::Unseen;
+  }
+  if (view.Bends)
+  {
+    this->CoverOutlines(clusters);
+    this->SpreadCovered(clusters.GetNeighbours());
+  }
+  this->MakeOrder();
+  return true;
+}
+
+// What is in front of what is decided at the outlines of surfaces: where front meets back, or the
+// mesh ends. There a hidden face shows beside an edge that is off by however little, which is
+// wrong by more than any tolerance. So all that touches an outline is covered.
+void Sorter::CoverOutlines(Clusters& clusters)
+{
+  const std::vector<unsigned int>& neighbours = clusters.GetNeighbours();
+  const std::vector<unsigned int>& places = clusters.GetPlaces();
+  const std::vector<unsigned int>& corners = clusters.GetCorners();
+  const auto mark = [&](
+                      std::size_t i) -> unsigned char& { return this->Marks[places[corners[i]]]; };
+  this->Marks.assign(places.size(), 0);
+  for (std::size_t i = 0; i < corners.size(); i++)
+  {
+    mark(i) |= this->Kinds[i / 3] & BothSides;
+    if (neighbours[i] == Clusters::NoTriangle)
+    {
+      mark(i) |= BothSides;
+      mark(i % 3 == 2 ? i - 2 : i + 1) |= BothSides;
+    }
+  }
+  for (std::size_t i = 0; i < corners.size(); i++)
+  {
+    unsigned char& kind = this->Kinds[i / 3];
+    if ((kind & Plain) && (mark(i) & BothSides) == BothSides)
+    {
+      kind = static_cast<unsigned char>((kind & ~Plain) | Cover);
+    }
+  }
+}
+
+// Plain triangles beside a covered one are drawn both ways.
+void Sorter::SpreadCovered(const std::vector<unsigned int>& neighbours)
+{
+  for (std::size_t i = 0; i < this->Kinds.size(); i++)
+  {
+    for (int j = 0; j < 3 && (this->Kinds[i] & Plain); j++)
+    {
+      const unsigned int other = neighbours[3 * i + j];
+      if (other != Clusters::NoTriangle && (this->Kinds[other] & (Cover | Plain | Aside)) == Cover)
+      {
+        this->Kinds[i] |= Cover;
+      }
+    }
+  }
+}
+
+void Sorter::MakeOrder()
+{
+  this->Order.clear();
+  for (const unsigned char kind : { Cover, Plain })
+  {
+    for (std::size_t i = 0; i < this->Kinds.size(); i++)
+    {
+      if (this->Kinds[i] & kind)
+      {
+        this->Order.push_back(static_cast<unsigned int>(i));
+      }
+    }
+    this->Covered = kind == Cover ? this->Order.size() : this->Covered;
+  }
+}
+}

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWideFoVStages: what a view need not draw.
+#include "vtkWideFoVStages.h"
+
+#include "vtkWideFoVPass.h"
+
+#include "vtkActor.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProperty.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace
+{
+// Pixels beyond the window that still count: what rounding, and the chords of the neighbours of
+// what is seen, may reach. Times a pixel of the line's or the point's own width.
+constexpr double Margin = 2;
+
+// Mappers whose bounds hold all that they draw, but for the widths of lines and points.
+bool KeepsItsBounds(vtkActor* actor)
+{
+  vtkMapper* const mapper = actor->GetMapper();
+  if (!mapper)
+  {
+    return false;
+  }
+  const char* const name = mapper->GetClassName();
+  const char* const known[] = { "vtkOpenGLPolyDataMapper", "vtkWideFoVPolyDataMapper",
+    "vtkCompositePolyDataMapper2" };
+  vtkProperty* const property = actor->GetProperty();
+  return std::any_of(std::begin(known), std::end(known),
+           [name](const char* other) { return std::strcmp(name, other) == 0; }) &&
+    !property->GetRenderLinesAsTubes() && !property->GetRenderPointsAsSpheres();
+}
+
+// Shaders of a user's own may move vertices anywhere.
+bool HasOwnShaders(vtkActor* actor)
+{
+  vtkShaderProperty* const shaders = actor->GetShaderProperty();
+  return shaders->HasVertexShaderCode() || shaders->HasGeometryShaderCode() ||
+    shaders->GetNumberOfShaderReplacements() > 0;
+}
+}
+
+void vtkWideFoVStages::SetPart(vtkRenderer* renderer, const float tile[4])
+{
+  int size[2];
+  int origin[2];
+  renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+  for (int i = 0; i < 2; i++)
+  {
+    const double pixels = std::max(1, size[i]) * static_cast<double>(tile[i]);
+    this->Pixels[i] = pixels;
+    this->Part.Low[i] = (-1.0 - tile[i + 2]) / tile[i] - 2 * Margin / pixels;
+    this->Part.High[i] = (1.0 - tile[i + 2]) / tile[i] + 2 * Margin / pixels;
+  }
+}
+
+void vtkWideFoVStages::GetToMap(vtkActor* actor, double matrix[16]) const
+{
+  const double c = this->View.tilt.x;
+  const double s = this->View.tilt.y;
+  const double tilt[16] = { 1, 0, 0, 0, 0, c, s, 0, 0, -s, c, 0, 0, 0, 0, 1 };
+  vtkMatrix4x4::Multiply4x4(tilt, this->WorldToView, matrix);
+  if (actor)
+  {
+    vtkMatrix4x4::Multiply4x4(matrix, &actor->GetMatrix()->Element[0][0], matrix);
+  }
+}
+
+bool vtkWideFoVStages::IsUnseen(vtkProp* prop) const
+{
+  auto* const actor = vtkActor::SafeDownCast(prop);
+  if (!this->Culling || !this->Mono || !actor || !KeepsItsBounds(actor) || HasOwnShaders(actor))
+  {
+    return false;
+  }
+  const double* const b = prop->GetBounds();
+  if (!b || !vtkMath::AreBoundsInitialized(b))
+  {
+    return false;
+  }
+  double m[16];
+  this->GetToMap(nullptr, m);
+  wfv::Box box;
+  for (int i = 0; i < 8; i++)
+  {
+    double p[4] = { b[i & 1], b[2 + ((i >> 1) & 1)], b[4 + ((i >> 2) & 1)], 1 };
+    vtkMatrix4x4::MultiplyPoint(m, p, p);
+    box.Add(wfv::vec3(p[0], p[1], p[2]));
+  }
+  vtkProperty* const property = actor->GetProperty();
+  const double width = std::max(property->GetLineWidth(), property->GetPointSize());
+  wfv::Window window = this->Part;
+  window.Low -= 2 * width / this->Pixels;
+  window.High += 2 * width / this->Pixels;
+  return wfv::IsUnseen(*this->Projection, this->View, box, window);
+}
+
+std::shared_ptr<const wfv::LocalBend> vtkWideFoVStages::GetBends()
+{
+  const wfv::WfvView& a = this->View;
+  const wfv::WfvView& b = this->BendsView;
+  const bool same = this->Bends && this->BendsProjection == this->Projection &&
+    a.halfFov == b.halfFov && a.scale == b.scale && a.lens == b.lens && a.lens5 == b.lens5;
+  if (!same)
+  {
+    this->Bends = std::make_shared<wfv::LocalBend>(*this->Projection, a);
+    this->BendsView = a;
+    this->BendsProjection = this->Projection;
+  }
+  return this->Bends;
+}
+
+bool vtkWideFoVStages::GetSortView(
+  const vtkWideFoVStage* stage, vtkActor* actor, wfv::SortView& view)
+{
+  if (this->Technique == vtkWideFoVPass::VERTEX || !this->Mono || HasOwnShaders(actor))
+  {
+    return false;
+  }
+  view.Map = this->Projection;
+  view.View = this->View;
+  view.Part = this->Part;
+  view.Pixels = this->Pixels;
+  view.Culls = this->Culling;
+  // what shines through would be mixed twice where a triangle is drawn both ways
+  const bool apart = this->Technique == vtkWideFoVPass::AUTO && stage == this->PreClip &&
+    !actor->HasTranslucentPolygonalGeometry();
+  view.Bends = apart ? this->GetBends() : nullptr;
+  return true;
+}
+
+void vtkWideFoVStages::Replace(vtkProp* prop, vtkWideFoVStage* from, vtkWideFoVStage* to)
+{
+  vtkInformation* const info = prop->GetPropertyKeys();
+  vtkInformationObjectBaseVectorKey* const key = vtkOpenGLRenderPass::RenderPasses();
+  const int n = info && info->Has(key) ? info->Length(key) : 0;
+  for (int i = 0; i < n; i++)
+  {
+    if (info->Get(key, i) == from)
+    {
+      info->Set(key, to, i);
+    }
+  }
+}

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a view leaves out is not in its picture: the same to the bit with everything drawn.
+#include "DrawingTest.h"
+#include "Meshes.h"
+#include "vtkWideFoVPass.h"
+
+#include <vtkActor.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkProperty.h>
+#include <vtkRenderWindow.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkWideFoVCamera.h>
+#include <vtkWideFoVPolyDataMapper.h>
+#include <vtkWideFoVRenderer.h>
+
+#include <cstring>
+#include <random>
+
+using namespace wfv;
+using namespace wfv::test;
+
+namespace
+{
+constexpr int Width = 192;
+constexpr int Height = 96;
+constexpr int Props = 40;
+constexpr int Shots = 3; // a projection and technique
+
+// Meshes of several sizes, some of them near, and one round the eye that is cut in runs.
+class Crowd
+{
+public:
+  Crowd()
+  {
+    this->Window->SetOffScreenRendering(1);
+    this->Window->SetMultiSamples(0);
+    this->Window->SetSize(Width, Height);
+    this->Window->AddRenderer(this->Renderer);
+    this->Renderer->SetActiveCamera(this->Camera);
+    this->Renderer->SetPass(this->Pass);
+    this->Add(MakeRoom(40), vec3(0), 8, vec3(0.7, 0.7, 0.9));
+    for (int i = 0; i < Props; ++i)
+    {
+      const vec3 at = 5.0 * vec3(this->Unit(), this->Unit(), this->Unit());
+      const vec3 colour = 0.6 + 0.4 * vec3(this->Unit(), this->Unit(), this->Unit());
+      this->Add(MakeGlobe(i % 4 ? 3 : 24), at, 0.1 + 0.3 * std::abs(this->Unit()), colour);
+    }
+  }
+
+  double Unit() { return this->Distribution(this->Engine); }
+
+  void Point(const Projection& p)
+  {
+    Shot shot;
+    shot.Projection = p.Name;
+    const double part = 0.15 + 0.85 * std::abs(this->Unit());
+    shot.Options.HorizontalFov = std::max(p.MinHorizontalFov, part * p.MaxHorizontalFov);
+    shot.Options.VerticalFov = std::max(p.MinVerticalFov, part * p.MaxVerticalFov);
+    shot.Options.Tilt = 90 * this->Unit();
+    shot.Options.Radii = { { 0.05 + 0.5 * std::abs(this->Unit()),
+      6 + 6 * std::abs(this->Unit()) } };
+    shot.Eye = 3.0 * vec3(this->Unit(), this->Unit(), this->Unit());
+    shot.Direction = glm::normalize(vec3(this->Unit(), this->Unit(), this->Unit()));
+    shot.Up = glm::normalize(vec3(this->Unit(), 1, this->Unit()));
+    this->Text = Describe(shot);
+    PlaceCamera(this->Camera, shot);
+  }
+
+  vtkSmartPointer<vtkUnsignedCharArray> Draw(bool culling)
+  {
+    this->Pass->SetCulling(culling);
+    this->Window->Render();
+    auto pixels = vtkSmartPointer<vtkUnsignedCharArray>::New();
+    this->Window->GetPixelData(0, 0, Width - 1, Height - 1, 0, pixels);
+    return pixels;
+  }
+
+  vtkNew<vtkWideFoVPass> Pass;
+  std::string Text;
+
+private:
+  void Add(vtkPolyData* mesh, const vec3& at, double scale, const vec3& colour)
+  {
+    vtkNew<vtkWideFoVPolyDataMapper> mapper;
+    mapper->SetInputData(mesh);
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->SetPosition(at.x, at.y, at.z);
+    actor->SetScale(scale);
+    actor->GetProperty()->SetColor(colour.x, colour.y, colour.z);
+    this->Renderer->AddActor(actor);
+  }
+
+  vtkNew<vtkRenderWindow> Window;
+  vtkNew<vtkWideFoVRenderer> Renderer;
+  vtkNew<vtkWideFoVCamera> Camera;
+  std::mt19937_64 Engine{ 17 };
+  std::uniform_real_distribution<double> Distribution{ -1, 1 };
+};
+}
+
+TEST(Culling, ChangesNoPicture)
+{
+  Crowd crowd;
+  int props = 0;
+  int clusters = 0;
+  for (const Projection& p : Projections())
+  {
+    for (const int technique : { vtkWideFoVPass::AUTO, vtkWideFoVPass::EXACT })
+    {
+      crowd.Pass->SetTechnique(technique);
+      for (int i = 0; i < Shots && p.Axis != Family::Planar; ++i)
+      {
+        crowd.Point(p);
+        const auto whole = crowd.Draw(false);
+        EXPECT_EQ(crowd.Pass->GetNumberOfCulledProps(), 0);
+        EXPECT_EQ(crowd.Pass->GetNumberOfDrawnProps(), Props + 1);
+        const auto culled = crowd.Draw(true);
+        EXPECT_EQ(
+          crowd.Pass->GetNumberOfCulledProps() + crowd.Pass->GetNumberOfDrawnProps(), Props + 1);
+        props += crowd.Pass->GetNumberOfCulledProps();
+        clusters += crowd.Pass->GetNumberOfCulledClusters();
+        ASSERT_EQ(whole->GetNumberOfValues(), culled->GetNumberOfValues());
+        EXPECT_EQ(std::memcmp(whole->GetPointer(0), culled->GetPointer(0),
+                    static_cast<std::size_t>(whole->GetNumberOfValues())),
+          0)
+          << "technique " << technique << ", " << crowd.Text;
+      }
+    }
+  }
+  std::cout << "props left out " << props << ", clusters " << clusters << std::endl;
+  EXPECT_GT(props, 100);
+  EXPECT_GT(clusters, 1000);
+}

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Boxes that a view is said not to show: no point of them is in the picture.
+#include "Views.h"
+#include "Visibility.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace wfv;
+using namespace wfv::test;
+
+namespace
+{
+constexpr int Boxes = 400; // a view
+constexpr int Points = 60; // a box
+
+class Random
+{
+public:
+  double Unit() { return this->Distribution(this->Engine); }
+  vec3 Vector() { return vec3(this->Unit(), this->Unit(), this->Unit()); }
+
+  // Sizes and distances over four decades, some round the eye or touching planes of the axes.
+  Box MakeBox()
+  {
+    const vec3 middle = this->Vector() * std::pow(10, 2 * this->Unit());
+    const vec3 half = glm::abs(this->Vector()) * std::pow(10, 2 * this->Unit() - 1);
+    Box box;
+    box.Add(middle - half);
+    box.Add(middle + half);
+    const int axis = std::min(2, int(1.5 * (this->Unit() + 1)));
+    if (this->Unit() > 0.5)
+    {
+      box.Low[axis] = std::min(0.0, box.High[axis]);
+    }
+    return box;
+  }
+
+  vec3 PointOf(const Box& box)
+  {
+    vec3 p;
+    for (int i = 0; i < 3; ++i)
+    {
+      const double t = std::clamp(0.75 * this->Unit() + 0.5, 0.0, 1.0); // borders often
+      p[i] = box.Low[i] + t * (box.High[i] - box.Low[i]);
+    }
+    return p;
+  }
+
+private:
+  std::mt19937_64 Engine{ 13 };
+  std::uniform_real_distribution<double> Distribution{ -1, 1 };
+};
+
+std::vector<NamedView> WideViews()
+{
+  std::vector<NamedView> views;
+  for (NamedView& v : AllViews())
+  {
+    if (v.TheView.GetProjection().Axis != Family::Planar)
+    {
+      ViewOptions o = v.Options;
+      o.Radii = { { 0.05, 20 } };
+      views.push_back(MakeView(v.TheView.GetProjection(), o));
+    }
+  }
+  return views;
+}
+}
+
+TEST(Visibility, DropsNothingThatIsSeen)
+{
+  Random random;
+  long unseen = 0;
+  for (const NamedView& named : WideViews())
+  {
+    const View& view = named.TheView;
+    const WfvView& v = view.GetParameters();
+    for (int i = 0; i < Boxes; ++i)
+    {
+      const Box box = random.MakeBox();
+      if (!IsUnseen(view.GetProjection(), v, box, Window()))
+      {
+        continue;
+      }
+      ++unseen;
+      for (int k = 0; k < Points; ++k)
+      {
+        const vec3 p = random.PointOf(box);
+        ASSERT_FALSE(view.Forward(wfvUntilt(p, v)).Inside)
+          << named.Name << ", " << Text(p) << " of " << Text(box.Low) << " " << Text(box.High);
+      }
+    }
+  }
+  EXPECT_GT(unseen, 1000);
+}
+
+// What lies well beside the window is found to do so.
+TEST(Visibility, DropsWhatIsBeside)
+{
+  Random random;
+  for (const NamedView& named : WideViews())
+  {
+    const Projection& p = named.TheView.GetProjection();
+    const double fov = named.Options.HorizontalFov;
+    if (fov > 120 || p.Axis == Family::Faces || p.Axis == Family::Sampled)
+    {
+      continue;
+    }
+    for (int i = 0; i < 50; ++i)
+    {
+      // in the half behind the eye
+      vec3 d = glm::normalize(random.Vector());
+      d.z = std::abs(d.z) + 0.2;
+      d.y *= p.Axis == Family::Meridian ? 0.5 : 1;
+      Box box;
+      box.Add(d * 3.0 - 0.1);
+      box.Add(d * 3.0 + 0.1);
+      EXPECT_TRUE(IsUnseen(p, named.TheView.GetParameters(), box, Window()))
+        << named.Name << ", " << Text(d);
+    }
+  }
+}
+
+TEST(Visibility, KnowsTheClipSpheres)
+{
+  ViewOptions o;
+  o.Radii = { { 1, 10 } };
+  const View view(*FindProjection("equirectangular"), o);
+  const auto unseen = [&](const vec3& low, const vec3& high) {
+    Box box;
+    box.Add(low);
+    box.Add(high);
+    return IsUnseen(view.GetProjection(), view.GetParameters(), box, Window());
+  };
+  EXPECT_TRUE(unseen(vec3(-0.5), vec3(0.5)));
+  EXPECT_FALSE(unseen(vec3(-0.6), vec3(0.6))); // its corners are outside the near sphere
+  EXPECT_TRUE(unseen(vec3(10.1, -1, -1), vec3(11, 1, 1)));
+  EXPECT_FALSE(unseen(vec3(9.9, -1, -1), vec3(11, 1, 1)));
+}
