@@ -125,6 +125,26 @@ TEST_P(Watertight, Tessellated)
   Picture->SetTechnique(vtkWideFoVPass::PRECLIP);
 }
 
+// Rays that meet vertices exactly, as those of a regular mesh round its middle do: not one of the
+// triangles round such a vertex may leave it to another.
+TEST_P(Watertight, AtVertices)
+{
+  const Projection& p = *FindProjection(this->GetParam());
+  Picture->SetTechnique(vtkWideFoVPass::EXACT);
+  for (const int n : { 8, 24, 40 })
+  {
+    Picture->SetMesh(MakeRoom(n));
+    for (const NamedPose& pose : PlainPoses())
+    {
+      for (const double fov : FovsOf(p, { 90.0, 360.0 }))
+      {
+        Check(*Picture, MakeShot(p.Name, fov, pose), "room of " + std::to_string(n));
+      }
+    }
+  }
+  Picture->SetTechnique(vtkWideFoVPass::PRECLIP);
+}
+
 // Triangles that are sorted: fine ones by their chords, the others covered, side by side.
 TEST_P(Watertight, Sorted)
 {
