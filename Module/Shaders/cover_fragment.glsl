@@ -187,6 +187,11 @@ bool wfvTurns(vec3 direction)
 #endif
 
 #if WFV_MULTISAMPLE
+// By which ray the fragment has its depth and its attributes: the centre's, or that of a sample
+// where the centre is not covered. A face seen nearly edge-on, continued to there, would come out
+// before the one that hides it.
+vec3 wfvShown;
+
 // Coverage by the ray of each sample, or by that of the pixel's centre where all samples
 // agree with it. e: the edge functions there; x, y: how they change from pixel to pixel.
 bool wfvCoverage(WfvRay ray, vec3 e, vec3 x, vec3 y, bool rim)
@@ -199,12 +204,16 @@ bool wfvCoverage(WfvRay ray, vec3 e, vec3 x, vec3 y, bool rim)
 #endif
   bool certain = wfvByChord || (!rim && all(greaterThan(abs(e), reach)));
   int mask = wfvByChord || (certain && all(greaterThan(e, vec3(0.0)))) ? -1 : 0;
+  bool centre = certain || (ray.inside && wfvAllInside(e, wfvToChords(e, x, y)));
+  wfvShown = ray.direction;
   for (int i = 0; i < wfvSamples && !certain; i++)
   {
     WfvRay at = wfvSurfaceRay(wfvSampleOffsets[i]);
     wfvSample = wfvSampleOffsets[i];
     vec3 there = wfvEdgesAt(at.direction);
-    mask |= at.inside && wfvAllInside(there, wfvToChords(there, x, y)) ? 1 << i : 0;
+    bool covered = at.inside && wfvAllInside(there, wfvToChords(there, x, y));
+    mask |= covered ? 1 << i : 0;
+    wfvShown = covered && !centre ? at.direction : wfvShown;
   }
 #ifdef GL_ARB_sample_shading
   gl_SampleMask[0] = mask;
@@ -238,6 +247,14 @@ void wfvPrepare()
 {
   WfvRay ray = wfvSurfaceRay(vec2(0.0));
   vec3 e = wfvEdgesAt(ray.direction);
+#if !WFV_EXACT
+  wfvByChord = (wfvMode & 1) == 0;
+#endif
+  bool covered = wfvCovered(ray, e);
+#if WFV_MULTISAMPLE
+  ray.direction = wfvShown;
+  e = wfvEdgesAt(ray.direction);
+#endif
   float sum = dot(ray.direction, wfvPlane);
 #if WFV_OWN_RAYS
   wfvFacing = wfvTurn;
@@ -249,16 +266,14 @@ void wfvPrepare()
   wfvSetSurface(ray.direction);
   bool meets = wfvFacing * sum > 0.0;
 #else
-  wfvByChord = (wfvMode & 1) == 0;
   wfvFront = gl_FrontFacing;
   wfvB = wfvByChord ? wfvBary / (wfvBary.x + wfvBary.y + wfvBary.z) : wfvWeigh(e);
   wfvSetDistance(wfvByChord ? length(wfvPosition) : wfvMeet(ray.direction, sum));
   bool meets = wfvByChord || sum > 0.0;
 #endif
-  bool covered = wfvCovered(ray, e) && meets && wfvDepth >= 0.0 && wfvDepth <= 1.0;
 #if WFV_EDGES
   wfvEdgePixels = wfvEdgeDistances();
 #endif
   wfvInterpolate();
-  wfvHide = !covered;
+  wfvHide = !(covered && meets && wfvDepth >= 0.0 && wfvDepth <= 1.0);
 }

@@ -32,17 +32,18 @@ dvec3 wfvWhole(int i)
   return p / double(wfvScale());
 }
 
-// Radians, and pixels where that is less: by so much all edges are turned about an axis that
-// no mesh knows. Rays that meet a vertex exactly, as those of a regular mesh round its middle
-// do, would be decided by the rounding of a plane and a direction, edge by edge; turned by a few
-// times that, they miss it, and the edges round it agree.
+// Radians, and pixels where that is less: by so much all edges are turned, up and down. Rays that
+// meet a vertex exactly, as those of a regular mesh round its middle do, would be decided by the
+// rounding of a plane and a direction, edge by edge; turned by a few times that, they miss it, and
+// the edges round it agree. About the x axis: what lies on the seam stays there, for beyond it a
+// map shows nothing of what is across.
 const float WFV_ASIDE = 4e-7;
 const float WFV_ASIDE_PIXELS = 1e-3;
 
 vec3 wfvAside()
 {
   float pixel = 2.0 * wfvView.halfFov.y / (wfvViewport.w * wfvTile.y);
-  return min(WFV_ASIDE, WFV_ASIDE_PIXELS * pixel) * vec3(0.6121, -0.7012, 0.3657);
+  return min(WFV_ASIDE, WFV_ASIDE_PIXELS * pixel) * vec3(1.0, 0.0, 0.0);
 }
 
 // Plane through the eye and the edge of corners i and j, the same to the last bit from both
