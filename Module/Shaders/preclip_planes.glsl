@@ -32,19 +32,21 @@ dvec3 wfvWhole(int i)
   return p / double(wfvScale());
 }
 
-// Radians, and pixels where that is less: by so much all edges are turned, up and down. Rays that
-// meet a vertex exactly, as those of a regular mesh round its middle do, would be decided by the
-// rounding of a plane and a direction, edge by edge; turned by a few times that, they miss it, and
-// the edges round it agree. About the x axis: what lies on the seam stays there, for beyond it a
-// map shows nothing of what is across.
+#if WFV_FACES
+// Radians, and pixels where that is less: by so much all edges are turned about the x axis. On the
+// faces of a cube many rays meet vertices of a regular mesh round its middle exactly, and would be
+// decided by the rounding of a plane and a direction, edge by edge; turned by a few times that,
+// they miss them, and the edges round a vertex agree. Not on maps with a pole or an antipode, by
+// which the least turn is many pixels.
 const float WFV_ASIDE = 4e-7;
 const float WFV_ASIDE_PIXELS = 1e-3;
 
 vec3 wfvAside()
 {
   float pixel = 2.0 * wfvView.halfFov.y / (wfvViewport.w * wfvTile.y);
-  return min(WFV_ASIDE, WFV_ASIDE_PIXELS * pixel) * vec3(1.0, 0.0, 0.0);
+  return vec3(min(WFV_ASIDE, WFV_ASIDE_PIXELS * pixel), 0.0, 0.0);
 }
+#endif
 
 // Plane through the eye and the edge of corners i and j, the same to the last bit from both
 // sides.
@@ -54,8 +56,11 @@ vec3 wfvEdgePlane(int i, int j)
   dvec3 p = ordered ? wfvWhole(i) : wfvWhole(j);
   dvec3 q = ordered ? wfvWhole(j) : wfvWhole(i);
   dvec3 n = cross(p, q - p);
-  vec3 turned = wfvTilt(vec3(n + cross(dvec3(wfvAside()), n)), wfvView);
-  return ordered ? turned : -turned;
+#if WFV_FACES
+  n += cross(dvec3(wfvAside()), n);
+#endif
+  vec3 rounded = wfvTilt(vec3(n), wfvView);
+  return ordered ? rounded : -rounded;
 }
 
 // The triangle's own plane; w is 0 where it is seen edge-on.
