@@ -94,30 +94,37 @@ struct GlfwCallbacks
     return *static_cast<GlfwWindow*>(glfwGetWindowUserPointer(handle));
   }
 
+  static void Note(GLFWwindow* handle, WindowEvent event)
+  {
+    static unsigned long noted = 0;
+    event.Order = ++noted;
+    Of(handle).Events.push_back(event);
+  }
+
   static void Key(GLFWwindow* handle, int key, int, int action, int modifiers)
   {
     const WindowEvent::Kind kind = action == GLFW_PRESS ? WindowEvent::Kind::KeyPress
       : action == GLFW_REPEAT                           ? WindowEvent::Kind::KeyRepeat
                                                         : WindowEvent::Kind::KeyRelease;
-    Of(handle).Events.push_back({ kind, key, modifiers });
+    Note(handle, { kind, key, modifiers });
   }
 
   static void Button(GLFWwindow* handle, int button, int action, int modifiers)
   {
     const WindowEvent::Kind kind =
       action == GLFW_PRESS ? WindowEvent::Kind::ButtonPress : WindowEvent::Kind::ButtonRelease;
-    Of(handle).Events.push_back({ kind, button, modifiers });
+    Note(handle, { kind, button, modifiers });
   }
 
   static void Cursor(GLFWwindow* handle, double x, double y)
   {
     const std::array<double, 2> at = Of(handle).ToPixels(x, y);
-    Of(handle).Events.push_back({ WindowEvent::Kind::Cursor, 0, 0, at[0], at[1] });
+    Note(handle, { WindowEvent::Kind::Cursor, 0, 0, at[0], at[1] });
   }
 
   static void Wheel(GLFWwindow* handle, double x, double y)
   {
-    Of(handle).Events.push_back({ WindowEvent::Kind::Wheel, 0, 0, x, y });
+    Note(handle, { WindowEvent::Kind::Wheel, 0, 0, x, y });
   }
 
   static void Resize(GLFWwindow* handle, int, int) { Of(handle).Damaged = true; }

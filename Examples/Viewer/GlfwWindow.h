@@ -33,6 +33,7 @@ struct WindowEvent
   int Modifiers = 0;
   double X = 0;
   double Y = 0;
+  unsigned long Order = 0; // among the events of all windows
 };
 
 class GlfwWindow

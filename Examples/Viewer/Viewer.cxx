@@ -131,7 +131,8 @@ bool Viewer::Fit()
   }
   if (!this->Windows.IsWithinLimits())
   {
-    this->Dirty = false; // until it changes
+    this->Windows.CheckAlive(); // one that is gone may have any size
+    this->Dirty = false;        // until it changes
     widefov::Say("warning: the window is larger than this OpenGL draws; make it smaller");
     return false;
   }

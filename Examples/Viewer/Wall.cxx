@@ -61,6 +61,9 @@ std::vector<WindowEvent> Wall::TakeEvents()
       all.push_back(event);
     }
   }
+  // a pointer that leaves one window for another is heard of by both
+  std::sort(all.begin(), all.end(),
+    [](const WindowEvent& a, const WindowEvent& b) { return a.Order < b.Order; });
   return all;
 }
 
