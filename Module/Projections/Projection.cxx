@@ -3,6 +3,7 @@
 
 #include "Bend.h"
 #include "DirectionMap.h"
+#include "NumberText.h"
 #include "StereoModel.h"
 
 namespace wfv
@@ -67,14 +68,6 @@ bool LensIsMonotone(const std::array<double, 5>& lens, double maxAngle)
 
 namespace
 {
-std::string Text(double v)
-{
-  std::string s = std::to_string(v);
-  s.erase(s.find_last_not_of('0') + 1);
-  return s.back() == '.' ? s.substr(0, s.size() - 1) : s;
-}
-
-// In the ranges' own digits: 360, 170.102258.
 std::string CheckFov(
   const std::string& which, const Projection& p, double degrees, double min, double max)
 {
@@ -82,10 +75,10 @@ std::string CheckFov(
   {
     return "";
   }
-  const std::string range = min < max ? "above 0 and at most " + Text(max) : Text(max);
+  const std::string range = min < max ? "above 0 and at most " + NumberText(max) : NumberText(max);
   const std::string why = p.Limit.empty() ? "" : " (" + p.Limit + ")";
   return "the " + which + " field of view of " + p.Name + " must be " + range + " degrees, not " +
-    Text(degrees) + why;
+    NumberText(degrees) + why;
 }
 
 std::string CheckLens(const Projection& p, const ViewOptions& o)
@@ -128,8 +121,8 @@ std::string CheckOptions(const Projection& p, const ViewOptions& o)
   }
   if (!(o.Radii[0] > 0) || !(o.Radii[1] > o.Radii[0]) || !std::isfinite(o.Radii[1]))
   {
-    return "the clip spheres need 0 < near < far, not " + Text(o.Radii[0]) + " and " +
-      Text(o.Radii[1]);
+    return "the clip spheres need 0 < near < far, not " + NumberText(o.Radii[0]) + " and " +
+      NumberText(o.Radii[1]);
   }
   return "";
 }

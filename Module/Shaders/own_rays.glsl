@@ -115,30 +115,8 @@ vec3 wfvOwnBetween(vec3 a, vec3 b)
 float wfvOwnEdgeError(vec3 a, vec3 b)
 {
   vec3 m = wfvOwnBetween(a, b);
-  vec3 p = wfvOwnBetween(a, m);
-  vec3 q = wfvOwnBetween(m, b);
-#if WFV_MERIDIAN && WFV_STRAIGHT_SEAM
-  // longitudes are continued along the edge
-  vec2 ta = wfvMeridianAngles(wfvSeenPlace(a));
-  vec2 tp = wfvContinued(wfvSeenPlace(p), ta);
-  vec2 tm = wfvContinued(wfvSeenPlace(m), tp);
-  vec2 tq = wfvContinued(wfvSeenPlace(q), tm);
-  vec2 tb = wfvContinued(wfvSeenPlace(b), tq);
-  vec2 na = wfvMap(ta, wfvView);
-  vec2 np = wfvMap(tp, wfvView);
-  vec2 nm = wfvMap(tm, wfvView);
-  vec2 nq = wfvMap(tq, wfvView);
-  vec2 nb = wfvMap(tb, wfvView);
-#else
-  vec2 na = wfvProject(wfvSeenPlace(a), wfvView);
-  vec2 np = wfvProject(wfvSeenPlace(p), wfvView);
-  vec2 nm = wfvProject(wfvSeenPlace(m), wfvView);
-  vec2 nq = wfvProject(wfvSeenPlace(q), wfvView);
-  vec2 nb = wfvProject(wfvSeenPlace(b), wfvView);
-#endif
-  float e = max(wfvChordDistance(na, nb, nm),
-    max(wfvChordDistance(na, nb, np), wfvChordDistance(na, nb, nq)));
-  return WFV_CURVE_SAFETY * e;
+  return wfvSampledError(wfvSeenPlace(a), wfvSeenPlace(wfvOwnBetween(a, m)), wfvSeenPlace(m),
+    wfvSeenPlace(wfvOwnBetween(m, b)), wfvSeenPlace(b));
 }
 
 // As wfvChordError, of an edge as this eye sees it: y alone is asked for.

@@ -75,12 +75,10 @@ vec2 wfvContinued(vec3 p, vec2 from)
 }
 #endif
 
-// Largest sampled distance between an edge and its chord in the map, pixels.
-float wfvEdgeError(vec3 a, vec3 b)
+// Largest distance, in pixels, between the chord of a and b in the map and the places of an edge
+// between them, in this order: p, m, q.
+float wfvSampledError(vec3 a, vec3 p, vec3 m, vec3 q, vec3 b)
 {
-  vec3 m = normalize(a + b);
-  vec3 p = normalize(a + m);
-  vec3 q = normalize(m + b);
 #if WFV_MERIDIAN && WFV_STRAIGHT_SEAM
   // longitudes are continued along the edge: the seam does not count as curvature
   vec2 ta = wfvMeridianAngles(a);
@@ -103,6 +101,13 @@ float wfvEdgeError(vec3 a, vec3 b)
   float e = max(wfvChordDistance(na, nb, nm),
     max(wfvChordDistance(na, nb, np), wfvChordDistance(na, nb, nq)));
   return WFV_CURVE_SAFETY * e;
+}
+
+// The same of a great circle's arc.
+float wfvEdgeError(vec3 a, vec3 b)
+{
+  vec3 m = normalize(a + b);
+  return wfvSampledError(a, normalize(a + m), m, normalize(m + b), b);
 }
 
 // True where the arc a, b (unit vectors) comes within asin(s) of the axis.

@@ -109,7 +109,6 @@ bool wfvMustCover()
   wfvReach = max(e0.y, max(e1.y, e2.y));
   wfvBent = min(wfvS.x, min(wfvS.y, wfvS.z)) < 0.0;
 #if WFV_EXACT
-  wfvS = vec3(WFV_CURVED);
   return true;
 #elif WFV_FACES
   return wfvBent;
@@ -169,7 +168,6 @@ void wfvCoverCurved(bool seam, bool tear)
 void wfvCoverEasy()
 {
   wfvVertexMode = WFV_COVERED;
-  wfvS = vec3(WFV_CURVED);
   float reach = wfvReach;
 #if WFV_DEBUG_VIEW
   wfvMustCover();

@@ -2,6 +2,7 @@
 // What there is: the files of the models compiled as C++, and one entry for each.
 #include "Stereo.h"
 
+#include "NumberText.h"
 #include "WideFoVGlsl.h"
 
 #include <cmath>
@@ -45,13 +46,6 @@ const double Degree = WFV_PI / 180;
 // Fraction of the picture's width: a larger separation leaves the eyes nothing in common.
 constexpr double MaxSeparation = 0.5;
 
-std::string Text(double v)
-{
-  std::string s = std::to_string(v);
-  s.erase(s.find_last_not_of('0') + 1);
-  return s.back() == '.' ? s.substr(0, s.size() - 1) : s;
-}
-
 double Sign(const StereoOptions& o)
 {
   return static_cast<double>(o.Eye);
@@ -93,12 +87,12 @@ std::string CheckOffAxis(const StereoOptions& o, const Projection& p)
   }
   if (!(o.Separation >= 0) || !(o.Separation <= MaxSeparation))
   {
-    return "the separation must be in [0, " + Text(MaxSeparation) + "] of the width, not " +
-      Text(o.Separation);
+    return "the separation must be in [0, " + NumberText(MaxSeparation) + "] of the width, not " +
+      NumberText(o.Separation);
   }
   return o.Convergence > 0 && std::isfinite(o.Convergence)
     ? ""
-    : "the convergence must be above 0, not " + Text(o.Convergence);
+    : "the convergence must be above 0, not " + NumberText(o.Convergence);
 }
 
 // The models that change what the stages draw; a perspective goes without.
@@ -115,12 +109,12 @@ std::string CheckWarped(const StereoOptions& o, const Projection& p)
     !(std::abs(o.Offset) <= 1))
   {
     return "warped stereo needs a finite iod of at least 0 and an offset in [-1, 1], not " +
-      Text(o.Iod) + " and " + Text(o.Offset);
+      NumberText(o.Iod) + " and " + NumberText(o.Offset);
   }
   if (!(o.Distance > 1 + o.Offset))
   {
-    return "the distance of warped stereo must be above 1 + offset = " + Text(1 + o.Offset) +
-      ", in front of the whole cube, not " + Text(o.Distance);
+    return "the distance of warped stereo must be above 1 + offset = " + NumberText(1 + o.Offset) +
+      ", in front of the whole cube, not " + NumberText(o.Distance);
   }
   return CheckWide("warped", p);
 }
@@ -129,13 +123,14 @@ std::string CheckOmnidirectional(const StereoOptions& o, const Projection& p)
 {
   if (!(o.InterpupillaryDistance >= 0) || !std::isfinite(o.InterpupillaryDistance))
   {
-    return "the interpupillary distance must be at least 0, not " + Text(o.InterpupillaryDistance);
+    return "the interpupillary distance must be at least 0, not " +
+      NumberText(o.InterpupillaryDistance);
   }
   const std::array<double, 2>& fade = o.PoleFade;
   if (!(fade[0] >= 0) || !(fade[1] >= fade[0]) || !(fade[1] <= 90))
   {
-    return "the pole fade needs latitudes 0 <= A <= B <= 90, not " + Text(fade[0]) + " and " +
-      Text(fade[1]);
+    return "the pole fade needs latitudes 0 <= A <= B <= 90, not " + NumberText(fade[0]) + " and " +
+      NumberText(fade[1]);
   }
   return CheckWide("omnidirectional", p);
 }

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Numbers in messages, in their own digits: 360, 170.102258.
+#ifndef NumberText_h
+#define NumberText_h
+
+#include <string>
+
+namespace wfv
+{
+// At most six decimals, none of them a last zero.
+inline std::string NumberText(double v)
+{
+  std::string s = std::to_string(v);
+  s.erase(s.find_last_not_of('0') + 1);
+  return s.back() == '.' ? s.substr(0, s.size() - 1) : s;
+}
+}
+
+#endif
