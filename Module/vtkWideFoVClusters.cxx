@@ -148,7 +148,7 @@ private:
   std::vector<unsigned int> Links;
 };
 
-void Add(std::array<double, 6>& bounds, const Place& p)
+void Extend(std::array<double, 6>& bounds, const Place& p)
 {
   for (int i = 0; i < 3; i++)
   {
@@ -178,14 +178,18 @@ void Clusters::Update(vtkPolyData* data)
   }
 }
 
-// Polygons as fans, without triangles of two equal corners: as vtkOpenGLIndexBufferObject does.
+vtkCellArray* Clusters::GetCells(vtkPolyData* data) const
+{
+  return this->Strips ? data->GetStrips() : data->GetPolys();
+}
+
+// As vtkOpenGLIndexBufferObject does: polygons as fans, without triangles of two equal corners;
+// every other triangle of a strip turned round.
 void Clusters::Build(vtkPolyData* data)
 {
   vtkPoints* const points = data->GetPoints();
-  vtkCellArray* const cells = data->GetPolys();
+  vtkCellArray* const cells = this->GetCells(data);
   this->Corners.reserve(3 * (cells->GetNumberOfConnectivityIds() - 2 * cells->GetNumberOfCells()));
-  const std::array<double, 6> nothing{ { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX, VTK_DOUBLE_MAX,
-    -VTK_DOUBLE_MAX, VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX } };
   auto it = vtk::TakeSmartPointer(cells->NewIterator());
   for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
   {
@@ -194,23 +198,31 @@ void Clusters::Build(vtkPolyData* data)
     it->GetCurrentCell(size, ids);
     for (vtkIdType i = 2; i < size; i++)
     {
-      const vtkIdType corners[3] = { ids[0], ids[i - 1], ids[i] };
-      const Place p[3] = { PlaceOf(points, corners[0]), PlaceOf(points, corners[1]),
-        PlaceOf(points, corners[2]) };
-      if (p[0] == p[1] || p[1] == p[2] || p[2] == p[0])
-      {
-        continue;
-      }
-      if (this->Corners.size() % (3 * Size) == 0)
-      {
-        this->Bounds.push_back(nothing);
-      }
-      for (int c = 0; c < 3; c++)
-      {
-        this->Corners.push_back(static_cast<unsigned int>(corners[c]));
-        Add(this->Bounds.back(), p[c]);
-      }
+      const bool odd = i % 2 != 0;
+      const vtkIdType corners[3] = { this->Strips ? ids[i - 2] : ids[0],
+        this->Strips && odd ? ids[i] : ids[i - 1], this->Strips && odd ? ids[i - 1] : ids[i] };
+      this->Add(points, corners);
     }
+  }
+}
+
+void Clusters::Add(vtkPoints* points, const vtkIdType corners[3])
+{
+  const Place p[3] = { PlaceOf(points, corners[0]), PlaceOf(points, corners[1]),
+    PlaceOf(points, corners[2]) };
+  if (!this->Strips && (p[0] == p[1] || p[1] == p[2] || p[2] == p[0]))
+  {
+    return;
+  }
+  if (this->Corners.size() % (3 * Size) == 0)
+  {
+    this->Bounds.push_back({ { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX, VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX,
+      VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX } });
+  }
+  for (int c = 0; c < 3; c++)
+  {
+    this->Corners.push_back(static_cast<unsigned int>(corners[c]));
+    Extend(this->Bounds.back(), p[c]);
   }
 }
 

@@ -8,6 +8,8 @@
 #include <array>
 #include <vector>
 
+class vtkCellArray;
+class vtkPoints;
 class vtkPolyData;
 
 namespace wfv
@@ -19,8 +21,17 @@ class Clusters
 public:
   static constexpr int Size = 128; // triangles a cluster; the last one has fewer
 
+  // strips: of the triangle strips; else of the polygons.
+  explicit Clusters(bool strips)
+    : Strips(strips)
+  {
+  }
+
   // Makes them anew where the data have changed.
   void Update(vtkPolyData* data);
+
+  // The cells that they are of.
+  vtkCellArray* GetCells(vtkPolyData* data) const;
 
   vtkIdType GetNumberOfTriangles() const
   {
@@ -45,6 +56,9 @@ public:
 
 private:
   void Build(vtkPolyData* data);
+  void Add(vtkPoints* points, const vtkIdType corners[3]);
+
+  const bool Strips;
 
   vtkPolyData* Data = nullptr; // compared; used by those who have just updated
   vtkMTimeType Time = 0;

@@ -160,10 +160,12 @@ void vtkWideFoVPass::TakeCounts()
     stages.Plain->GetNumberOfDraws() + stages.PlainAmong->GetNumberOfDraws();
   // of the tessellate stage too, what cannot be tessellated is drawn by the pre-clip
   const int patches = stages.Tessellate->GetNumberOfTessellateDraws();
-  this->NumberOfPreClipDraws =
-    stages.PreClip->GetNumberOfDraws() + stages.Tessellate->GetNumberOfDraws() - patches;
+  const int calm = stages.CalmAmong->GetNumberOfDraws();
+  const bool exact = this->Technique == EXACT;
+  this->NumberOfPreClipDraws = stages.PreClip->GetNumberOfDraws() +
+    stages.Tessellate->GetNumberOfDraws() - patches + (exact ? 0 : calm);
   this->NumberOfTessellateDraws = patches;
-  this->NumberOfExactDraws = stages.Exact->GetNumberOfDraws();
+  this->NumberOfExactDraws = stages.Exact->GetNumberOfDraws() + (exact ? calm : 0);
   this->NumberOfClusters = stages.GetNumberOfClusters();
   this->NumberOfCulledClusters = stages.GetNumberOfUnseenClusters();
 }

@@ -15,20 +15,52 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkOpenGLVertexArrayObject.h"
+#include "vtkOpenGLVertexBufferObject.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
+#include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkWideFoVGl.h"
+
+#include <algorithm>
+#include <cmath>
 
 vtkStandardNewMacro(vtkWideFoVPolyDataMapper);
 
 struct vtkWideFoVPolyDataMapper::Internals
 {
   vtkWideFoVStages Stages;
-  wfv::SortedDraw Sorted;
+  wfv::SortedDraw Polygons{ false };
+  wfv::SortedDraw Strips{ true };
   vtkWindow* Window = nullptr; // that is drawn to
+
+  wfv::SortedDraw& Of(int primitive)
+  {
+    return primitive == vtkOpenGLPolyDataMapper::PrimitiveTriStrips ? this->Strips : this->Polygons;
+  }
 };
+
+namespace
+{
+// By how much a vertex buffer moves points at the most, in their own units: those that are
+// float32 stay as they are, others are rounded, and both where VTK shifts and scales them.
+double RoundingOf(vtkOpenGLVertexBufferObjectGroup* buffers, vtkPolyData* data)
+{
+  constexpr double Rounded = 1.0 / (1 << 21); // of the largest coordinate: four roundings
+  vtkOpenGLVertexBufferObject* const buffer = buffers->GetVBO("vertexMC");
+  vtkPoints* const points = data->GetPoints();
+  if (!buffer || !points ||
+    (points->GetDataType() == VTK_FLOAT && !buffer->GetCoordShiftAndScaleEnabled()))
+  {
+    return 0;
+  }
+  const double* const b = data->GetBounds();
+  return Rounded * std::abs(*std::max_element(b, b + 6, [](double x, double y) {
+    return std::abs(x) < std::abs(y);
+  }));
+}
+}
 
 vtkWideFoVPolyDataMapper::vtkWideFoVPolyDataMapper()
   : Internal(new Internals)
@@ -70,7 +102,8 @@ void vtkWideFoVPolyDataMapper::RenderPiece(vtkRenderer* renderer, vtkActor* acto
 void vtkWideFoVPolyDataMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internal->Stages.ReleaseGraphicsResources(window);
-  this->Internal->Sorted.ReleaseGraphicsResources(window);
+  this->Internal->Polygons.ReleaseGraphicsResources(window);
+  this->Internal->Strips.ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
@@ -93,7 +126,7 @@ void vtkWideFoVPolyDataMapper::SetCustomUniforms(vtkOpenGLHelper& cellBO, vtkAct
       cellBO.ShaderSourceTime.Modified();
     }
   }
-  this->Internal->Sorted.SetParameters(cellBO.Program, this->Internal->Window);
+  this->Internal->Of(cellBO.PrimitiveType).SetParameters(cellBO.Program, this->Internal->Window);
   this->Superclass::SetCustomUniforms(cellBO, actor);
 }
 
@@ -121,31 +154,33 @@ void vtkWideFoVPolyDataMapper::DrawPrimitives(
   cellBO.IBO->Release();
 }
 
-// Those that are covered with the program that the stage asks for, plain ones with another.
-void vtkWideFoVPolyDataMapper::DrawSorted(vtkRenderer* renderer, vtkActor* actor)
+// Covered ones with the program that the stage asks for, the others each with their own.
+void vtkWideFoVPolyDataMapper::DrawSorted(int primitive, vtkRenderer* renderer, vtkActor* actor)
 {
-  wfv::SortedDraw& sorted = this->Internal->Sorted;
-  vtkOpenGLHelper& own = this->Primitives[PrimitiveTris];
+  using Sorted = wfv::SortedDraw;
+  Sorted& sorted = this->Internal->Of(primitive);
+  vtkOpenGLHelper& own = this->Primitives[primitive];
   const auto vertices = static_cast<unsigned int>(this->VBOs->GetNumberOfTuples("vertexMC"));
-  if (sorted.GetNumberOfCovered() > 0)
+  vtkWideFoVStage* const stage = vtkWideFoVStages::FindAttached(actor);
+  vtkWideFoVStages* const stages = stage->GetStages();
+  for (const Sorted::Lot lot : { Sorted::Covered, Sorted::Calm, Sorted::Plain })
   {
-    sorted.Choose(wfv::SortedDraw::Lot::Covered);
-    this->UpdateShaders(own, renderer, actor);
+    if (sorted.GetNumberOf(lot) == 0)
+    {
+      continue;
+    }
+    vtkWideFoVStage* const other = lot == Sorted::Calm ? stages->CalmAmong.Get()
+      : lot == Sorted::Plain                           ? stages->PlainAmong.Get()
+                                                       : stage;
+    vtkOpenGLHelper& helper = lot == Sorted::Covered ? own : sorted.GetHelper(lot);
+    helper.IBO->IndexCount = own.IBO->IndexCount; // the others have none of their own
+    vtkWideFoVStages::Replace(actor, stage, other);
+    sorted.Choose(lot);
+    this->UpdateShaders(helper, renderer, actor);
     sorted.Draw(own.IBO, vertices);
+    vtkWideFoVStages::Replace(actor, other, stage);
   }
-  if (sorted.GetNumberOfPlain() > 0)
-  {
-    vtkWideFoVStage* const stage = vtkWideFoVStages::FindAttached(actor);
-    vtkWideFoVStage* const plain = stage->GetStages()->PlainAmong;
-    vtkWideFoVStages::Replace(actor, stage, plain);
-    sorted.Choose(wfv::SortedDraw::Lot::Plain);
-    vtkOpenGLHelper& second = sorted.GetPlainHelper();
-    second.IBO->IndexCount = own.IBO->IndexCount; // it has none of its own
-    this->UpdateShaders(second, renderer, actor);
-    sorted.Draw(own.IBO, vertices);
-    vtkWideFoVStages::Replace(actor, plain, stage);
-  }
-  sorted.Choose(wfv::SortedDraw::Lot::All);
+  sorted.Choose(Sorted::All);
 }
 
 // Where patches may be among the primitives, or triangles are sorted. The mode that the stock
@@ -153,7 +188,6 @@ void vtkWideFoVPolyDataMapper::DrawSorted(vtkRenderer* renderer, vtkActor* actor
 void vtkWideFoVPolyDataMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
 {
   this->Internal->Window = renderer->GetRenderWindow();
-  wfv::SortedDraw& sorted = this->Internal->Sorted;
   vtkWideFoVStage* stage = vtkWideFoVStages::FindAttached(actor);
   vtkProperty* const property = actor->GetProperty();
   const bool edges = property->GetEdgeVisibility() && !renderer->GetSelector();
@@ -161,8 +195,16 @@ void vtkWideFoVPolyDataMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* 
     stage && !this->PointPicking && !edges && property->GetRepresentation() == VTK_SURFACE;
   const bool patches =
     surface && stage->GetVariant() == vtkWideFoVShaderBuilder::Variant::Tessellate;
-  const bool sorts = surface && !patches && sorted.Prepare(this->CurrentInput, actor, stage);
-  if (patches || sorts)
+  bool sorts[PrimitiveEnd] = { false };
+  if (surface && !patches)
+  {
+    const double rounding = RoundingOf(this->VBOs, this->CurrentInput);
+    for (const int i : { PrimitiveTris, PrimitiveTriStrips })
+    {
+      sorts[i] = this->Internal->Of(i).Prepare(this->CurrentInput, actor, stage, rounding);
+    }
+  }
+  if (patches || sorts[PrimitiveTris] || sorts[PrimitiveTriStrips])
   {
     this->DrawSurface(renderer, actor, sorts);
   }
@@ -170,11 +212,13 @@ void vtkWideFoVPolyDataMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* 
   {
     this->Superclass::RenderPieceDraw(renderer, actor);
   }
-  sorted.Finish();
+  this->Internal->Polygons.Finish();
+  this->Internal->Strips.Finish();
 }
 
-// As the stock mapper does it, but for the triangles.
-void vtkWideFoVPolyDataMapper::DrawSurface(vtkRenderer* renderer, vtkActor* actor, bool sorts)
+// As the stock mapper does it, but for the triangles. sorts: of each primitive, whether.
+void vtkWideFoVPolyDataMapper::DrawSurface(
+  vtkRenderer* renderer, vtkActor* actor, const bool* sorts)
 {
   this->DrawingVertices = false;
   for (int i = PrimitiveStart; i <= PrimitiveTriStrips; i++)
@@ -182,9 +226,9 @@ void vtkWideFoVPolyDataMapper::DrawSurface(vtkRenderer* renderer, vtkActor* acto
     this->DrawingSelection = false;
     if (this->Primitives[i].IBO->IndexCount)
     {
-      if (i == PrimitiveTris && sorts)
+      if (sorts[i])
       {
-        this->DrawSorted(renderer, actor);
+        this->DrawSorted(i, renderer, actor);
       }
       else
       {

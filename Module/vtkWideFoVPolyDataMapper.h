@@ -62,10 +62,10 @@ private:
   void DrawPrimitives(vtkOpenGLHelper& cellBO, int mode, vtkRenderer* renderer, vtkActor* actor);
 
   // Draws what there is of a surface; its triangles sorted, or as patches.
-  void DrawSurface(vtkRenderer* renderer, vtkActor* actor, bool sorts);
+  void DrawSurface(vtkRenderer* renderer, vtkActor* actor, const bool* sorts);
 
   // Draws the triangles that are seen, sorted by what they need.
-  void DrawSorted(vtkRenderer* renderer, vtkActor* actor);
+  void DrawSorted(int primitive, vtkRenderer* renderer, vtkActor* actor);
 
   struct Internals;
   std::unique_ptr<Internals> Internal;

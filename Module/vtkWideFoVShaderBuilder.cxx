@@ -100,7 +100,8 @@ std::string PrimitiveSource(const Request& r, const std::vector<Varying>& varyin
         : Warped(r) ? warped_cover_glsl
                     : "") +
     preclip_cover_glsl + preclip_narrow_glsl + CoverSource(*r.Projection) +
-    (r.DebugView ? preclip_kinds_glsl : "") + preclip_triangles_glsl;
+    (r.DebugView ? preclip_kinds_glsl : "") +
+    (r.Calm ? calm_triangles_glsl : preclip_triangles_glsl);
 }
 
 // toView: the name of the matrix from the vertex buffer to view coordinates; empty where the

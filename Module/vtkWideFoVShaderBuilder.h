@@ -57,6 +57,7 @@ public:
     bool Tilted = false;       // the view may have a tilt
     Material Surface;          // of triangles
     int DepthMapping = 0;      // wfv::DepthMapping; all but linear by the fragment stage
+    bool Calm = false;         // covered triangles are small, and nothing is torn where they are
     bool SurfaceDepth = false; // depth is the surface's, not interpolated along chords
   };
 

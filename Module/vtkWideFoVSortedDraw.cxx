@@ -8,6 +8,7 @@
 #include "vtkWideFoVStages.h"
 
 #include "vtkActor.h"
+#include "vtkCellArray.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLIndexBufferObject.h"
@@ -18,11 +19,24 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 namespace
 {
-// Triangles under which sorting is not worth a draw more.
-constexpr vtkIdType FewTriangles = 256;
+// Corners of cells under which sorting is not worth a draw more.
+constexpr vtkIdType FewCorners = 768;
+
+// By how much a row-major matrix stretches at the most, and no more than twice that.
+double LongestAxis(const double m[16])
+{
+  double sum = 0;
+  for (int i = 0; i < 3; i++)
+  {
+    sum += m[i] * m[i] + m[4 + i] * m[4 + i] + m[8 + i] * m[8 + i];
+  }
+  return std::sqrt(sum);
+}
 
 // Actors that may share a mapper and each keep what was sorted for them.
 constexpr std::size_t MostActors = 8;
@@ -39,35 +53,48 @@ struct SortedDraw::Entry
   double ToMap[16] = { 0 };
   SortView View;
   std::size_t All = 0;
-  std::size_t Covered = 0;
-  std::size_t Plain = 0;
+  std::size_t Counts[NumberOfLots] = { 0 }; // one lot follows the other
+  float Bend = 0;
   int Clusters = 0;
   int Unseen = 0;
   std::vector<unsigned int> Order; // kept for programs that ask for numbers
   vtkNew<vtkOpenGLIndexBufferObject> Indices;
 
+  std::size_t GetFirst(Lot lot) const
+  {
+    return std::accumulate(this->Counts, this->Counts + lot, std::size_t(0));
+  }
+
   bool IsWhole() const
   {
-    return (this->Covered == 0 && this->Plain == this->All) ||
-      (this->Plain == 0 && this->Covered == this->All);
+    return std::find(std::begin(this->Counts), std::end(this->Counts), this->All) !=
+      std::end(this->Counts) &&
+      this->All == this->GetFirst(NumberOfLots);
   }
 };
 
-SortedDraw::SortedDraw()
+SortedDraw::SortedDraw(bool strips)
+  : Mesh(strips)
 {
-  this->PlainHelper.PrimitiveType = vtkOpenGLPolyDataMapper::PrimitiveTris;
+  for (vtkOpenGLHelper& helper : this->Helpers)
+  {
+    helper.PrimitiveType =
+      strips ? vtkOpenGLPolyDataMapper::PrimitiveTriStrips : vtkOpenGLPolyDataMapper::PrimitiveTris;
+  }
   this->NumberBuffer->SetType(vtkOpenGLBufferObject::TextureBuffer);
 }
 
 SortedDraw::~SortedDraw() = default;
 
-bool SortedDraw::Prepare(vtkPolyData* data, vtkActor* actor, vtkWideFoVStage* stage)
+bool SortedDraw::Prepare(
+  vtkPolyData* data, vtkActor* actor, vtkWideFoVStage* stage, double rounding)
 {
   this->Current = nullptr;
-  this->Chosen = Lot::All;
+  this->Chosen = SortedDraw::All;
   vtkWideFoVStages* const stages = stage->GetStages();
   SortView view;
-  if (!stages || data->GetNumberOfPolys() < FewTriangles ||
+  vtkCellArray* const cells = this->Mesh.GetCells(data);
+  if (!stages || cells->GetNumberOfConnectivityIds() < FewCorners ||
     !stages->GetSortView(stage, actor, view))
   {
     return false;
@@ -86,6 +113,7 @@ bool SortedDraw::Prepare(vtkPolyData* data, vtkActor* actor, vtkWideFoVStage* st
   Entry& e = *entry;
   double toMap[16];
   stages->GetToMap(actor, toMap);
+  view.Rounding = rounding * LongestAxis(toMap);
   if (e.Data != data || e.Time != data->GetMTime() || !std::equal(toMap, toMap + 16, e.ToMap) ||
     !(e.View == view))
   {
@@ -93,7 +121,7 @@ bool SortedDraw::Prepare(vtkPolyData* data, vtkActor* actor, vtkWideFoVStage* st
   }
   this->Current = &e;
   stages->CountClusters(e.Clusters, e.Unseen);
-  return e.All > 0 && e.Covered != e.All;
+  return e.All > 0 && e.Counts[Covered] != e.All;
 }
 
 void SortedDraw::Sort(Entry& e, vtkPolyData* data, const double toMap[16], const SortView& view)
@@ -112,8 +140,10 @@ void SortedDraw::Sort(Entry& e, vtkPolyData* data, const double toMap[16], const
   }
   e.Unseen = this->Triangles.GetNumberOfUnseen();
   e.Order = this->Triangles.GetOrder();
-  e.Covered = this->Triangles.GetNumberOfCovered();
-  e.Plain = e.Order.size() - e.Covered;
+  e.Counts[Covered] = this->Triangles.GetNumberOfCovered();
+  e.Counts[Calm] = this->Triangles.GetNumberOfCalm();
+  e.Counts[Plain] = e.Order.size() - e.Counts[Covered] - e.Counts[Calm];
+  e.Bend = static_cast<float>(this->Triangles.GetBend());
   this->NumbersOf = this->NumbersOf == &e ? nullptr : this->NumbersOf;
   if (e.IsWhole())
   {
@@ -134,23 +164,17 @@ void SortedDraw::Sort(Entry& e, vtkPolyData* data, const double toMap[16], const
   }
 }
 
-std::size_t SortedDraw::GetNumberOfCovered() const
+std::size_t SortedDraw::GetNumberOf(Lot lot) const
 {
-  return this->Current ? this->Current->Covered : 0;
-}
-
-std::size_t SortedDraw::GetNumberOfPlain() const
-{
-  return this->Current ? this->Current->Plain : 0;
+  return this->Current ? this->Current->Counts[lot] : 0;
 }
 
 void SortedDraw::Draw(vtkOpenGLIndexBufferObject* all, unsigned int vertices)
 {
   const Entry& e = *this->Current;
-  const bool plain = this->Chosen == Lot::Plain;
   vtkOpenGLIndexBufferObject* const indices = e.IsWhole() ? all : e.Indices.Get();
-  const std::size_t first = plain ? e.Covered : 0;
-  const auto count = static_cast<GLsizei>(3 * (plain ? e.Plain : e.Covered));
+  const std::size_t first = e.IsWhole() ? 0 : e.GetFirst(this->Chosen);
+  const auto count = static_cast<GLsizei>(3 * e.Counts[this->Chosen]);
   indices->Bind();
   glDrawRangeElements(GL_TRIANGLES, 0, vertices - 1, count, GL_UNSIGNED_INT,
     reinterpret_cast<const void*>(3 * first * sizeof(GLuint)));
@@ -161,7 +185,7 @@ void SortedDraw::LoadNumbers(vtkOpenGLRenderWindow* window)
 {
   static const std::vector<unsigned int> none(1, 0);
   Entry* const wanted =
-    this->Chosen == Lot::All || this->Current->IsWhole() ? nullptr : this->Current;
+    this->Chosen == SortedDraw::All || this->Current->IsWhole() ? nullptr : this->Current;
   const bool loaded = this->Numbers->GetHandle() != 0 && this->Numbers->GetContext() == window;
   if (loaded && (!wanted || this->NumbersOf == wanted))
   {
@@ -179,6 +203,11 @@ void SortedDraw::LoadNumbers(vtkOpenGLRenderWindow* window)
 
 void SortedDraw::SetParameters(vtkShaderProgram* program, vtkWindow* window)
 {
+  if (this->Chosen == Calm && program->IsUniformUsed("wfvCalm"))
+  {
+    const float calm[2] = { this->Current->Bend, static_cast<float>(TriangleJudge::CalmError) };
+    program->SetUniform2f("wfvCalm", calm);
+  }
   if (!program->IsUniformUsed("wfvNumbers"))
   {
     return;
@@ -186,14 +215,14 @@ void SortedDraw::SetParameters(vtkShaderProgram* program, vtkWindow* window)
   this->LoadNumbers(static_cast<vtkOpenGLRenderWindow*>(window));
   this->Numbers->Activate();
   program->SetUniformi("wfvNumbers", this->Numbers->GetTextureUnit());
-  const bool own = this->Chosen == Lot::All || this->Current->IsWhole();
-  const std::size_t first = own || this->Chosen == Lot::Covered ? 0 : this->Current->Covered;
+  const bool own = this->Chosen == SortedDraw::All || this->Current->IsWhole();
+  const std::size_t first = own ? 0 : this->Current->GetFirst(this->Chosen);
   program->SetUniformi("wfvFirstNumber", own ? -1 : static_cast<int>(first));
 }
 
 void SortedDraw::Finish()
 {
-  this->Chosen = Lot::All;
+  this->Chosen = SortedDraw::All;
   if (this->Numbers->GetHandle())
   {
     this->Numbers->Deactivate();
@@ -208,7 +237,10 @@ void SortedDraw::ReleaseGraphicsResources(vtkWindow* window)
   }
   this->Entries.clear();
   this->Current = this->NumbersOf = nullptr;
-  this->PlainHelper.ReleaseGraphicsResources(window);
+  for (vtkOpenGLHelper& helper : this->Helpers)
+  {
+    helper.ReleaseGraphicsResources(window);
+  }
   this->Numbers->ReleaseGraphicsResources(window);
   this->NumberBuffer->ReleaseGraphicsResources();
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Draws the triangles of a mapper in two lots: those to be covered, and the plain ones.
+// Draws the polygons or the strips of a mapper in lots of triangles.
 #ifndef vtkWideFoVSortedDraw_h
 #define vtkWideFoVSortedDraw_h
 
@@ -29,25 +29,29 @@ namespace wfv
 class SortedDraw
 {
 public:
-  SortedDraw();
+  // strips: draws the triangle strips of a mapper; else its polygons.
+  explicit SortedDraw(bool strips);
   ~SortedDraw();
 
   // Sorts the triangles of `data` for this actor and frame where anything has changed. False
-  // where all of them are drawn as the stage says, as usual.
-  bool Prepare(vtkPolyData* data, vtkActor* actor, vtkWideFoVStage* stage);
+  // where all of them are drawn as the stage says, as usual. rounding: by how much the vertex
+  // buffer moves points at the most, in their own units.
+  bool Prepare(vtkPolyData* data, vtkActor* actor, vtkWideFoVStage* stage, double rounding);
 
-  // Of what was prepared last, triangles.
-  std::size_t GetNumberOfCovered() const;
-  std::size_t GetNumberOfPlain() const;
-
-  // Which of them the next programs draw; All: every triangle, in the mapper's own order.
-  enum class Lot
+  // Which triangles the next programs draw: those to be covered, those of them that are easy,
+  // plain ones; All: every triangle, in the mapper's own order.
+  enum Lot
   {
-    All,
     Covered,
-    Plain
+    Calm,
+    Plain,
+    NumberOfLots,
+    All = NumberOfLots
   };
   void Choose(Lot lot) { this->Chosen = lot; }
+
+  // Of what was prepared last, triangles.
+  std::size_t GetNumberOf(Lot lot) const;
 
   // Draws the chosen ones, with the program that is bound. all: the mapper's own indices, which
   // serve where nothing is left out.
@@ -59,8 +63,8 @@ public:
   // After the mapper has drawn.
   void Finish();
 
-  // The second program of a mapper, for plain triangles among covered ones.
-  vtkOpenGLHelper& GetPlainHelper() { return this->PlainHelper; }
+  // The programs of a mapper for what does not have its own: calm and plain triangles.
+  vtkOpenGLHelper& GetHelper(Lot lot) { return this->Helpers[lot]; }
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
@@ -74,8 +78,8 @@ private:
   Sorter Triangles;
   std::map<vtkActor*, std::unique_ptr<Entry>> Entries;
   Entry* Current = nullptr;
-  Lot Chosen = Lot::All;
-  vtkOpenGLHelper PlainHelper;
+  Lot Chosen = All;
+  vtkOpenGLHelper Helpers[NumberOfLots];
   vtkNew<vtkOpenGLBufferObject> NumberBuffer;
   vtkNew<vtkTextureObject> Numbers;
   Entry* NumbersOf = nullptr;

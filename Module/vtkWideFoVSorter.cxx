@@ -21,11 +21,38 @@ enum Kind : unsigned char
   Aside = 4, // and drawn nevertheless: what is seen does not depend on it
   Front = 8, // the side that the eye sees; nearly edge-on, both
   Back = 16,
+  Calm = 32, // easy to cover
   BothSides = Front | Back
 };
 
 // Clusters a thread takes at least.
 constexpr vtkIdType Grain = 64;
+
+// Points as they were last seen, by their numbers: neighbours share most of theirs.
+class LastSeen
+{
+public:
+  template <typename Make>
+  const TriangleJudge::Corner& Get(unsigned int point, const Make& make)
+  {
+    Entry& e = this->Entries[point % Kept];
+    if (e.Point != point)
+    {
+      e.Seen = make();
+      e.Point = point;
+    }
+    return e.Seen;
+  }
+
+private:
+  static constexpr unsigned int Kept = 512;
+  struct Entry
+  {
+    unsigned int Point = ~0u;
+    TriangleJudge::Corner Seen;
+  };
+  std::array<Entry, Kept> Entries;
+};
 
 // An affine map.
 struct Affine
@@ -51,21 +78,23 @@ class Work
 {
 public:
   Work(const Clusters& clusters, const Real* points, const double toMap[16], const SortView& view,
-    unsigned char* kinds)
+    unsigned char* kinds, float* bends)
     : All(clusters)
     , Points(points)
     , ToMap(toMap)
     , V(view)
     , Kinds(kinds)
+    , Bends(bends)
   {
   }
 
   void operator()(vtkIdType from, vtkIdType to) const
   {
     const TriangleJudge judge(this->V);
+    LastSeen seen;
     for (vtkIdType c = from; c < to; c++)
     {
-      this->Sort(static_cast<int>(c), judge);
+      this->Sort(static_cast<int>(c), judge, seen);
     }
   }
 
@@ -81,7 +110,7 @@ private:
     return box;
   }
 
-  void Sort(int cluster, const TriangleJudge& judge) const
+  void Sort(int cluster, const TriangleJudge& judge, LastSeen& seen) const
   {
     const vtkIdType first = static_cast<vtkIdType>(cluster) * Clusters::Size;
     const vtkIdType end =
@@ -89,26 +118,41 @@ private:
     const bool unseen = IsUnseen(*this->V.Map, this->V.View, this->BoxOf(cluster), this->V.Part);
     const int aside = unseen ? Aside : 0;
     const bool left = unseen && this->V.Culls;
+    this->Bends[cluster] = 0;
     if (left || !this->V.Bends)
     {
       const int kind = left ? Unseen : Cover | aside;
       std::fill(this->Kinds + first, this->Kinds + end, static_cast<unsigned char>(kind));
       return;
     }
-    const unsigned int* corner = this->All.GetCorners().data() + 3 * first;
-    for (vtkIdType i = first; i < end; i++, corner += 3)
+    for (vtkIdType i = first; i < end; i++)
     {
-      vec3 q[3];
-      for (int j = 0; j < 3; j++)
-      {
-        const Real* p = this->Points + 3 * static_cast<std::size_t>(corner[j]);
-        q[j] = this->ToMap.Of(p[0], p[1], p[2]);
-      }
-      const int side = TriangleJudge::GetSide(q);
-      const int sides = aside ? 0 : side == 0 ? BothSides : side < 0 ? Front : Back;
-      const bool plain = sides != BothSides && judge.IsPlain(q);
-      this->Kinds[i] = static_cast<unsigned char>((plain ? Plain : Cover) | aside | sides);
+      TriangleJudge::Verdict verdict;
+      const int kind = this->GetKind(3 * i, aside != 0, judge, seen, verdict);
+      this->Kinds[i] = static_cast<unsigned char>(kind | aside);
+      this->Bends[cluster] = std::max(this->Bends[cluster], static_cast<float>(verdict.Bend));
     }
+  }
+
+  int GetKind(vtkIdType corner, bool aside, const TriangleJudge& judge, LastSeen& seen,
+    TriangleJudge::Verdict& verdict) const
+  {
+    TriangleJudge::Corner corners[3];
+    const TriangleJudge::Corner* c[3];
+    for (int j = 0; j < 3; j++)
+    {
+      const unsigned int point = this->All.GetCorners()[corner + j];
+      const Real* p = this->Points + 3 * static_cast<std::size_t>(point);
+      corners[j] = seen.Get(point, [&] { return judge.See(this->ToMap.Of(p[0], p[1], p[2])); });
+      c[j] = &corners[j];
+    }
+    const int side = TriangleJudge::GetSide(c);
+    const int sides = aside ? 0 : side == 0 ? BothSides : side < 0 ? Front : Back;
+    verdict = judge.Judge(c);
+    const bool plain = verdict.Plain && sides != BothSides;
+    const int empty = this->V.Culls ? 0 : Cover | Aside;
+    const int drawn = verdict.Empty ? empty : plain ? Plain : Cover;
+    return drawn | sides | (verdict.Calm ? Calm : 0);
   }
 
   const Clusters& All;
@@ -116,13 +160,14 @@ private:
   Affine ToMap;
   const SortView& V;
   unsigned char* Kinds;
+  float* Bends;
 };
 
 template <typename Real>
 void SortAll(const Clusters& clusters, const Real* points, const double toMap[16],
-  const SortView& view, unsigned char* kinds)
+  const SortView& view, unsigned char* kinds, float* bends)
 {
-  Work<Real> work(clusters, points, toMap, view, kinds);
+  Work<Real> work(clusters, points, toMap, view, kinds, bends);
   vtkSMPTools::For(0, clusters.GetNumberOfClusters(), Grain, work);
 }
 }
@@ -134,13 +179,14 @@ bool Sorter::Sort(
 {
   const auto n = static_cast<std::size_t>(clusters.GetNumberOfTriangles());
   this->Kinds.resize(n);
+  this->Bends.resize(static_cast<std::size_t>(clusters.GetNumberOfClusters()));
   if (auto* singles = vtkFloatArray::SafeDownCast(points->GetData()))
   {
-    SortAll(clusters, singles->GetPointer(0), toMap, view, this->Kinds.data());
+    SortAll(clusters, singles->GetPointer(0), toMap, view, this->Kinds.data(), this->Bends.data());
   }
   else if (auto* doubles = vtkDoubleArray::SafeDownCast(points->GetData()))
   {
-    SortAll(clusters, doubles->GetPointer(0), toMap, view, this->Kinds.data());
+    SortAll(clusters, doubles->GetPointer(0), toMap, view, this->Kinds.data(), this->Bends.data());
   }
   else
   {
@@ -151,7 +197,7 @@ bool Sorter::Sort(
   {
     this->Unseen += this->Kinds[i] == ::Unseen;
   }
-  if (view.Bends)
+  if (view.Plain)
   {
     this->CoverOutlines(clusters);
     this->SpreadCovered(clusters.GetNeighbours());
@@ -208,17 +254,21 @@ void Sorter::SpreadCovered(const std::vector<unsigned int>& neighbours)
 
 void Sorter::MakeOrder()
 {
-  this->Order.clear();
-  for (const unsigned char kind : { Cover, Plain })
-  {
+  const auto append = [this](int mask, int wanted) {
+    const std::size_t before = this->Order.size();
     for (std::size_t i = 0; i < this->Kinds.size(); i++)
     {
-      if (this->Kinds[i] & kind)
+      if ((this->Kinds[i] & mask) == wanted)
       {
         this->Order.push_back(static_cast<unsigned int>(i));
       }
     }
-    this->Covered = kind == Cover ? this->Order.size() : this->Covered;
-  }
+    return this->Order.size() - before;
+  };
+  this->Order.clear();
+  this->Covered = append(Cover | ::Calm, Cover);
+  this->Calm = append(Cover | ::Calm, Cover | ::Calm);
+  append(Plain, Plain);
+  this->Bend = this->Bends.empty() ? 0 : *std::max_element(this->Bends.begin(), this->Bends.end());
 }
 }

@@ -233,7 +233,8 @@ void vtkWideFoVStage::FinishTriangles(vtkWideFoVShaderBuilder::Request& request)
   {
     return;
   }
-  request.ByRays = this->ByRays;
+  request.ByRays = this->ByRays || this->Calm;
+  request.Calm = this->Calm;
   if ((!straight || (this->Stereo && this->Stereo->OwnRays)) && !this->Clipless)
   {
     // their edges are no great circles, which is what chords are chosen by

@@ -76,6 +76,9 @@ public:
     }
   }
 
+  // For triangles that are known to be easy to cover: small, nothing torn where they are.
+  void SetCalm(bool calm) { this->Calm = calm; }
+
   // The tables of a direction map; they outlive the frame.
   void SetTextures(vtkWideFoVDirectionTextures* textures) { this->Textures = textures; }
 
@@ -146,6 +149,7 @@ private:
   bool SawSamples = false;
   bool Tilted = false; // once, and from then on
   bool ByRays = false;
+  bool Calm = false;
   bool ExactLines = false;
   bool DebugView = false;
   bool SurfaceDepth = false;

@@ -34,6 +34,8 @@ constexpr double PixelSafety = 8;
 vtkWideFoVStages::vtkWideFoVStages()
 {
   this->PlainAmong->SetSurfaceDepth(true);
+  this->CalmAmong->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
+  this->CalmAmong->SetCalm(true);
   this->PreClip->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
   this->Exact->SetVariant(vtkWideFoVShaderBuilder::Variant::Exact);
   this->Tessellate->SetVariant(vtkWideFoVShaderBuilder::Variant::Tessellate);
@@ -75,8 +77,8 @@ void vtkWideFoVStages::Begin(
   {
     this->Textures.Load(this->View.map, window);
   }
-  for (vtkWideFoVStage* stage : { this->Plain.Get(), this->PlainAmong.Get(), this->PreClip.Get(),
-         this->Exact.Get(), this->Tessellate.Get() })
+  for (vtkWideFoVStage* stage : { this->Plain.Get(), this->PlainAmong.Get(), this->CalmAmong.Get(),
+         this->PreClip.Get(), this->Exact.Get(), this->Tessellate.Get() })
   {
     stage->SetView(renderer, camera, tolerance);
     stage->SetTextures(&this->Textures);
@@ -93,6 +95,7 @@ void vtkWideFoVStages::Begin(
 
 void vtkWideFoVStages::SetDebugView(bool debugView)
 {
+  this->DebugView = debugView;
   for (vtkWideFoVStage* stage :
     { this->Plain.Get(), this->PlainAmong.Get(), this->PreClip.Get(), this->Exact.Get() })
   {

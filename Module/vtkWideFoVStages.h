@@ -73,6 +73,7 @@ public:
 
   vtkNew<vtkWideFoVStage> Plain;
   vtkNew<vtkWideFoVStage> PlainAmong; // plain triangles of a prop whose others are covered
+  vtkNew<vtkWideFoVStage> CalmAmong;  // covered triangles that are easy, of a prop with others
   vtkNew<vtkWideFoVStage> PreClip;
   vtkNew<vtkWideFoVStage> Exact;
   vtkNew<vtkWideFoVStage> Tessellate; // other mappers than ours: the pre-clip
@@ -94,6 +95,7 @@ private:
   bool CanTessellate();
 
   int Technique = 0;
+  bool DebugView = false;
   int Tessellates = -1; // -1: not asked yet
   const wfv::Projection* Projection = nullptr;
   bool ByPixels = false; // the stereo model leaves chords no edge to stand for
@@ -102,6 +104,7 @@ private:
   void SetPart(vtkRenderer* renderer, const float tile[4]);
   wfv::Window Part;      // of the picture, with a margin
   wfv::vec2 Pixels{ 1 }; // of the whole picture
+  wfv::SampleGrid Samples;
   bool Culling = true;
   bool Mono = true; // no eye beside the middle, from which bounds look otherwise
   int Clusters = 0;

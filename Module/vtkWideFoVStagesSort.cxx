@@ -54,13 +54,18 @@ void vtkWideFoVStages::SetPart(vtkRenderer* renderer, const float tile[4])
   int size[2];
   int origin[2];
   renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+  wfv::vec2 scale;
+  wfv::vec2 shift;
   for (int i = 0; i < 2; i++)
   {
     const double pixels = std::max(1, size[i]) * static_cast<double>(tile[i]);
     this->Pixels[i] = pixels;
+    scale[i] = 0.5 * pixels;
+    shift[i] = 0.5 * std::max(1, size[i]) * (1.0 + tile[i + 2]);
     this->Part.Low[i] = (-1.0 - tile[i + 2]) / tile[i] - 2 * Margin / pixels;
     this->Part.High[i] = (1.0 - tile[i + 2]) / tile[i] + 2 * Margin / pixels;
   }
+  this->Samples.SetPlace(scale, shift);
 }
 
 void vtkWideFoVStages::GetToMap(vtkActor* actor, double matrix[16]) const
@@ -131,10 +136,15 @@ bool vtkWideFoVStages::GetSortView(
   view.Part = this->Part;
   view.Pixels = this->Pixels;
   view.Culls = this->Culling;
-  // what shines through would be mixed twice where a triangle is drawn both ways
-  const bool apart = this->Technique == vtkWideFoVPass::AUTO && stage == this->PreClip &&
-    !actor->HasTranslucentPolygonalGeometry();
-  view.Bends = apart ? this->GetBends() : nullptr;
+  view.Samples = this->Samples;
+  view.Samples.TakeBound();
+  const bool looks = this->Technique == vtkWideFoVPass::AUTO ||
+    (this->Technique == vtkWideFoVPass::EXACT && this->Culling);
+  view.Bends = looks && this->Projection->Axis != wfv::Family::Sampled ? this->GetBends() : nullptr;
+  // what shines through is mixed in its own order, and would be twice where it is drawn both ways
+  const bool opaque = view.Bends && !actor->HasTranslucentPolygonalGeometry();
+  view.Plain = opaque && this->Technique == vtkWideFoVPass::AUTO && stage == this->PreClip;
+  view.Calm = opaque && !this->DebugView && (stage == this->PreClip || stage == this->Exact);
   return true;
 }
 

@@ -21,6 +21,12 @@ constexpr double BetweenQuarters = 1.2;
 constexpr double LongestMeasured = 0.1;
 constexpr double PartOfSine = 0.25;
 
+// Pixels by which a rasterizer snaps corners, and by which the place of a corner in float32 may
+// err in a picture so many pixels wide (Agreement of GpuMathTest.cxx).
+constexpr double Snap = 1.0 / 128;
+constexpr double PlaceError = 0.02;
+constexpr double PlaceErrorWidth = 8192;
+
 // Sine of the angle under which a triangle is seen edge-on: chords may turn the side round.
 constexpr double EdgeOn = 0.02;
 
@@ -75,7 +81,9 @@ bool SortView::operator==(const SortView& o) const
   return this->Map == o.Map && a.halfFov == b.halfFov && a.scale == b.scale && a.tilt == b.tilt &&
     a.radii == b.radii && a.lens == b.lens && a.lens5 == b.lens5 && a.maxAngle == b.maxAngle &&
     a.map == b.map && this->Part.Low == o.Part.Low && this->Part.High == o.Part.High &&
-    this->Pixels == o.Pixels && this->Bends == o.Bends && this->Culls == o.Culls;
+    this->Pixels == o.Pixels && this->Bends == o.Bends && this->Plain == o.Plain &&
+    this->Calm == o.Calm && this->Culls == o.Culls && this->Rounding == o.Rounding &&
+    this->Samples == o.Samples;
 }
 
 // A triangle may come nearer than its corners, by an eighth of its angle squared.
@@ -86,79 +94,104 @@ TriangleJudge::TriangleJudge(const SortView& view)
 {
   const vec2 half = 0.5 * view.Pixels;
   this->Scale = half * half / 64.0; // of (a^2 / 8)^2, pixels
+  this->Pad = Snap + PlaceError * std::max(view.Pixels.x, view.Pixels.y) / PlaceErrorWidth;
 }
 
-int TriangleJudge::GetSide(const vec3 q[3])
+TriangleJudge::Corner TriangleJudge::See(const vec3& place) const
 {
-  const vec3 n = glm::cross(q[1] - q[0], q[2] - q[0]);
-  const double s = glm::dot(n, q[0]);
-  const bool clear = s * s > EdgeOn * EdgeOn * glm::dot(n, n) * glm::dot(q[0], q[0]);
+  Corner c;
+  c.Place = place;
+  c.Distance = std::sqrt(glm::dot(place, place));
+  c.Direction = place / c.Distance;
+  c.At = this->V.Samples.At(this->V.Map->Project(c.Direction, this->V.View));
+  return c;
+}
+
+int TriangleJudge::GetSide(const Corner* const c[3])
+{
+  const vec3& p = c[0]->Place;
+  const vec3 n = glm::cross(c[1]->Place - p, c[2]->Place - p);
+  const double s = glm::dot(n, p);
+  const bool clear = s * s > EdgeOn * EdgeOn * glm::dot(n, n) * glm::dot(p, p);
   return !clear ? 0 : s < 0 ? -1 : 1;
 }
 
-bool TriangleJudge::IsPlain(const vec3 q[3]) const
+TriangleJudge::Verdict TriangleJudge::Judge(const Corner* const c[3]) const
 {
-  vec3 d[3];
-  double nearest = std::numeric_limits<double>::max();
-  double farthest = 0;
-  for (int i = 0; i < 3; i++)
-  {
-    const double r = std::sqrt(glm::dot(q[i], q[i]));
-    nearest = std::min(nearest, r);
-    farthest = std::max(farthest, r);
-    d[i] = q[i] / r;
-  }
-  if (!(nearest > this->Near) || !(farthest < this->Far))
-  {
-    return false;
-  }
+  Verdict verdict;
+  const vec3 d[3] = { c[0]->Direction, c[1]->Direction, c[2]->Direction };
+  const double nearest = std::min({ c[0]->Distance, c[1]->Distance, c[2]->Distance });
+  const double farthest = std::max({ c[0]->Distance, c[1]->Distance, c[2]->Distance });
   const double angle2 = Longest2(d);
-  if (angle2 > Square(LongestMeasured) || MayTear(this->V.Map->Axis, d))
+  const vec2 sum = c[0]->At + c[1]->At + c[2]->At;
+  const bool known = std::isfinite(sum.x + sum.y); // comparisons would pass over a corner
+  if (!known || !(angle2 <= Square(LongestMeasured)) || MayTear(this->V.Map->Axis, d))
   {
-    return false;
+    return verdict;
   }
-  const bool local = angle2 <= Square(LocalBend::LongestEdge);
-  const double bound2 = this->GetBound2(d, angle2);
-  return (local && bound2 <= Square(PlainError)) || this->MeasuresFine(d, angle2);
+  bool fine = false;
+  if (angle2 <= Square(LocalBend::LongestEdge))
+  {
+    const Local local = this->LookAt(d, angle2);
+    verdict.Empty = this->IsEmpty(c, nearest, local);
+    if (verdict.Empty)
+    {
+      return verdict;
+    }
+    fine = local.Bound2 <= Square(PlainError);
+    verdict.Calm = this->V.Calm && angle2 > 0 && local.Bound2 <= Square(CalmError);
+    verdict.Bend = verdict.Calm ? std::sqrt(local.Bound2) / angle2 : 0;
+  }
+  verdict.Plain = this->V.Plain && nearest > this->Near && farthest < this->Far &&
+    (fine || this->MeasuresFine(c, angle2));
+  return verdict;
 }
 
-// Of the distance of chords from edges, pixels: a bound, squared.
-double TriangleJudge::GetBound2(const vec3 d[3], double angle2) const
+TriangleJudge::Local TriangleJudge::LookAt(const vec3 d[3], double angle2) const
 {
   double x = 0;
   double y = 0;
+  double stretch = 0;
   for (int i = 0; i < 3; i++)
   {
-    const std::array<float, 2>& bend = this->V.Bends->At(d[i]);
+    const LocalBend::Cell& bend = this->V.Bends->At(d[i]);
     x = std::max(x, double(bend[0]));
     y = std::max(y, double(bend[1]));
+    stretch = std::max(stretch, double(bend[2]));
   }
-  return angle2 * angle2 * (x * x * this->Scale.x + y * y * this->Scale.y);
+  return { angle2 * angle2 * (x * x * this->Scale.x + y * y * this->Scale.y),
+    0.5 * stretch * std::max(this->V.Pixels.x, this->V.Pixels.y) };
+}
+
+// No sample is between the chords, nor as near to them as the edges and rounding reach.
+bool TriangleJudge::IsEmpty(const Corner* const c[3], double nearest, const Local& local) const
+{
+  const vec2 at[3] = { c[0]->At, c[1]->At, c[2]->At };
+  const double moved = this->V.Rounding > 0 ? this->V.Rounding / nearest * local.Stretch : 0;
+  return this->V.Samples.Misses(at, std::sqrt(local.Bound2) + moved + this->Pad);
 }
 
 // The bound of a cell of directions is coarse near poles, and knows no directions of edges.
-bool TriangleJudge::MeasuresFine(const vec3 d[3], double angle2) const
+bool TriangleJudge::MeasuresFine(const Corner* const c[3], double angle2) const
 {
   const Projection& p = *this->V.Map;
-  const vec2 half = 0.5 * this->V.Pixels;
-  vec2 at[3];
   for (int i = 0; i < 3; i++)
   {
-    const double sine = SineToSingularity(p.Axis, d[i]);
+    const double sine = SineToSingularity(p.Axis, c[i]->Direction);
     if (!(angle2 <= Square(PartOfSine * sine)))
     {
       return false;
     }
-    at[i] = p.Project(d[i], this->V.View) * half;
   }
   for (int i = 0; i < 3; i++)
   {
-    const int j = (i + 1) % 3;
+    const Corner& a = *c[i];
+    const Corner& b = *c[(i + 1) % 3];
     for (const double t : { 0.25, 0.5, 0.75 })
     {
-      const vec3 place = glm::normalize(d[i] * (1 - t) + d[j] * t);
-      const vec2 off = p.Project(place, this->V.View) * half - at[i];
-      const vec2 along = at[j] - at[i];
+      const vec3 place = glm::normalize(a.Direction * (1 - t) + b.Direction * t);
+      const vec2 off = this->V.Samples.At(p.Project(place, this->V.View)) - a.At;
+      const vec2 along = b.At - a.At;
       const double beside = std::abs(along.x * off.y - along.y * off.x);
       if (!(BetweenQuarters * beside <= PlainError * glm::length(along)))
       {

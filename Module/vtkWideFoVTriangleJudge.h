@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether the vertex stage alone may draw a triangle, seen from here.
+// Whether a triangle need be drawn, seen from here, and whether the vertex stage alone may do it.
 #ifndef vtkWideFoVTriangleJudge_h
 #define vtkWideFoVTriangleJudge_h
+
+#include "vtkWideFoVSampleGrid.h"
 
 #include "Projections/LocalBend.h"
 #include "Projections/Visibility.h"
@@ -17,14 +19,18 @@ struct SortView
   WfvView View;
   Window Part;                            // of the picture
   vec2 Pixels{ 1 };                       // of the whole picture
-  std::shared_ptr<const LocalBend> Bends; // none: triangles are not told apart
+  std::shared_ptr<const LocalBend> Bends; // none: all triangles are alike
+  bool Plain = false;                     // some may be drawn by the vertex stage alone
+  bool Calm = false;                      // those that are easy to cover are told apart
   bool Culls = true;                      // leaves out what is not seen
+  double Rounding = 0;                    // by which the vertex buffer moves points, scene units
+  SampleGrid Samples;
 
   // Two are the same where they sort alike; the time that it took to make them apart.
   bool operator==(const SortView& other) const;
 };
 
-// Decides on single triangles. The corners are in the map's own frame.
+// Decides on single triangles.
 class TriangleJudge
 {
 public:
@@ -35,21 +41,47 @@ public:
   // The view outlives the judge, and has bends.
   explicit TriangleJudge(const SortView& view);
 
-  // True where the triangle meets no discontinuity, lies between the clip spheres, and has chords
-  // within PlainError of its edges.
-  bool IsPlain(const vec3 q[3]) const;
+  // A point, in the map's own frame, as the view shows it.
+  struct Corner
+  {
+    vec3 Place;
+    vec3 Direction; // unit length
+    double Distance;
+    vec2 At; // pixels of the framebuffer
+  };
+  Corner See(const vec3& place) const;
+
+  // Pixels: how far a chord of a calm triangle may be from its edge.
+  static constexpr double CalmError = 0.25;
+
+  struct Verdict
+  {
+    bool Empty = false; // surely covers no sample, drawn in whatever way
+    bool Plain = false; // no discontinuity, between the clip spheres, chords within PlainError
+    bool Calm = false;  // small, no discontinuity, chords within CalmError
+    double Bend = 0;    // of a calm one, pixels that its chords may be off, over its angle squared
+  };
+  Verdict Judge(const Corner* const corners[3]) const;
 
   // -1, 1: which side is seen. 0: nearly edge-on.
-  static int GetSide(const vec3 q[3]);
+  static int GetSide(const Corner* const corners[3]);
 
 private:
-  double GetBound2(const vec3 d[3], double angle2) const;
-  bool MeasuresFine(const vec3 d[3], double angle2) const;
+  // Of the map beside the corners of a triangle.
+  struct Local
+  {
+    double Bound2;  // of the distance of chords from edges, pixels squared
+    double Stretch; // pixels a radian
+  };
+  Local LookAt(const vec3 d[3], double angle2) const;
+  bool IsEmpty(const Corner* const c[3], double nearest, const Local& local) const;
+  bool MeasuresFine(const Corner* const c[3], double angle2) const;
 
   const SortView& V;
   double Near;
   double Far;
   vec2 Scale;
+  double Pad; // pixels, round what is drawn
 };
 }
 

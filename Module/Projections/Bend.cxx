@@ -56,6 +56,11 @@ bool Torn(Family family, const vec3& a, const vec3& b)
   }
 }
 
+double StepIn(const WfvView& v)
+{
+  return std::min(LargestStep, PartOfView * std::min(v.halfFov.x, v.halfFov.y));
+}
+
 // Second derivatives of x and y along a great circle through d in the direction t.
 vec2 Second(const Projection& p, const WfvView& v, const vec3& d, const vec3& t, double step)
 {
@@ -163,7 +168,7 @@ struct Kept
 
 vec2 SecondAt(const Projection& p, const WfvView& v, const vec3& d)
 {
-  const double step = std::min(LargestStep, PartOfView * std::min(v.halfFov.x, v.halfFov.y));
+  const double step = StepIn(v);
   const Tangents tangents(d);
   vec2 second[3];
   for (int i = 0; i < 3; i++)
@@ -177,6 +182,25 @@ vec2 SecondAt(const Projection& p, const WfvView& v, const vec3& d)
   }
   return vec2(
     Largest(second[0].x, second[2].x, second[1].x), Largest(second[0].y, second[2].y, second[1].y));
+}
+
+double FirstAt(const Projection& p, const WfvView& v, const vec3& d)
+{
+  const double step = StepIn(v);
+  const Tangents tangents(d);
+  vec2 squares(0);
+  for (const vec3& t : { tangents.U, tangents.V })
+  {
+    if (Torn(p.Axis, d + t * step, d - t * step) || Torn(p.Axis, d + t * step, d))
+    {
+      return 0;
+    }
+    const vec3 a = d * std::cos(step) + t * std::sin(step);
+    const vec3 b = d * std::cos(step) - t * std::sin(step);
+    const vec2 first = (p.Project(a, v) - p.Project(b, v)) / (2 * step);
+    squares += first * first;
+  }
+  return std::sqrt(std::max(squares.x, squares.y));
 }
 
 double SineToSingularity(Family family, const vec3& d)

@@ -25,6 +25,10 @@ WFV_EXPORT double Bend(const Projection& projection, const WfvView& view);
 // torn there.
 vec2 SecondAt(const Projection& projection, const WfvView& view, const vec3& direction);
 
+// How fast a place moves, on the axis where it is faster, as a direction turns: NDC per radian;
+// 0 where the map is torn there.
+double FirstAt(const Projection& projection, const WfvView& view, const vec3& direction);
+
 // Sine of the angle from a direction to the nearest singular point of a family; 1 where there
 // is none.
 double SineToSingularity(Family family, const vec3& direction);

@@ -34,21 +34,23 @@ vec3 FromFace(int face, double s, double t)
   return glm::normalize(d);
 }
 
-std::array<float, 2> NodeAt(const Projection& p, const WfvView& v, int face, int i, int j)
+LocalBend::Cell NodeAt(const Projection& p, const WfvView& v, int face, int i, int j)
 {
   const vec3 d = FromFace(face, -1 + 2.0 * (i - 1) / Cells, -1 + 2.0 * (j - 1) / Cells);
   if (SineToSingularity(p.Axis, d) < Singular)
   {
-    return { { Unbounded, Unbounded } };
+    return { { Unbounded, Unbounded, Unbounded } };
   }
   const vec2 second = BendSafety * SecondAt(p, v, d);
-  const bool known = std::isfinite(second.x) && std::isfinite(second.y);
-  return { { known ? float(second.x) : Unbounded, known ? float(second.y) : Unbounded } };
+  const double first = BendSafety * FirstAt(p, v, d);
+  const bool known = std::isfinite(second.x + second.y + first);
+  return { { known ? float(second.x) : Unbounded, known ? float(second.y) : Unbounded,
+    known ? float(first) : Unbounded } };
 }
 }
 
 LocalBend::LocalBend(const Projection& p, const WfvView& v)
-  : Table(6 * Cells * Cells, std::array<float, 2>{ { 0, 0 } })
+  : Table(6 * Cells * Cells, Cell{ { 0, 0, 0 } })
 {
   for (int face = 0; face < 6; face++)
   {
@@ -56,14 +58,15 @@ LocalBend::LocalBend(const Projection& p, const WfvView& v)
     {
       for (int j = 0; j < Nodes; j++)
       {
-        const std::array<float, 2> node = NodeAt(p, v, face, i, j);
+        const Cell node = NodeAt(p, v, face, i, j);
         // every cell that it is a corner of, and their neighbours
         for (int k = std::max(0, i - 3); k <= std::min(Cells - 1, i); k++)
         {
           for (int l = std::max(0, j - 3); l <= std::min(Cells - 1, j); l++)
           {
-            std::array<float, 2>& cell = this->Table[(face * Cells + k) * Cells + l];
-            cell = { { std::max(cell[0], node[0]), std::max(cell[1], node[1]) } };
+            Cell& cell = this->Table[(face * Cells + k) * Cells + l];
+            cell = { { std::max(cell[0], node[0]), std::max(cell[1], node[1]),
+              std::max(cell[2], node[2]) } };
           }
         }
       }
@@ -71,7 +74,7 @@ LocalBend::LocalBend(const Projection& p, const WfvView& v)
   }
 }
 
-const std::array<float, 2>& LocalBend::At(const vec3& d) const
+const LocalBend::Cell& LocalBend::At(const vec3& d) const
 {
   const vec3 a = glm::abs(d);
   const int axis = a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;

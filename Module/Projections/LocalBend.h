@@ -14,7 +14,8 @@ namespace wfv
 // a cube's faces, each with a bound for itself and its neighbours. A chord of an edge of the
 // angle a (radians), which is at most a cell's (LongestEdge), is at most At(d) a^2 / 8 away from
 // its edge on either axis, NDC, with d any direction of the edge, as long as the edge crosses no
-// discontinuity. Infinite near the points that the family stretches without bound.
+// discontinuity. Infinite near the points that the family stretches without bound. A third number
+// bounds the stretch: how far a place moves, NDC, per radian that the direction turns.
 class WFV_EXPORT LocalBend
 {
 public:
@@ -22,11 +23,14 @@ public:
 
   LocalBend(const Projection& projection, const WfvView& view);
 
+  // Bend along x and y, NDC per radian squared; stretch, NDC per radian.
+  using Cell = std::array<float, 3>;
+
   // direction: unit length, in the map's own frame (behind the tilt).
-  const std::array<float, 2>& At(const vec3& direction) const;
+  const Cell& At(const vec3& direction) const;
 
 private:
-  std::vector<std::array<float, 2>> Table;
+  std::vector<Cell> Table;
 };
 }
 

@@ -9,7 +9,11 @@
 //                 picture, and the fragment stage decides by the pixel's ray.
 
 layout(triangles) in;
+#if WFV_CALM
+layout(triangle_strip, max_vertices = 4) out;
+#else
 layout(triangle_strip, max_vertices = 14) out;
+#endif
 
 flat out vec3 wfvEdge0;  // planes through the eye and the edge opposite to corner i
 flat out vec3 wfvEdge1;

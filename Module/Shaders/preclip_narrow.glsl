@@ -21,9 +21,11 @@ bool wfvBetweenCentres(vec2 low, vec2 high)
   return WFV_WARPED == 0 && wfvSamples <= 1 && (first.x > last.x || first.y > last.y);
 }
 
+vec2 wfvShape[4]; // pixels of the tile, from its centre
+
 // A rectangle along the longest chord, grown by so many pixels: narrower than one along the
 // axes for what lies askew. From the corners wfvC.
-void wfvEmitAlong(float grow, bool front)
+void wfvShapeAlong(float grow, bool front)
 {
   vec2 along = wfvC[1] - wfvC[0];
   along = length(wfvC[2] - wfvC[1]) > length(along) ? wfvC[2] - wfvC[1] : along;
@@ -39,9 +41,12 @@ void wfvEmitAlong(float grow, bool front)
     low = min(low, at - grow);
     high = max(high, at + grow);
   }
-  vec2 ndc = 2.0 / wfvViewport.zw;
-  wfvEmitQuad((along * low.x + across * low.y) * ndc, along * (high.x - low.x) * ndc,
-    across * (high.y - low.y) * ndc, front);
+  vec2 right = along * (high.x - low.x);
+  vec2 up = across * (high.y - low.y);
+  wfvShape[0] = along * low.x + across * low.y;
+  wfvShape[1] = wfvShape[0] + (front ? right : up);
+  wfvShape[2] = wfvShape[0] + (front ? up : right);
+  wfvShape[3] = wfvShape[0] + right + up;
 }
 
 // grow: pixels to move the sides out by. Grown from the centre of its inscribed circle, the
@@ -67,17 +72,21 @@ void wfvCoverTight(float grow, bool front)
   float times = grow * sum / abs(twice); // grow, in radii of the inscribed circle
   float longest = max(sides.x, max(sides.y, sides.z));
   float rectangle = (longest + 2.0 * grow) * (abs(twice) / longest + 2.0 * grow);
-  if (!(0.5 * abs(twice) * (1.0 + times) * (1.0 + times) < rectangle))
-  {
-    wfvEmitAlong(grow, front);
-    return;
-  }
-  vec2 ndc = 2.0 / wfvViewport.zw;
+  bool triangle = 0.5 * abs(twice) * (1.0 + times) * (1.0 + times) < rectangle;
+  wfvShapeAlong(grow, front);
   bool turned = (twice > 0.0) != front;
   for (int i = 0; i < 3; i++)
   {
     vec2 c = turned ? wfvC[2 - i] : wfvC[i];
-    wfvEmit(vec4((c + times * (c - centre)) * ndc, 0.0, 1.0), vec3(0.0));
+    wfvShape[i] = triangle ? c + times * (c - centre) : wfvShape[i];
+  }
+  vec2 ndc = 2.0 / wfvViewport.zw;
+  for (int i = 0; i < 4; i++)
+  {
+    if (i < 3 || !triangle)
+    {
+      wfvEmit(vec4(wfvShape[i] * ndc, 0.0, 1.0), vec3(0.0));
+    }
   }
   wfvEnd();
 }

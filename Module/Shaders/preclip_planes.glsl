@@ -116,3 +116,24 @@ vec3 wfvAnchorOf(vec4 plane, vec3 lengths)
   }
   return lengths.x == nearest ? wfvP[0] : (lengths.y == nearest ? wfvP[1] : wfvP[2]);
 }
+
+void wfvReadCorners()
+{
+  wfvEmitted = 0;
+  for (int i = 0; i < 3; i++)
+  {
+    wfvP[i] = wfvTilt(gl_in[i].gl_Position.xyz, wfvView) / wfvScale();
+  }
+}
+
+// Of a triangle whose plane is known. Inside, edge functions are positive from either side; so is
+// the plane's.
+void wfvFacePlanes(vec3 lengths)
+{
+  float facing = wfvT.w > 0.0 ? 1.0 : -1.0;
+  wfvA = wfvAnchorOf(wfvT, lengths);
+  wfvT = vec4(facing * wfvT.xyz, wfvT.w);
+  wfvN[0] = facing * wfvEdgePlane(1, 2);
+  wfvN[1] = facing * wfvEdgePlane(2, 0);
+  wfvN[2] = facing * wfvEdgePlane(0, 1);
+}

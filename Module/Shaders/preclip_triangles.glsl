@@ -138,15 +138,6 @@ void wfvEmitSides(bool seam)
 }
 #endif
 
-void wfvReadCorners()
-{
-  wfvEmitted = 0;
-  for (int i = 0; i < 3; i++)
-  {
-    wfvP[i] = wfvTilt(gl_in[i].gl_Position.xyz, wfvView) / wfvScale();
-  }
-}
-
 // Of a triangle that wfvMustCover has measured.
 void wfvCoverCurved(bool seam, bool tear)
 {
@@ -221,15 +212,9 @@ void main()
   {
     return;
   }
-  // inside, edge functions are positive from either side; so is the plane's
-  float facing = wfvT.w > 0.0 ? 1.0 : -1.0;
-  wfvA = wfvAnchorOf(wfvT, lengths);
-  wfvT = vec4(facing * wfvT.xyz, wfvT.w);
-  wfvN[0] = facing * wfvEdgePlane(1, 2);
-  wfvN[1] = facing * wfvEdgePlane(2, 0);
-  wfvN[2] = facing * wfvEdgePlane(0, 1);
+  wfvFacePlanes(lengths);
 #if WFV_OWN_RAYS
-  wfvSetOwn(lengths, facing);
+  wfvSetOwn(lengths, wfvT.w > 0.0 ? 1.0 : -1.0);
 #elif WFV_WARPED
   wfvSetDepths(lengths);
 #endif

@@ -30,7 +30,8 @@ bool Torn(const Projection& p, const vec3& a, const vec3& b)
 
 struct Worst
 {
-  double Ratio = 0; // of a distance to its bound
+  double Ratio = 0;   // of a distance to its bound
+  double Stretch = 0; // of the distance of two places over their angle, to its bound
   int Bounded = 0;
   int All = 0;
 };
@@ -39,7 +40,7 @@ void Add(Worst& worst, const View& view, const LocalBend& bends, const vec3& a, 
 {
   const Projection& p = view.GetProjection();
   const WfvView& v = view.GetParameters();
-  const std::array<float, 2>& at = bends.At(a);
+  const LocalBend::Cell& at = bends.At(a);
   worst.All++;
   if (!std::isfinite(at[0]) || !std::isfinite(at[1]))
   {
@@ -47,6 +48,8 @@ void Add(Worst& worst, const View& view, const LocalBend& bends, const vec3& a, 
   }
   worst.Bounded++;
   const double angle = std::acos(std::min(1.0, glm::dot(a, b)));
+  const vec2 moved = glm::abs(p.Project(b, v) - p.Project(a, v));
+  worst.Stretch = std::max(worst.Stretch, std::max(moved.x, moved.y) / (angle * at[2]));
   for (const double t : { 0.25, 0.5, 0.75 })
   {
     const vec3 d = (a * std::sin((1 - t) * angle) + b * std::sin(t * angle)) / std::sin(angle);
@@ -99,8 +102,10 @@ TEST(LocalBend, BoundsEveryChord)
       o.VerticalFov = std::max(p.MinVerticalFov, part * p.MaxVerticalFov);
       const Worst worst = Measure(View(p, o), engine);
       std::cout << p.Name << " " << o.HorizontalFov << ": worst chord " << worst.Ratio
-                << " of the bound, bounded " << double(worst.Bounded) / worst.All << std::endl;
+                << " of the bound, stretch " << worst.Stretch << ", bounded "
+                << double(worst.Bounded) / worst.All << std::endl;
       EXPECT_LE(worst.Ratio, 1) << p.Name << " " << o.HorizontalFov;
+      EXPECT_LE(worst.Stretch, 1) << p.Name << " " << o.HorizontalFov;
       // what is not bounded is drawn with more effort than it needs: poles and antipodes alone
       EXPECT_GT(worst.Bounded, 0.8 * worst.All) << p.Name << " " << o.HorizontalFov;
     }
