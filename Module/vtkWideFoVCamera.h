@@ -361,6 +361,9 @@ protected:
 
   void GetFrustumPlanesOfBoth(double aspect, double planes[24]);
   void FindEye(vtkRenderer* renderer);
+
+  // What of a perspective the window shows, where it is a tile.
+  void FindPart(vtkRenderer* renderer);
   void ToWorld(const wfv::ViewRay& ray, double origin[3], double direction[3]);
 #endif
 

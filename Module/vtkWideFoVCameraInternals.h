@@ -6,6 +6,7 @@
 #include "Projections/Projection.h"
 #include "vtkWideFoVCamera.h"
 
+#include <array>
 #include <optional>
 
 struct vtkWideFoVCamera::Internals
@@ -16,8 +17,9 @@ struct vtkWideFoVCamera::Internals
   wfv::Eye CacheEye = wfv::Eye::Middle;
   vtkMTimeType CacheTime = 0;
   bool ForBothEyes = false; // the frustum that is asked for
-  vtkTimeStamp MatrixTime;
-  vtkRenderer* MatrixRenderer = nullptr;
+  // Normalized device coordinates that the window shows of a perspective: low and high x, low
+  // and high y; all of it unless the window is a tile.
+  std::array<double, 4> Part{ { -1, 1, -1, 1 } };
 };
 
 #endif

@@ -5,6 +5,7 @@
 #include "Projections/DirectionMap.h"
 #include "vtkWideFoVCameraInternals.h"
 #include "vtkWideFoVQuadricBounds.h"
+#include "vtkWideFoVTile.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -142,12 +143,33 @@ bool vtkWideFoVCamera::NDCToRay(
 void vtkWideFoVCamera::PrepareFrame(vtkRenderer* renderer)
 {
   this->FindEye(renderer);
+  this->FindPart(renderer);
   if (this->AutomaticClipRadii)
   {
     double bounds[6];
     renderer->ComputeVisiblePropBounds(bounds);
     wfv::InflateForQuadrics(renderer, this->Position, bounds);
     this->ResetClipRadii(bounds);
+  }
+}
+
+void vtkWideFoVCamera::FindPart(vtkRenderer* renderer)
+{
+  if (this->IsWide() || !renderer->GetVTKWindow())
+  {
+    return;
+  }
+  const wfv::TilePixels pixels = wfv::PixelsOfTile(renderer);
+  std::array<double, 4> part;
+  for (int i = 0; i < 2; i++)
+  {
+    part[2 * i] = 2 * pixels.Start[i] / pixels.Whole[i] - 1;
+    part[2 * i + 1] = 2 * (pixels.Start[i] + pixels.Size[i]) / pixels.Whole[i] - 1;
+  }
+  if (part != this->Internal->Part)
+  {
+    this->Internal->Part = part;
+    this->Modified();
   }
 }
 
@@ -190,6 +212,10 @@ void vtkWideFoVCamera::ComputeProjectionTransform(double aspect, double nearz, d
   const double ty = std::tan(vtkMath::RadiansFromDegrees(0.5 * o.VerticalFov));
   const double n = o.Radii[0] / std::sqrt(1 + tx * tx + ty * ty);
   this->ProjectionTransform->Identity();
+  if (const std::array<double, 4>& part = this->Internal->Part; !this->Internal->ForBothEyes)
+  {
+    this->ProjectionTransform->AdjustViewport(part[0], part[1], part[2], part[3], -1, 1, -1, 1);
+  }
   this->ProjectionTransform->AdjustZBuffer(-1, +1, nearz, farz);
   if (this->Internal->ForBothEyes)
   {

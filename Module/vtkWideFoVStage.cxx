@@ -157,15 +157,13 @@ void vtkWideFoVStage::SetView(vtkRenderer* renderer, vtkWideFoVCamera* camera, d
   this->View = view.GetParameters();
   this->Tolerance = static_cast<float>(tolerance);
 
-  const double* vp = renderer->GetViewport();
-  const double* tile = renderer->GetVTKWindow()->GetTileViewport();
+  this->Pixels = wfv::PixelsOfTile(renderer);
   for (int i = 0; i < 2; i++)
   {
-    const double a = std::max(vp[i], tile[i]);
-    const double b = std::min(vp[i + 2], tile[i + 2]);
-    const double whole = vp[i + 2] - vp[i];
-    this->Tile[i] = static_cast<float>(whole / (b - a));
-    this->Tile[i + 2] = static_cast<float>((2 * (vp[i] - a) + whole) / (b - a) - 1);
+    const double whole = this->Pixels.Whole[i];
+    const double size = this->Pixels.Size[i];
+    this->Tile[i] = static_cast<float>(whole / size);
+    this->Tile[i + 2] = static_cast<float>((whole - 2 * this->Pixels.Start[i] - size) / size);
   }
 
   this->FindHeadlights(renderer);
@@ -308,7 +306,6 @@ bool vtkWideFoVStage::SetShaderParameters(
   vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop, vtkOpenGLVertexArrayObject*)
 {
   SetViewParameters(program, this->View);
-  program->SetUniform4f("wfvTile", this->Tile);
   program->SetUniformf("wfvTolerance", this->Tolerance);
   program->SetUniformi("wfvHeadlights", this->Headlights);
 
@@ -323,15 +320,7 @@ bool vtkWideFoVStage::SetShaderParameters(
   }
   this->SetSampleParameters(program);
   this->SetPropParameters(program, mapper, prop);
-  const float f[4] = { static_cast<float>(viewport[0]), static_cast<float>(viewport[1]),
-    static_cast<float>(viewport[2]), static_cast<float>(viewport[3]) };
-  program->SetUniform4f("wfvViewport", f);
-  const double perPixel[2] = { 2 / (f[2] * this->Tile[0] * this->View.scale.x),
-    2 / (f[3] * this->Tile[1] * this->View.scale.y) };
-  const float toMap[4] = { f[0] + 0.5f * f[2] * (1 + this->Tile[2]),
-    f[1] + 0.5f * f[3] * (1 + this->Tile[3]), static_cast<float>(perPixel[0]),
-    static_cast<float>(perPixel[1]) };
-  program->SetUniform4f("wfvPixelToMap", toMap);
+  wfv::SetTileUniforms(program, this->Pixels, this->Tile, viewport, this->View.scale);
   this->NumberOfDraws++;
   const bool tessellates = this->Variant == vtkWideFoVShaderBuilder::Variant::Tessellate;
   this->NumberOfTessellateDraws += tessellates && vtkWideFoVTessellation::IsIn(program);

@@ -8,6 +8,7 @@
 #include "vtkNew.h"
 #include "vtkOpenGLRenderPass.h"
 #include "vtkWideFoVShaderBuilder.h"
+#include "vtkWideFoVTile.h"
 
 class vtkOpenGLPolyDataMapper;
 class vtkRenderer;
@@ -140,6 +141,7 @@ private:
   vtkWideFoVStages* Stages = nullptr;
   float Viewport[4] = { 0, 0, 1, 1 };
   float Tile[4] = { 1, 1, 0, 0 };
+  wfv::TilePixels Pixels;
   float Tolerance = 0.25f;
   int Headlights = 0;
   bool Clipless = false;

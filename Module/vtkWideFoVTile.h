@@ -5,37 +5,30 @@
 
 #include "Projections/ProjectionMath.h"
 
-#include "vtkRenderer.h"
-#include "vtkWindow.h"
-
-#include <algorithm>
+class vtkRenderer;
+class vtkShaderProgram;
 
 namespace wfv
 {
-// The window's share of the renderer's viewport, along both axes: 1 where there are no tiles.
-inline vec2 TileShare(vtkRenderer* renderer)
+// Where the window's share begins in the renderer's whole picture, from its lower left corner,
+// and how large the two are, pixels.
+struct TilePixels
 {
-  const double* const vp = renderer->GetViewport();
-  const double* const tile = renderer->GetVTKWindow()->GetTileViewport();
-  const auto share = [=](int i) {
-    const double shown = std::min(vp[i + 2], tile[i + 2]) - std::max(vp[i], tile[i]);
-    return shown > 0 ? shown / (vp[i + 2] - vp[i]) : 1;
-  };
-  return { share(0), share(1) };
-}
+  vec2 Whole;
+  vec2 Start;
+  vec2 Size;
+};
+
+TilePixels PixelsOfTile(vtkRenderer* renderer);
 
 // Width over height of the renderer's whole picture, in pixels. That of vtkRenderer is the
 // tile's.
-inline double PictureAspect(vtkRenderer* renderer)
-{
-  const double aspect = renderer->GetTiledAspectRatio();
-  if (renderer->GetVTKWindow() == nullptr)
-  {
-    return aspect;
-  }
-  const vec2 share = TileShare(renderer);
-  return aspect * share.y / share.x;
-}
+double PictureAspect(vtkRenderer* renderer);
+
+// The uniforms by which pixels and the picture's own coordinates are turned into each other;
+// viewport: of OpenGL, which a pass may have made larger; scale: NDC per unit of the raw map.
+void SetTileUniforms(vtkShaderProgram* program, const TilePixels& pixels, const float tile[4],
+  const int viewport[4], const vec2& scale);
 }
 
 #endif

@@ -61,16 +61,22 @@ std::string GPanoXmp(int width, int height, const PanoramaInfo& info)
   return xmp + "/>\n</rdf:RDF>\n</x:xmpmeta>\n<?xpacket end=\"w\"?>";
 }
 
-void InsertPngXmp(std::vector<unsigned char>& png, const std::string& xmp)
+std::vector<unsigned char> PngXmpChunk(const std::string& xmp)
 {
-  constexpr std::size_t HeaderEnd = 8 + 4 + 4 + 13 + 4; // signature and the IHDR chunk
-  if (png.size() < HeaderEnd || std::memcmp(png.data() + 12, "IHDR", 4) != 0)
+  // keyword, not compressed, no language, no translated keyword
+  return MakeChunk("iTXt", std::string("XML:com.adobe.xmp") + std::string(5, '\0') + xmp);
+}
+
+void InsertInPng(std::vector<unsigned char>& png, const std::vector<unsigned char>& chunk)
+{
+  if (chunk.empty())
+  {
+    return;
+  }
+  if (png.size() < PngHeaderEnd || std::memcmp(png.data() + 12, "IHDR", 4) != 0)
   {
     Fail("the PNG encoder wrote no PNG; choose another format");
   }
-  // keyword, not compressed, no language, no translated keyword
-  const std::string data = std::string("XML:com.adobe.xmp") + std::string(5, '\0') + xmp;
-  const std::vector<unsigned char> chunk = MakeChunk("iTXt", data);
-  png.insert(png.begin() + HeaderEnd, chunk.begin(), chunk.end());
+  png.insert(png.begin() + PngHeaderEnd, chunk.begin(), chunk.end());
 }
 }

@@ -24,9 +24,15 @@ std::vector<GPanoField> GPanoFields(int width, int height, const PanoramaInfo& i
 // The same as an XMP packet.
 std::string GPanoXmp(int width, int height, const PanoramaInfo& info);
 
-// Inserts the packet into the bytes of a PNG file, as the iTXt chunk "XML:com.adobe.xmp"
-// behind the header. Throws a Failure with ExitFailed where these are no PNG.
-void InsertPngXmp(std::vector<unsigned char>& png, const std::string& xmp);
+// The same as a PNG's chunk iTXt "XML:com.adobe.xmp".
+std::vector<unsigned char> PngXmpChunk(const std::string& xmp);
+
+// Bytes of a PNG's signature and of its header, behind which chunks may be inserted.
+constexpr std::size_t PngHeaderEnd = 8 + 4 + 4 + 13 + 4;
+
+// Inserts a chunk, where it is not empty, into the bytes of a PNG file, behind the header. Throws
+// a Failure with ExitFailed where these are no PNG.
+void InsertInPng(std::vector<unsigned char>& png, const std::vector<unsigned char>& chunk);
 }
 
 #endif

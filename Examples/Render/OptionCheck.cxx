@@ -261,11 +261,20 @@ void CheckTechnique(Options& o)
 }
 }
 
+void CheckTiles(const Options& o)
+{
+  if (o.Tile && (o.Technique == Technique::CubeMap || (o.Stereo != "mono" && o.Layout == "split")))
+  {
+    FailUsage("--tile goes neither with --technique cubemap nor with --layout split; leave it out");
+  }
+}
+
 void CheckDrawn(Options& o)
 {
   CheckTechnique(o);
   CheckDrawing(o);
   CheckStereo(o);
+  CheckTiles(o);
 }
 
 void CheckScene(Options& o, const FieldsOfView& fov)

@@ -118,6 +118,16 @@ void OptionGroup::Size(const std::string& name, std::array<int, 2>& target, cons
       const std::string& option, const std::string& value) { ParseSize(option, value, target); });
 }
 
+void OptionGroup::Size(const std::string& name, std::optional<std::array<int, 2>>& target,
+  const std::string& standard, const std::string& text)
+{
+  this->Add(
+    name, "WxH", standard, text, [&target](const std::string& option, const std::string& value) {
+      target.emplace();
+      ParseSize(option, value, *target);
+    });
+}
+
 void OptionGroup::Choices(const std::string& name, std::vector<std::string>& target,
   const std::vector<std::string>& choices, const std::string& text)
 {

@@ -47,6 +47,8 @@ public:
 
   // WIDTHxHEIGHT in pixels.
   void Size(const std::string& name, std::array<int, 2>& target, const std::string& text);
+  void Size(const std::string& name, std::optional<std::array<int, 2>>& target,
+    const std::string& standard, const std::string& text);
 
   // Part of the contract, not built yet.
   void Later(const std::string& name, const std::string& type, const std::string& text);

@@ -104,6 +104,7 @@ void DeclareOutput(CLI::App& app, Options& o)
     ->type_name("FILE")
     ->allow_extra_args(false)
     ->group("Output");
+  group.Size("--tile", o.Tile, "only where needed", "draw the picture in tiles of that size");
   group.Name("--aov", "FILE.exr", o.Aov, "distance, cell, prop, normal beside the colour");
   group.Integer("--frames", o.Frames, 1, 1000000, "frames to time, after two warm-up frames");
   group.Name("--stats", "FILE.json", o.Stats, "timings and counts");

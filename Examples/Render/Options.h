@@ -43,6 +43,7 @@ struct Options
   std::string DirectionMap; // file of the projection of that name
   bool HasSize = false;
   std::array<int, 2> Size{ { 2048, 1024 } };
+  std::optional<std::array<int, 2>> Tile; // none: only what cannot be drawn at once is in tiles
 
   std::optional<Vector3> Eye; // none: the centre of the scene
   std::optional<Vector3> LookAt;

@@ -29,7 +29,7 @@ std::string TargetOf(const std::string& path)
     "; nothing was changed, so make room or choose another place");
 }
 
-// All bytes, on the disk; 0 or the error.
+// All bytes; 0 or the error.
 int WriteAll(int file, const char* bytes, std::size_t count)
 {
   while (count > 0)
@@ -46,7 +46,7 @@ int WriteAll(int file, const char* bytes, std::size_t count)
     bytes += n;
     count -= static_cast<std::size_t>(n);
   }
-  return fsync(file) == 0 || errno == EINVAL ? 0 : errno;
+  return 0;
 }
 }
 
@@ -82,12 +82,12 @@ OutputFiles::~OutputFiles()
   }
 }
 
-void OutputFiles::Write(const std::string& path, const void* bytes, std::size_t count)
+int OutputFiles::Open(const std::string& path)
 {
   const std::string target = TargetOf(path);
   const std::string beside =
     target + ".part-" + std::to_string(getpid()) + "-" + std::to_string(this->Files.size());
-  const int file = open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  const int file = open(beside.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (file < 0)
   {
     FailWriting(path, errno);
@@ -98,7 +98,15 @@ void OutputFiles::Write(const std::string& path, const void* bytes, std::size_t 
   {
     // the new file keeps its own permissions: no reason to lose the picture
   }
-  int error = WriteAll(file, static_cast<const char*>(bytes), count);
+  return file;
+}
+
+void OutputFiles::Close(int file, const std::string& path, int error)
+{
+  if (error == 0 && fsync(file) != 0 && errno != EINVAL)
+  {
+    error = errno;
+  }
   if (close(file) != 0 && error == 0)
   {
     error = errno;
@@ -107,6 +115,12 @@ void OutputFiles::Write(const std::string& path, const void* bytes, std::size_t 
   {
     FailWriting(path, error);
   }
+}
+
+void OutputFiles::Write(const std::string& path, const void* bytes, std::size_t count)
+{
+  const int file = this->Open(path);
+  this->Close(file, path, WriteAll(file, static_cast<const char*>(bytes), count));
 }
 
 void OutputFiles::Commit()

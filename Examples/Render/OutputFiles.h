@@ -25,6 +25,14 @@ public:
   // Throws a Failure with ExitFailed where the disk does not take it all.
   void Write(const std::string& path, const void* bytes, std::size_t count);
 
+  // A file that grows while it is open; it may be read, too. Whoever writes it closes it by
+  // Close. Throws a Failure with ExitFailed where it cannot be made.
+  int Open(const std::string& path);
+
+  // Throws a Failure with ExitFailed where the file is not whole: `error` is an errno of writing
+  // it, or 0.
+  void Close(int file, const std::string& path, int error);
+
   void Commit();
 
 private:

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RenderJob.h"
 
+#include "Aov.h"
 #include "CameraSetup.h"
 #include "Frame.h"
 #include "Messages.h"
 #include "Passes.h"
 #include "Progress.h"
 #include "StereoLayout.h"
+#include "StereoOptions.h"
+#include "StripFile.h"
+#include "Tiles.h"
 
-#include <vtkCellData.h>
-#include <vtkDataArray.h>
-#include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPanoramicProjectionPass.h>
-#include <vtkPointData.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkScalarBarActor.h>
@@ -32,6 +32,9 @@ namespace
 {
 constexpr int WarmUpFrames = 2;
 
+// Rows of a tile of float channels at the most: a row of tiles waits in memory.
+constexpr int AovTileHeight = 256;
+
 // Everything that lives as long as the window.
 struct Stage
 {
@@ -41,6 +44,7 @@ struct Stage
   std::vector<vtkSmartPointer<vtkActor>> Actors; // one a prop of the scene
   std::vector<int> StereoTypes;                  // one a traversal of a frame; none: mono
   vtkSmartPointer<vtkScalarBarActor> Bar;
+  std::optional<TileGrid> Tiles;
 };
 
 void Fill(Stage& stage, const Scene& scene, const Options& o)
@@ -73,7 +77,8 @@ void Fill(Stage& stage, const Scene& scene, const Options& o)
     stage.StereoTypes = FindStereoLayout(o.Layout).Types;
   }
   stage.Window->AddRenderer(stage.Renderer);
-  stage.Window->SetSize(o.Size[0], o.Size[1]);
+  const std::array<int, 2>& size = stage.Tiles ? stage.Tiles->Tile : o.Size;
+  stage.Window->SetSize(size[0], size[1]);
 }
 
 // Draws with one of VTK's stereo types, or mono.
@@ -87,17 +92,39 @@ void Draw(Stage& stage, std::size_t i)
   stage.Window->Render();
 }
 
-// Of all eyes.
-double RenderFrame(Stage& stage)
+std::size_t CountEyes(const Stage& stage)
+{
+  return std::max<std::size_t>(1, stage.StereoTypes.size());
+}
+
+// Of what the window shows: milliseconds.
+double DrawTimed(Stage& stage, std::size_t eye)
 {
   const auto start = std::chrono::steady_clock::now();
-  for (std::size_t i = 0; i < std::max<std::size_t>(1, stage.StereoTypes.size()); i++)
-  {
-    Draw(stage, i);
-  }
+  Draw(stage, eye);
   stage.Window->WaitForCompletion();
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
   return time.count();
+}
+
+// Of all eyes and tiles.
+double RenderFrame(Stage& stage)
+{
+  double time = 0;
+  const int columns = stage.Tiles ? stage.Tiles->Count(0) : 1;
+  const int rows = stage.Tiles ? stage.Tiles->Count(1) : 1;
+  for (int tile = 0; tile < rows * columns; tile++)
+  {
+    if (stage.Tiles)
+    {
+      ShowTile(*stage.Tiles, stage.Window, tile % columns, tile / columns);
+    }
+    for (std::size_t i = 0; i < CountEyes(stage); i++)
+    {
+      time += DrawTimed(stage, i);
+    }
+  }
+  return time;
 }
 
 void RenderFrames(Stage& stage, const Options& o, RenderStats& stats)
@@ -135,61 +162,9 @@ std::vector<Picture> ReadPictures(Stage& stage, const Options& o)
   return Arrange(FindStereoLayout(o.Layout), eyes);
 }
 
-FloatPicture FlattenAov(vtkImageData* image)
+// Makes the renderer draw into the pass, at pixel centres, what is a surface.
+void SetUpAov(Stage& stage, vtkWideFoVDataPass* pass)
 {
-  static const std::vector<std::pair<const char*, std::vector<std::string>>> arrays{
-    { "color", { "R", "G", "B", "A" } }, { "distance", { "distance" } }, { "cell", { "cell" } },
-    { "prop", { "prop" } }, { "normal", { "normal.X", "normal.Y", "normal.Z" } }
-  };
-  FloatPicture picture;
-  picture.Width = image->GetDimensions()[0];
-  picture.Height = image->GetDimensions()[1];
-  for (const auto& [name, channels] : arrays)
-  {
-    picture.Channels.insert(picture.Channels.end(), channels.begin(), channels.end());
-  }
-  const std::size_t stride = picture.Channels.size();
-  picture.Values.resize(stride * picture.Width * picture.Height);
-  std::size_t channel = 0;
-  for (const auto& [name, channels] : arrays)
-  {
-    vtkDataArray* const array = image->GetPointData()->GetArray(name);
-    for (int c = 0; c < static_cast<int>(channels.size()); c++, channel++)
-    {
-      for (int j = 0; j < picture.Height; j++)
-      {
-        const vtkIdType from = static_cast<vtkIdType>(picture.Height - 1 - j) * picture.Width;
-        float* to = &picture.Values[stride * j * picture.Width + channel];
-        for (int i = 0; i < picture.Width; i++, to += stride)
-        {
-          *to = static_cast<float>(array->GetComponent(from + i, c));
-        }
-      }
-    }
-  }
-  return picture;
-}
-
-// The channel "prop" from 1 + number of the actor to 1 + index of the file.
-void NumberByFile(FloatPicture& picture, const Scene& scene)
-{
-  const std::size_t stride = picture.Channels.size();
-  const auto channel = static_cast<std::size_t>(
-    std::find(picture.Channels.begin(), picture.Channels.end(), "prop") - picture.Channels.begin());
-  for (std::size_t i = channel; i < picture.Values.size(); i += stride)
-  {
-    const auto actor = static_cast<std::size_t>(picture.Values[i]);
-    if (actor > 0)
-    {
-      picture.Values[i] = static_cast<float>(1 + scene.Props[actor - 1].Index);
-    }
-  }
-}
-
-FloatPicture RenderAov(Stage& stage, const Scene& scene)
-{
-  const Progress progress("drawing the float channels");
-  vtkNew<vtkWideFoVDataPass> pass;
   pass->SetDelegatePass(stage.WidePass);
   for (std::size_t i = 0; i < stage.Actors.size(); i++)
   {
@@ -202,10 +177,16 @@ FloatPicture RenderAov(Stage& stage, const Scene& scene)
   }
   stage.Window->SetMultiSamples(0);
   stage.Renderer->SetPass(pass);
+}
+
+FloatPicture RenderAov(Stage& stage, const Scene& scene)
+{
+  const Progress progress("drawing the float channels");
+  vtkNew<vtkWideFoVDataPass> pass;
+  SetUpAov(stage, pass);
   stage.Window->Render();
   CheckMessages();
-  FloatPicture picture = FlattenAov(pass->GetOutput());
-  NumberByFile(picture, scene);
+  FloatPicture picture = FlattenAov(pass->GetOutput(), scene);
   stage.Renderer->SetPass(stage.WidePass);
   pass->ReleaseGraphicsResources(stage.Window);
   return picture;
@@ -229,19 +210,151 @@ void Count(Stage& stage, RenderStats& stats)
     stats.ExactDraws = stage.WidePass->GetNumberOfExactDraws();
   }
 }
+
+// Of a picture in tiles the last frame is one of many.
+void CountTiles(Stage& stage, RenderStats& stats)
+{
+  const RenderStats all = stats;
+  stats = RenderStats();
+  stats.Gl = QueryStrings(stage.Window);
+  stats.Milliseconds = all.Milliseconds;
+  stats.PropsTotal = static_cast<int>(stage.Actors.size());
+  stats.Tiles = { { stage.Tiles->Count(0), stage.Tiles->Count(1) } };
 }
 
-RenderResult Render(const Scene& scene, const Options& o)
+std::vector<std::unique_ptr<StripFile>> OpenPictures(const Options& o, OutputFiles& files)
+{
+  const std::array<int, 2> size = SizeOfFile(o);
+  const PanoramaInfo info = DescribePanorama(o);
+  std::vector<std::unique_ptr<StripFile>> pictures;
+  for (const std::string& output : o.Outputs)
+  {
+    for (const std::string& name : FilesOf(o, output))
+    {
+      pictures.push_back(std::make_unique<StripFile>(files, name, size[0], size[1], info));
+    }
+  }
+  return pictures;
+}
+
+void CloseAll(const std::vector<std::unique_ptr<StripFile>>& pictures)
+{
+  for (const std::unique_ptr<StripFile>& picture : pictures)
+  {
+    picture->Close();
+  }
+}
+
+// The files of an output are beside each other.
+void WriteTiledPictures(Stage& stage, const Options& o, OutputFiles& files, RenderStats& stats)
+{
+  const std::vector<std::unique_ptr<StripFile>> pictures = OpenPictures(o, files);
+  const std::size_t each = o.Outputs.empty() ? 1 : pictures.size() / o.Outputs.size();
+  double time = 0;
+  const auto draw = [&](std::size_t eye) {
+    time += DrawTimed(stage, eye);
+    CheckMessages();
+  };
+  const auto take = [&](std::size_t i, const Picture& rows) {
+    for (std::size_t k = i; k < pictures.size(); k += each)
+    {
+      pictures[k]->Add(rows.Rgb.data(), rows.Height);
+    }
+  };
+  DrawTiles(*stage.Tiles, o, stage.Window, CountEyes(stage), draw, take);
+  if (stats.Milliseconds.empty())
+  {
+    stats.Milliseconds.push_back(time);
+  }
+  CloseAll(pictures);
+}
+
+// Columns of one row of tiles into a band of the picture.
+void CopyBeside(const FloatPicture& tile, int at, FloatPicture& band)
+{
+  const std::size_t stride = band.Channels.size();
+  for (int j = 0; j < tile.Height; j++)
+  {
+    const auto from = static_cast<std::ptrdiff_t>(stride * j * tile.Width);
+    const auto row = static_cast<std::ptrdiff_t>(stride * tile.Width);
+    std::copy(tile.Values.begin() + from, tile.Values.begin() + from + row,
+      band.Values.begin() +
+        static_cast<std::ptrdiff_t>(stride * (std::size_t(j) * band.Width + at)));
+  }
+}
+
+void WriteTiledAov(Stage& stage, const Scene& scene, const Options& o, OutputFiles& files)
+{
+  Progress progress("drawing the float channels in tiles");
+  TileGrid& grid = *stage.Tiles;
+  grid.Tile[1] = std::min(grid.Tile[1], AovTileHeight);
+  SetTiles(grid, stage.Window, stage.Renderer);
+  vtkNew<vtkWideFoVDataPass> pass;
+  SetUpAov(stage, pass);
+  StripFile file(files, o.Aov, o.Size[0], o.Size[1], AovChannels(), DescribePanorama(o));
+  FloatPicture band;
+  band.Width = grid.Picture[0];
+  band.Channels = AovChannels();
+  for (int row = 0; row < grid.Count(1); row++)
+  {
+    band.Height = grid.Rows(row);
+    band.Values.resize(band.Channels.size() * band.Width * band.Height);
+    for (int column = 0; column < grid.Count(0); column++)
+    {
+      ShowTile(grid, stage.Window, column, row);
+      stage.Window->Render();
+      CheckMessages();
+      const FloatPicture tile = FlattenAov(pass->GetOutput(), scene);
+      CopyBeside(tile, column * grid.Tile[0], band);
+    }
+    file.Add(band.Values.data(), band.Height);
+    progress.Update((row + 1.0) / grid.Count(1));
+  }
+  file.Close();
+  stage.Renderer->SetPass(stage.WidePass);
+  pass->ReleaseGraphicsResources(stage.Window);
+}
+
+RenderResult RenderTiled(Stage& stage, const Scene& scene, const Options& o, OutputFiles& files)
+{
+  RenderResult result;
+  SetTiles(*stage.Tiles, stage.Window, stage.Renderer);
+  if (o.Frames > 0)
+  {
+    RenderFrames(stage, o, result.Stats);
+  }
+  if (!o.Outputs.empty() || (!o.Stats.empty() && o.Frames == 0))
+  {
+    WriteTiledPictures(stage, o, files, result.Stats);
+  }
+  CountTiles(stage, result.Stats);
+  if (!o.Aov.empty())
+  {
+    WriteTiledAov(stage, scene, o, files);
+  }
+  return result;
+}
+}
+
+RenderResult Render(const Scene& scene, const Options& o, OutputFiles& files)
 {
   const DisplayConnection display;
   Stage stage;
   OpenWindow(stage.Window);
   const GlLimits limits = QueryLimits(stage.Window);
-  CheckSize(o, limits);
+  stage.Tiles = PlanTiles(o, limits);
+  if (!stage.Tiles)
+  {
+    CheckSize(o, limits);
+  }
   stage.Window->SetMultiSamples(UsableSamples(o.Samples, limits));
-  RenderResult result;
   const QuietStandardError quiet;
   Fill(stage, scene, o);
+  if (stage.Tiles)
+  {
+    return RenderTiled(stage, scene, o, files);
+  }
+  RenderResult result;
   RenderFrames(stage, o, result.Stats);
   Count(stage, result.Stats);
   if (!o.Outputs.empty())

@@ -6,8 +6,10 @@
 #include "Display.h"
 #include "ImageOutput.h"
 #include "Options.h"
+#include "OutputFiles.h"
 #include "Scene.h"
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -27,6 +29,7 @@ struct RenderStats
   std::optional<int> PreClipDraws;
   std::optional<int> TessellateDraws;
   std::optional<int> ExactDraws;
+  std::optional<std::array<int, 2>> Tiles; // of a picture in tiles: columns and rows
 };
 
 struct RenderResult
@@ -37,8 +40,9 @@ struct RenderResult
 };
 
 // Opens a window and draws. Throws a Failure with ExitFailed: no display, OpenGL too old,
-// a picture beyond its limits, an error of the renderer.
-RenderResult Render(const Scene& scene, const Options& options);
+// a picture beyond its limits, an error of the renderer. A picture that is drawn in tiles goes to
+// `files` at once and is not in the result.
+RenderResult Render(const Scene& scene, const Options& options, OutputFiles& files);
 }
 
 #endif

@@ -154,4 +154,16 @@ std::vector<std::string> FilesOf(const Options& o, const std::string& output)
   }
   return { FileOfEye(layout, output, 0), FileOfEye(layout, output, 1) };
 }
+
+PanoramaInfo DescribePanorama(const Options& o)
+{
+  PanoramaInfo info;
+  // of two eyes in one file, or of a volume that was warped again, viewers know nothing
+  const bool plain =
+    o.Stereo == "mono" || (o.Stereo == "omnidirectional" && FindStereoLayout(o.Layout).IsOneEye());
+  info.Equirectangular = plain && o.Projection == "equirectangular";
+  info.HorizontalFov = o.View.HorizontalFov;
+  info.VerticalFov = o.View.VerticalFov;
+  return info;
+}
 }

@@ -4,6 +4,7 @@
 #define WideFoVStereoOptions_h
 
 #include "OptionGroup.h"
+#include "ImageOutput.h"
 #include "Options.h"
 #include "Scene.h"
 
@@ -23,6 +24,9 @@ void WarnOfNearness(const Options& options, const Scene& scene, const Vector3& e
 
 // The files that an output file becomes: two where each eye has its own.
 std::vector<std::string> FilesOf(const Options& options, const std::string& output);
+
+// What viewers of panoramas may know of these pictures.
+PanoramaInfo DescribePanorama(const Options& options);
 }
 
 #endif

@@ -14,6 +14,7 @@
 #include "StereoLayout.h"
 #include "StereoOptions.h"
 
+#include <algorithm>
 #include <iostream>
 
 namespace
@@ -38,21 +39,15 @@ void CheckOutputs(const Options& options)
   }
 }
 
-void WriteAll(const Options& options, const Scene& scene, const RenderResult& result)
+void WriteAll(
+  const Options& options, const Scene& scene, const RenderResult& result, OutputFiles& files)
 {
   const Progress progress("writing");
-  PanoramaInfo info;
-  // of two eyes in one file, or of a volume that was warped again, viewers know nothing
-  const bool plain = options.Stereo == "mono" ||
-    (options.Stereo == "omnidirectional" && FindStereoLayout(options.Layout).IsOneEye());
-  info.Equirectangular = plain && options.Projection == "equirectangular";
-  info.HorizontalFov = options.View.HorizontalFov;
-  info.VerticalFov = options.View.VerticalFov;
-  OutputFiles files;
+  const PanoramaInfo info = DescribePanorama(options);
   for (const std::string& output : options.Outputs)
   {
     const std::vector<std::string> names = FilesOf(options, output);
-    for (std::size_t i = 0; i < names.size(); i++)
+    for (std::size_t i = 0; i < std::min(names.size(), result.Colors.size()); i++)
     {
       const std::vector<unsigned char> bytes = EncodePicture(result.Colors[i], names[i], info);
       files.Write(names[i], bytes.data(), bytes.size());
@@ -90,8 +85,9 @@ int Run(int argc, char** argv)
   const Scene scene = LoadScene(options);
   MakePose(scene, options); // complains before a window is opened
   WarnOfNearness(options, scene, MakePose(scene, options).Eye);
-  const RenderResult result = Render(scene, options);
-  WriteAll(options, scene, result);
+  OutputFiles files;
+  const RenderResult result = Render(scene, options, files);
+  WriteAll(options, scene, result, files);
   return ExitDone;
 }
 }

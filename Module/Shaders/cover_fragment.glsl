@@ -205,6 +205,8 @@ bool wfvCoverage(WfvRay ray, vec3 e, vec3 x, vec3 y, bool rim)
   bool certain = wfvByChord || (!rim && all(greaterThan(abs(e), reach)));
   int mask = wfvByChord || (certain && all(greaterThan(e, vec3(0.0)))) ? -1 : 0;
   bool centre = certain || (ray.inside && wfvAllInside(e, wfvToChords(e, x, y)));
+  // without samples, in a shader that still reckons with several, the centre decides
+  mask = wfvSamples <= 1 && centre && !certain ? -1 : mask;
   wfvShown = ray.direction;
   for (int i = 0; i < wfvSamples && !certain; i++)
   {

@@ -2,7 +2,6 @@
 // Round maps end at a circle that geometry may reach across.
 bool wfvOutsideDomain()
 {
-  vec2 ndc = (2.0 * (gl_FragCoord.xy - wfvViewport.xy) - wfvViewport.zw) / wfvViewport.zw;
-  vec2 m = (ndc - wfvTile.zw) / wfvTile.xy / wfvView.scale;
+  vec2 m = wfvNdcOfPixel(gl_FragCoord.xy) / wfvView.scale;
   return wfvHypot(m.x, m.y) > wfvRadius(wfvView.maxAngle, wfvView);
 }

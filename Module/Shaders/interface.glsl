@@ -5,6 +5,16 @@ uniform WfvView wfvView;
 uniform vec4 wfvViewport;  // x, y, width, height of the viewport, pixels
 uniform vec4 wfvTile;      // NDC of the tile = NDC of the picture * xy + zw
 
+uniform vec4 wfvPicture;   // pixels: of the picture's corner, in the window; its size
+
+// NDC of the picture at a place in pixels of the window. Rounded once: at a rim where a map is
+// flat these digits are all there is, and they are the same in a tile as in the whole picture.
+vec2 wfvNdcOfPixel(vec2 at)
+{
+  vec2 twice = 2.0 * (at - wfvPicture.xy) - wfvPicture.zw;
+  return twice / wfvPicture.zw;
+}
+
 // Position in the map as a clip coordinate. Dividing by the distance to the eye makes
 // the interpolation of attributes perspective-correct. Clipped by linear depth whatever
 // the mapping, which the fragment stage applies.

@@ -183,8 +183,7 @@ void wfvPrepare()
 #endif
   vec2 p = gl_FragCoord.xy - wfvViewport.xy - 0.5 * wfvViewport.zw;
   wfvUnpack(p);
-  vec2 ndc = 2.0 * (gl_FragCoord.xy - wfvViewport.xy) / wfvViewport.zw - 1.0;
-  bool inside = wfvUnproject((ndc - wfvTile.zw) / wfvTile.xy, wfvView).inside;
+  bool inside = wfvUnproject(wfvNdcOfPixel(gl_FragCoord.xy), wfvView).inside;
   float d = wfvFindNearest(p);
   wfvAlong = wfvLineParameter(wfvBestAngle);
   vec3 at = mix(wfvLineEnds.z * wfvArcAt(wfvLineEnds.x), wfvLineEnds.w * wfvArcAt(wfvLineEnds.y),

@@ -9,10 +9,7 @@ uniform vec2 wfvSampleOffsets[16];
 // NDC of the place so many pixels beside the centre of the fragment.
 vec2 wfvPlaceBeside(vec2 offset)
 {
-  // rounded once: at a rim where a map is flat these digits are all there is
-  vec2 twice = 2.0 * (gl_FragCoord.xy + offset - wfvViewport.xy) - wfvViewport.zw;
-  vec2 ndc = twice / wfvViewport.zw;
-  return (ndc - wfvTile.zw) / wfvTile.xy;
+  return wfvNdcOfPixel(gl_FragCoord.xy + offset);
 }
 
 // The picture's centre, pixels of the window, and the raw map's units a pixel.
@@ -33,8 +30,7 @@ WfvRay wfvRayAt(vec2 offset)
 // evenly.
 bool wfvIsCalm()
 {
-  vec2 ndc = 2.0 * (gl_FragCoord.xy - wfvViewport.xy) / wfvViewport.zw - 1.0;
-  vec2 at = wfvPixelOfNdc((ndc - wfvTile.zw) / wfvTile.xy, wfvView);
+  vec2 at = wfvPixelOfNdc(wfvNdcOfPixel(gl_FragCoord.xy), wfvView);
   vec4 here = wfvDirectionTexel(wfvView, wfvNearestIndex(at.x, wfvView.tables.x),
     wfvNearestIndex(at.y, wfvView.tables.y));
   vec2 size = wfvViewport.zw * wfvTile.xy;

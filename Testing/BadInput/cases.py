@@ -112,6 +112,10 @@ COMMAND_LINE = [
     usage("good.vtk --output {out}/picture.xyz", "picture.xyz"),
     usage("good.vtk --output {out}/picture", "picture"),
     usage("good.vtk --aov {out}/data.png", "data.png"),
+    usage("good.vtk --tile 64", "--tile"),
+    usage("good.vtk --tile 0x16", "--tile"),
+    usage("good.vtk --tile 32x32 --technique cubemap", "--tile"),
+    usage("good.vtk --tile 32x32 --stereo omnidirectional --layout split", "--tile"),
 ]
 
 DATA = [
@@ -172,7 +176,7 @@ DISPLAY = [
     failed("good.vtk", "display", env={"DISPLAY": "no such display"}),
     failed("good.vtk", "OpenGL", env={"MESA_GL_VERSION_OVERRIDE": "3.1"}),
     failed("good.vtk", "OpenGL", env={"MESA_GL_VERSION_OVERRIDE": "2.1"}),
-    failed("good.vtk --size 40000x16", "40000"),
+    failed("good.vtk --size 40000x16 --technique cubemap", "40000"),
 ]
 
 OUTPUT = [
@@ -189,9 +193,21 @@ OUTPUT = [
     failed("good.vtk --size 512x256 --output {out}/new.jpg", "new.jpg", place="full disk"),
     failed("good.vtk --size 512x256 --output {out}/new.tif", "new.tif", place="full disk"),
     failed("good.vtk --size 512x256 --aov {out}/new.exr", "new.exr", place="full disk"),
+    failed("good.vtk --size 70000x2 --output {out}/new.jpg", "65500"),
     failed("--list-projections", "", place="full standard output"),
     failed("--list-scenes", "", place="full standard output"),
     failed("--help", "", place="full standard output"),
+]
+
+TILED = "good.vtk --size 512x256 --tile 128x96 "
+OUTPUT += [
+    failed(TILED, "old.png", place="full disk"),
+    failed(TILED, "old.png", place="file size limit"),
+    failed(TILED + "--output {out}/new.exr", "new.exr", place="full disk"),
+    failed(TILED + "--output {out}/new.jpg", "new.jpg", place="full disk"),
+    failed(TILED + "--output {out}/new.tif", "new.tif", place="full disk"),
+    failed(TILED + "--output {out}/new.tif", "new.tif", place="file size limit"),
+    failed(TILED + "--aov {out}/new.exr", "new.exr", place="full disk"),
 ]
 
 # Of widefov-viewer: what it does not share with widefov-render.
@@ -222,7 +238,7 @@ VIEWER = [
     failed("good.vtk --log /dev/full", "/dev/full"),
     failed("good.vtk --monitor 9 --full-screen", "no monitor 9"),
     failed("good.vtk --wall 9x1 --full-screen", "no monitor"),
-    failed("good.vtk --size 40000x16", "40000"),
+    failed("good.vtk --size 40000x16 --technique cubemap", "40000"),
     failed("good.vtk", "display", env={"DISPLAY": None}),
     failed("good.vtk", "display", env={"DISPLAY": ":54321"}),
     failed("good.vtk", "OpenGL", env={"MESA_GL_VERSION_OVERRIDE": "3.1"}),

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a picture is made of, as channels of a file.
+#ifndef WideFoVAov_h
+#define WideFoVAov_h
+
+#include "ImageOutput.h"
+#include "Scene.h"
+
+#include <string>
+#include <vector>
+
+class vtkImageData;
+
+namespace widefov
+{
+// Names of the channels, in their order.
+const std::vector<std::string>& AovChannels();
+
+// What vtkWideFoVDataPass gave, from the top. Props, which are actors there, become files of the
+// scene.
+FloatPicture FlattenAov(vtkImageData* image, const Scene& scene);
+}
+
+#endif

@@ -1,0 +1,192 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Draws pictures at once and in tiles, and compares them pixel by pixel.
+
+    test_tiles.py WIDEFOV_RENDER IDIFF [GROUP...]      groups: Colors, Channels, Stereo, Files
+
+What covers pixels by their rays is the same to the bit. A rasterizer rounds the ends of lines,
+of points and of plain triangles in the coordinates of its window, so where these have a part in
+a picture few pixels, named below, may differ by as little as an edge moves.
+"""
+
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+
+# Seconds until a run counts as hanging.
+TIMEOUT = 240
+
+# Neither divides the size, so that the last tiles are smaller.
+SIZE = "212x107"
+TILE = "64x48"
+
+EXACT = 0
+
+# Pixels of the 22,684 that the rasterizer's rounding may change.
+ROUNDED = 120
+
+# The same where lines lie along borders between pixels, as meridians do: either side may draw.
+BORDERS = 4000
+
+# The command line, and how many pixels may differ.
+COLORS = [
+    ("--scene globe --technique exact", EXACT),
+    ("--scene globe --technique exact --projection hammer", EXACT),
+    ("--scene globe --technique exact --projection azimuthal-equidistant --fov 360", EXACT),
+    ("--scene globe --technique exact --projection panini --hfov 200 --vfov 120", EXACT),
+    ("--scene globe --technique exact --projection equi-angular-cubemap", EXACT),
+    ("--scene globe --technique exact --tilt 40 --samples 0", EXACT),
+    ("--scene room --technique exact --projection stereographic --fov 250", EXACT),
+    ("--scene globe", ROUNDED),
+    ("--scene globe --technique tessellate", ROUNDED),
+    ("--scene globe --technique preclip --projection hammer", ROUNDED),
+    ("--scene globe --representation wireframe", BORDERS),
+    ("--scene globe --representation surface-with-edges", BORDERS),
+    ("--scene cornell --representation points --point-size 7", ROUNDED),
+    ("--scene sphere --points-as-spheres --representation points --point-size 9", ROUNDED),
+    ("--scene globe --projection perspective --hfov 100 --vfov 60", ROUNDED),
+    ("--scene flow --projection perspective --hfov 60 --vfov 100 --tilt 20", ROUNDED),
+]
+
+CHANNELS = [
+    ("--scene globe --technique exact", EXACT),
+    ("--scene cornell --technique exact --projection azimuthal-equidistant", EXACT),
+    ("--scene cornell --projection perspective --hfov 100 --vfov 60", ROUNDED),
+]
+
+STEREO = [
+    "--stereo omnidirectional --ipd 0.1 --layout side-by-side",
+    "--stereo omnidirectional --ipd 0.1 --layout top-bottom",
+    "--stereo omnidirectional --ipd 0.1 --layout side-by-side-half",
+    "--stereo omnidirectional --ipd 0.1 --layout top-bottom-half",
+    "--stereo omnidirectional --ipd 0.1 --layout anaglyph",
+    "--stereo warped --layout left",
+]
+STEREO_SIZE = "212x108"
+
+
+class Failures:
+    def __init__(self):
+        self.count = 0
+
+    def check(self, right, what):
+        if not right:
+            self.count += 1
+            print("FAILED: " + what)
+
+
+class Tester:
+    """Runs the programs in a folder of its own."""
+
+    def __init__(self, render, idiff, folder):
+        self.render, self.idiff, self.folder = render, idiff, folder
+        self.failures = Failures()
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def draw(self, arguments, outputs, tile=None, size=SIZE):
+        command = [self.render] + arguments.split() + ["--size", size] + outputs
+        command += ["--tile", tile] if tile else []
+        done = subprocess.run(command, capture_output=True, text=True, timeout=TIMEOUT, check=False)
+        self.failures.check(
+            done.returncode == 0, "%s: exit code %d: %s" % (command, done.returncode, done.stderr)
+        )
+
+    def differing(self, first, second):
+        """The number of pixels that differ at all; -1 where they cannot be compared."""
+        command = [self.idiff, "-fail", "0", "-warn", "0", self.path(first), self.path(second)]
+        done = subprocess.run(command, capture_output=True, text=True, timeout=TIMEOUT, check=False)
+        text = done.stdout + done.stderr
+        if "PASS" in text:
+            return 0
+        found = re.search(r"(\d+) pixels \([^)]*\) over 0", text)
+        return int(found.group(1)) if found else -1
+
+    def compare(self, arguments, first, second, most):
+        n = self.differing(first, second)
+        print("%s: %s: %d pixels differ, %d may" % (arguments, second, n, most))
+        self.failures.check(0 <= n <= most, arguments + ": " + second)
+
+
+def colors(tester):
+    for arguments, most in COLORS:
+        tester.draw(arguments, ["-o", tester.path("once.tif")])
+        tester.draw(arguments, ["-o", tester.path("tiles.tif")], TILE)
+        tester.compare(arguments, "once.tif", "tiles.tif", most)
+
+
+def channels(tester):
+    for arguments, most in CHANNELS:
+        for samples in ("", " --samples 0"):
+            tester.draw(arguments + samples, ["--aov", tester.path("once.exr")])
+            tester.draw(arguments + samples, ["--aov", tester.path("tiles.exr")], TILE)
+            if most == EXACT:
+                tester.compare(arguments + samples, "once.exr", "tiles.exr", EXACT)
+            else:
+                cells(tester, arguments + samples, most)
+
+
+def cells(tester, arguments, most):
+    """Where distances are rounded, the cells alone."""
+    for name in ("once", "tiles"):
+        command = ["oiiotool", tester.path(name + ".exr"), "--ch", "cell", "-o"]
+        subprocess.run(command + [tester.path(name + "-cell.exr")], timeout=TIMEOUT, check=True)
+    tester.compare(arguments, "once-cell.exr", "tiles-cell.exr", most)
+
+
+def stereo(tester):
+    for arguments in STEREO:
+        arguments = "--scene cornell --technique exact " + arguments
+        tester.draw(arguments, ["-o", tester.path("once.tif")], size=STEREO_SIZE)
+        tester.draw(arguments, ["-o", tester.path("tiles.tif")], TILE, STEREO_SIZE)
+        tester.compare(arguments, "once.tif", "tiles.tif", EXACT)
+    arguments = "--scene cornell --technique exact --stereo omnidirectional --layout separate"
+    tester.draw(arguments, ["-o", tester.path("once.tif"), "-o", tester.path("once.exr")])
+    tester.draw(arguments, ["-o", tester.path("tiles.tif"), "-o", tester.path("tiles.exr")], TILE)
+    for ending in ("-left.tif", "-right.tif", "-left.exr", "-right.exr"):
+        tester.compare(arguments, "once" + ending, "tiles" + ending, EXACT)
+
+
+def files(tester):
+    """Every format, its metadata, and what the statistics say."""
+    arguments = "--scene room --technique exact"
+    for ending in (".tif", ".exr", ".png", ".jpg"):
+        once, tiles = "once" + ending, "tiles" + ending
+        tester.draw(arguments, ["-o", tester.path(once)])
+        tester.draw(
+            arguments, ["-o", tester.path(tiles), "--stats", tester.path("stats.json")], TILE
+        )
+        tester.compare(arguments, once, tiles, EXACT)
+        with open(tester.path(once), "rb") as a, open(tester.path(tiles), "rb") as b:
+            panorama = [b"equirectangular" in stream.read() for stream in (a, b)]
+        tester.failures.check(panorama[0] == panorama[1], tiles + ": panorama metadata")
+    with open(tester.path("stats.json"), encoding="utf-8") as stream:
+        stats = json.load(stream)
+    tester.failures.check(stats["tiles"] == [4, 3], "tiles: %s" % stats["tiles"])
+    tester.failures.check(stats["ms"]["median"] > 0, "no time is given")
+    # one tile is the whole picture
+    tester.draw(arguments, ["-o", tester.path("one.png")], "1000x1000")
+    tester.compare(arguments, "once.png", "one.png", EXACT)
+
+
+GROUPS = {"Colors": colors, "Channels": channels, "Stereo": stereo, "Files": files}
+
+
+def main():
+    render, idiff = sys.argv[1:3]
+    failed = 0
+    for name in sys.argv[3:] or GROUPS:
+        with tempfile.TemporaryDirectory() as folder:
+            tester = Tester(render, idiff, folder)
+            GROUPS[name](tester)
+            failed += tester.failures.count
+    print("%d failed" % failed)
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
