@@ -2,6 +2,7 @@
 #include "Check.h"
 
 #include "MessageCatcher.h"
+#include "NearestPlace.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
@@ -231,6 +232,17 @@ bool Checker::IsDepthTie(const reference::WorstPixel& p, double b) const
   return false;
 }
 
+double Checker::NearestPlaceOf(const reference::WorstPixel& p) const
+{
+  const test::Shot& s = this->Current.Shot;
+  const vec2 centre(p.I + 0.5, p.J + 0.5);
+  const vec2 ndc = reference::PixelToNdc(centre.x, centre.y, s.Width, s.Height);
+  return this->Caster->GetView().Ray(ndc).Inside
+    ? reference::NearestPlace(
+        *this->Caster, s.Width, s.Height, centre, p.Drawn, reference::SearchLimit)
+    : reference::SearchLimit;
+}
+
 void Checker::Compare(
   const reference::DrawnPicture& drawn, const Technique& technique, Verdict& verdict) const
 {
@@ -259,10 +271,15 @@ void Checker::Compare(
       continue;
     }
     ++count.Unexplained;
-    p.Pixels = count.Unexplained <= MostLooks
-      ? reference::NearestAgreement(*this->Caster, s.Width, s.Height, p, technique.B)
-      : std::numeric_limits<double>::infinity();
-    count.Thin += std::isfinite(p.Pixels);
+    p.Pixels = reference::SearchLimit;
+    if (count.Unexplained <= MostLooks)
+    {
+      const double thin =
+        reference::NearestAgreement(*this->Caster, s.Width, s.Height, p, technique.B);
+      count.Thin += std::isfinite(thin);
+      p.Pixels = std::min({ thin, p.Pixels, this->NearestPlaceOf(p) });
+    }
+    count.MaxPx = std::max(count.MaxPx, p.Pixels);
     this->Say(
       verdict, "unexplained " + test::DescribePixel(this->Drawing.GetView(), s.Width, s.Height, p));
   }

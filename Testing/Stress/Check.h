@@ -55,6 +55,7 @@ private:
   void Compare(
     const reference::DrawnPicture& drawn, const Technique& technique, Verdict& verdict) const;
   bool IsDepthTie(const reference::WorstPixel& pixel, double b) const;
+  double NearestPlaceOf(const reference::WorstPixel& pixel) const;
   bool TiesAt(vec2 ndc, vtkIdType cell) const;
   void Say(Verdict& verdict, const std::string& what) const;
 
