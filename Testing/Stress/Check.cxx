@@ -232,15 +232,21 @@ bool Checker::IsDepthTie(const reference::WorstPixel& p, double b) const
   return false;
 }
 
-double Checker::NearestPlaceOf(const reference::WorstPixel& p) const
+// How far from the pixel its cell is seen, by smaller circles and by the cell's own picture.
+void Checker::LookClosely(reference::WorstPixel& p, double b, Counts& count) const
 {
   const test::Shot& s = this->Current.Shot;
+  const double thin = reference::NearestAgreement(*this->Caster, s.Width, s.Height, p, b);
+  count.Thin += std::isfinite(thin);
+  p.Pixels = std::min(thin, p.Pixels);
   const vec2 centre(p.I + 0.5, p.J + 0.5);
   const vec2 ndc = reference::PixelToNdc(centre.x, centre.y, s.Width, s.Height);
-  return this->Caster->GetView().Ray(ndc).Inside
-    ? reference::NearestPlace(
-        *this->Caster, s.Width, s.Height, centre, p.Drawn, reference::SearchLimit)
-    : reference::SearchLimit;
+  if (this->Caster->GetView().Ray(ndc).Inside)
+  {
+    p.Pixels = std::min(p.Pixels,
+      reference::NearestPlace(
+        *this->Caster, s.Width, s.Height, centre, p.Drawn, reference::SearchLimit));
+  }
 }
 
 void Checker::Compare(
@@ -274,10 +280,7 @@ void Checker::Compare(
     p.Pixels = reference::SearchLimit;
     if (count.Unexplained <= MostLooks)
     {
-      const double thin =
-        reference::NearestAgreement(*this->Caster, s.Width, s.Height, p, technique.B);
-      count.Thin += std::isfinite(thin);
-      p.Pixels = std::min({ thin, p.Pixels, this->NearestPlaceOf(p) });
+      this->LookClosely(p, technique.B, count);
     }
     count.MaxPx = std::max(count.MaxPx, p.Pixels);
     this->Say(
