@@ -144,7 +144,13 @@ vtkWideFoVStage* vtkWideFoVStages::Choose(vtkProp* prop)
   }
   const bool torn = vtkWideFoVNeedsPreClip(
     *this->Projection, this->View, bounds, this->WorldToView, this->GetPointReach(prop));
-  return torn || !this->IsFine(prop, bounds) ? this->PreClip : this->Plain;
+  if (torn || !this->IsFine(prop, bounds))
+  {
+    return this->PreClip;
+  }
+  // no bound on chords is one on depth: along an edge that runs away from the eye it is off by
+  // the square of the edge's share of the distance, however near chord and edge are
+  return this->Technique == vtkWideFoVPass::AUTO ? this->PlainAmong : this->Plain;
 }
 
 void vtkWideFoVStages::Attach(vtkProp* prop, vtkWideFoVStage* stage)

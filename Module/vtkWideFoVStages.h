@@ -71,8 +71,8 @@ public:
   // The stage in the prop's keys, or nullptr.
   static vtkWideFoVStage* FindAttached(vtkProp* prop);
 
-  vtkNew<vtkWideFoVStage> Plain;
-  vtkNew<vtkWideFoVStage> PlainAmong; // plain triangles of a prop whose others are covered
+  vtkNew<vtkWideFoVStage> Plain;      // vertex, preclip: with depth interpolated along chords
+  vtkNew<vtkWideFoVStage> PlainAmong; // auto: with the surface's own, also among covered ones
   vtkNew<vtkWideFoVStage> CalmAmong;  // covered triangles that are easy, of a prop with others
   vtkNew<vtkWideFoVStage> PreClip;
   vtkNew<vtkWideFoVStage> Exact;

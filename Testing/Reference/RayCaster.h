@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A ray caster in double precision. VTK's static cell locator proposes candidates; what
-// is hit is decided by RayTriangle.h alone. It shares nothing with the shaders but the
+// A ray caster in double precision. A hierarchy of boxes proposes candidates; what is hit is
+// decided by RayTriangle.h alone. It shares nothing with the shaders but the
 // view's `ray`.
 #ifndef WideFoVRayCaster_h
 #define WideFoVRayCaster_h
 
 #include "Caster.h"
 #include "RayTriangle.h"
-#include "TriangleSoup.h"
-
-#include <memory>
+#include "TriangleTree.h"
 
 namespace wfv
 {
@@ -24,7 +22,6 @@ public:
   // The same of triangles that are in view coordinates already, in the order of their
   // cell ids: a scene of several polydata.
   RayCaster(TriangleSoup soup, const View& view);
-  ~RayCaster() override;
   RayCaster(const RayCaster&) = delete;
   RayCaster& operator=(const RayCaster&) = delete;
 
@@ -41,10 +38,12 @@ public:
   const TriangleSoup* GetSoup() const override { return &this->Soup; }
 
 private:
-  struct Locator;
   RayTriangleHit Intersect(const vec3& origin, const vec3& direction, std::size_t triangle) const;
+
+  // Of the hits between two distances.
+  Hit Nearest(const vec3& origin, const vec3& direction, double least, double most) const;
   TriangleSoup Soup;
-  std::unique_ptr<Locator> Candidates;
+  TriangleTree Candidates; // of Soup
 };
 }
 }

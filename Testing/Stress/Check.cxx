@@ -2,6 +2,7 @@
 #include "Check.h"
 
 #include "MessageCatcher.h"
+#include "NearestPlace.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
@@ -231,6 +232,23 @@ bool Checker::IsDepthTie(const reference::WorstPixel& p, double b) const
   return false;
 }
 
+// How far from the pixel its cell is seen, by smaller circles and by the cell's own picture.
+void Checker::LookClosely(reference::WorstPixel& p, double b, Counts& count) const
+{
+  const test::Shot& s = this->Current.Shot;
+  const double thin = reference::NearestAgreement(*this->Caster, s.Width, s.Height, p, b);
+  count.Thin += std::isfinite(thin);
+  p.Pixels = std::min(thin, p.Pixels);
+  const vec2 centre(p.I + 0.5, p.J + 0.5);
+  const vec2 ndc = reference::PixelToNdc(centre.x, centre.y, s.Width, s.Height);
+  if (this->Caster->GetView().Ray(ndc).Inside)
+  {
+    p.Pixels = std::min(p.Pixels,
+      reference::NearestPlace(
+        *this->Caster, s.Width, s.Height, centre, p.Drawn, reference::SearchLimit));
+  }
+}
+
 void Checker::Compare(
   const reference::DrawnPicture& drawn, const Technique& technique, Verdict& verdict) const
 {
@@ -259,10 +277,12 @@ void Checker::Compare(
       continue;
     }
     ++count.Unexplained;
-    p.Pixels = count.Unexplained <= MostLooks
-      ? reference::NearestAgreement(*this->Caster, s.Width, s.Height, p, technique.B)
-      : std::numeric_limits<double>::infinity();
-    count.Thin += std::isfinite(p.Pixels);
+    p.Pixels = reference::SearchLimit;
+    if (count.Unexplained <= MostLooks)
+    {
+      this->LookClosely(p, technique.B, count);
+    }
+    count.MaxPx = std::max(count.MaxPx, p.Pixels);
     this->Say(
       verdict, "unexplained " + test::DescribePixel(this->Drawing.GetView(), s.Width, s.Height, p));
   }

@@ -55,6 +55,7 @@ private:
   void Compare(
     const reference::DrawnPicture& drawn, const Technique& technique, Verdict& verdict) const;
   bool IsDepthTie(const reference::WorstPixel& pixel, double b) const;
+  void LookClosely(reference::WorstPixel& pixel, double b, Counts& count) const;
   bool TiesAt(vec2 ndc, vtkIdType cell) const;
   void Say(Verdict& verdict, const std::string& what) const;
 

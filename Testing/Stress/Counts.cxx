@@ -27,6 +27,7 @@ void Counts::Add(const Counts& other)
     this->*field.Value += other.*field.Value;
   }
   this->MaxDepthRel = std::max(this->MaxDepthRel, other.MaxDepthRel);
+  this->MaxPx = std::max(this->MaxPx, other.MaxPx);
 }
 
 bool Counts::Failed() const
@@ -44,6 +45,7 @@ Json ToJson(const Counts& counts)
     json[field.Name] = counts.*field.Value;
   }
   json["max_depth_rel"] = counts.MaxDepthRel;
+  json["max_px"] = counts.MaxPx;
   return json;
 }
 
@@ -55,6 +57,7 @@ Counts FromJson(const Json& json)
     counts.*field.Value = json.at(field.Name).get<long>();
   }
   counts.MaxDepthRel = json.at("max_depth_rel").get<double>();
+  counts.MaxPx = json.at("max_px").get<double>();
   return counts;
 }
 }

@@ -29,6 +29,7 @@ struct Counts
   long DepthTies = 0; // explained by two surfaces at distances that depth cannot tell apart
   long Thin = 0;      // of the unexplained, those that smaller circles explain
   double MaxDepthRel = 0;
+  double MaxPx = 0; // pixels from the farthest unexplained pixel to where its cell is seen
 
   void Add(const Counts& other);
   bool Failed() const;

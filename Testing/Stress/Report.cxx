@@ -31,7 +31,8 @@ void Report::AddFailure(const BatchId& id, const std::string& technique, const J
   batch.Id = id;
   batch.Seed = std::uint64_t(this->Options.Seed);
   Json failure = { { "projection", id.Projection }, { "case", id.Case }, { "technique", technique },
-    { "batch", id.Number }, { "reproduce", Reproducer(batch, technique) } };
+    { "batch", id.Number },
+    { "reproduce", Reproducer(batch, technique, this->Options.Tolerance) } };
   failure.update(result);
   this->Failures.push_back(failure);
 }

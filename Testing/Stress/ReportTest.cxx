@@ -47,6 +47,7 @@ TEST(StressReport, TotalsAreSums)
   Counts automatic;
   automatic.Unexplained = 3;
   automatic.MaxDepthRel = 0.5;
+  automatic.MaxPx = 0.125;
   report.Add({ "hammer", "needles", 0 }, ResultOf(exact, automatic));
   report.Add({ "hammer", "eye", 0 }, ResultOf(exact, Counts()));
   const Json json = report.ToJson();
@@ -57,10 +58,11 @@ TEST(StressReport, TotalsAreSums)
   EXPECT_EQ(json["by_case"]["eye"]["auto"]["unexplained"], 0);
   EXPECT_EQ(json["by_projection"]["hammer"]["exact"]["holes"], 2);
   EXPECT_EQ(json["max_depth_rel"], 0.5);
+  EXPECT_EQ(json["max_px"], 0.125);
   ASSERT_EQ(json["failures"].size(), 3u);
   EXPECT_EQ(json["failures"][0]["reproduce"],
-    "widefov-stress --seed 4 --projections hammer --technique exact --cases needles --batch 0 "
-    "--output FILE.json");
+    "widefov-stress --seed 4 --projections hammer --technique exact --tolerance 0.02 "
+    "--cases needles --batch 0 --output FILE.json");
 }
 
 TEST(StressReport, ACrashCountsOnce)

@@ -4,6 +4,7 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
+#include <sstream>
 
 namespace wfv
 {
@@ -131,11 +132,14 @@ std::vector<BatchId> PlanBatches(
   return plan;
 }
 
-std::string Reproducer(const Batch& batch, const std::string& technique)
+std::string Reproducer(const Batch& batch, const std::string& technique, double tolerance)
 {
+  std::ostringstream pixels;
+  pixels << tolerance;
   return "widefov-stress --seed " + std::to_string(batch.Seed) + " --projections " +
-    batch.Id.Projection + " --technique " + technique + " --cases " + batch.Id.Case + " --batch " +
-    std::to_string(batch.Id.Number) + " --output FILE.json";
+    batch.Id.Projection + " --technique " + technique + " --tolerance " + pixels.str() +
+    " --cases " + batch.Id.Case + " --batch " + std::to_string(batch.Id.Number) +
+    " --output FILE.json";
 }
 }
 }

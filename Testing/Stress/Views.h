@@ -42,7 +42,7 @@ std::vector<BatchId> PlanBatches(
 vec3 FrameUp(Random& random, const vec3& direction);
 
 // The command that draws this batch alone.
-std::string Reproducer(const Batch& batch, const std::string& technique);
+std::string Reproducer(const Batch& batch, const std::string& technique, double tolerance);
 }
 }
 

@@ -112,9 +112,9 @@ TEST(RayCaster, CandidatesAreComplete)
   EXPECT_GT(hits, 1000);
 }
 
-TEST(RayCaster, CandidatesAreCompleteAlongBinFaces)
+TEST(RayCaster, CandidatesAreCompleteAlongBoxFaces)
 {
-  // rays along the faces and diagonals of the locator's bins, through shared vertices
+  // rays along the faces and diagonals of the boxes of the search, through shared vertices
   const View view = FullSphere(1e-3, 100);
   const RayCaster caster(Sphere(64), view, EyeAt(0, 0, 0));
   for (double offset : { 0.0, 1e-15, 1e-12, 1e-9 })
