@@ -5,6 +5,7 @@
 #include "Messages.h"
 #include "OptionValues.h"
 #include "Scenes.h"
+#include "Sights.h"
 #include "StereoOptions.h"
 
 #include <algorithm>
@@ -71,6 +72,7 @@ void CheckDirectionMap(const Options& o, const wfv::Projection& p)
 
 void CompleteView(Options& o, const FieldsOfView& fov)
 {
+  CompleteRoom(o, fov);
   const wfv::Projection& p = CheckProjection(o);
   wfv::ViewOptions& v = o.View;
   v.Aspect = double(o.Size[0]) / o.Size[1];
