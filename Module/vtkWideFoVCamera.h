@@ -349,7 +349,10 @@ protected:
   void ComputeProjectionTransform(double aspect, double nearz, double farz) override;
 
   // Where distances are measured from, world.
-  virtual void GetViewpoint(double world[3]) { this->GetPosition(world); }
+  virtual void GetViewpoint(double world[3])
+  {
+    this->GetPosition(world);
+  }
 
 #ifndef __VTK_WRAP__
   // Takes the options over, or refuses them with an error where `model` says why.

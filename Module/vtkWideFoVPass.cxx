@@ -22,8 +22,8 @@ struct vtkWideFoVPass::Internals
   vtkSmartPointer<vtkRenderPass> Delegate;
   vtkWideFoVStages Stages;
   vtkNew<vtkWideFoVHeadlights> Headlights; // of flat screens
-  std::vector<vtkWideFoVStage*> Chosen; // one a prop, kept between frames for its memory
-  std::vector<vtkProp*> Order;          // the props as they came
+  std::vector<vtkWideFoVStage*> Chosen;    // one a prop, kept between frames for its memory
+  std::vector<vtkProp*> Order;             // the props as they came
 };
 
 namespace

@@ -77,7 +77,10 @@ protected:
   void CopyView(const vtkWideFoVCamera* source) override;
   void ComputeViewTransform() override;
 #ifndef __VTK_WRAP__
-  const wfv::StereoModel* GetFittingModel() override { return nullptr; }
+  const wfv::StereoModel* GetFittingModel() override
+  {
+    return nullptr;
+  }
 #endif
   void GetViewpoint(double world[3]) override;
 

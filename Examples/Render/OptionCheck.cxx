@@ -72,7 +72,6 @@ void CheckDirectionMap(const Options& o, const wfv::Projection& p)
 
 void CompleteView(Options& o, const FieldsOfView& fov)
 {
-  CompleteRoom(o, fov);
   const wfv::Projection& p = CheckProjection(o);
   wfv::ViewOptions& v = o.View;
   v.Aspect = double(o.Size[0]) / o.Size[1];
@@ -275,6 +274,7 @@ void CheckScene(Options& o, const FieldsOfView& fov)
   if (!OnlyLists(o))
   {
     CheckInput(o);
+    CompleteRoom(o, fov);
     CompleteView(o, fov);
     CheckCamera(o);
     CheckDrawn(o);

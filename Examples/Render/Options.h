@@ -63,12 +63,12 @@ struct Options
   std::string Layout = "anaglyph";
   std::vector<std::string> StereoGiven; // stereo options on the command line
 
-  std::string Screens;                // file of flat screens; perspective
-  std::string Poses;                  // file of head poses
-  double RoomScale = 1;               // scene units a unit of the room
-  std::optional<NamedScreen> Screen;  // what one picture of several shows (Sights.h)
-  std::optional<HeadPose> Head;       // whom it is for
-  std::optional<std::size_t> Number;  // of the pose, where there are several
+  std::string Screens;               // file of flat screens; perspective
+  std::string Poses;                 // file of head poses
+  double RoomScale = 1;              // scene units a unit of the room
+  std::optional<NamedScreen> Screen; // what one picture of several shows (Sights.h)
+  std::optional<HeadPose> Head;      // whom it is for
+  std::optional<std::size_t> Number; // of the pose, where there are several
 
   widefov::Look Look;                // colours, glyphs
   Vector3 Background{ { 0, 0, 0 } }; // red, green, blue, 0 to 1

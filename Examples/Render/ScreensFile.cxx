@@ -79,8 +79,8 @@ wfv::Screen Corners(const std::string& where, vtkXMLDataElement* machine)
   screen.LowerLeft = Corner(where, machine, "LowerLeft");
   screen.LowerRight = Corner(where, machine, "LowerRight");
   // files of ParaView before 3.10 name the other upper corner
-  const bool old = machine->GetAttribute("UpperRight") == nullptr &&
-    machine->GetAttribute("UpperLeft") != nullptr;
+  const bool old =
+    machine->GetAttribute("UpperRight") == nullptr && machine->GetAttribute("UpperLeft") != nullptr;
   screen.UpperRight = old
     ? Corner(where, machine, "UpperLeft") + screen.LowerRight - screen.LowerLeft
     : Corner(where, machine, "UpperRight");
@@ -135,8 +135,7 @@ bool Draws(vtkXMLDataElement* process)
 void AddMachine(const std::string& path, vtkXMLDataElement* machine, ScreensFile& file)
 {
   const char* const name = machine->GetAttribute("Name");
-  const std::string where =
-    path + ", machine " + std::to_string(file.Screens.size() + 1) +
+  const std::string where = path + ", machine " + std::to_string(file.Screens.size() + 1) +
     (name ? " (" + OneLine(name) + ")" : "");
   NamedScreen screen;
   screen.Corners = Corners(where, machine);

@@ -14,8 +14,8 @@ namespace widefov
 {
 struct NamedScreen
 {
-  std::string Name;                   // of its machine, fit for a file's name; no two are alike
-  wfv::Screen Corners;                // room coordinates, the file's unit
+  std::string Name;                    // of its machine, fit for a file's name; no two are alike
+  wfv::Screen Corners;                 // room coordinates, the file's unit
   std::array<int, 2> Size{ { 0, 0 } }; // pixels; 0 where the file says nothing of its window
 };
 

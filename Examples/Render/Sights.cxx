@@ -146,11 +146,12 @@ void Sights::CheckEyes(const Options& sight) const
     const wfv::vec3 at = wfv::EyeOf(head, sight.View.Stereo.InterpupillaryDistance, eye);
     if (!(wfv::LookThrough(sight.Screen->Corners, at).Distance > 0))
     {
-      const std::string who =
-        this->Given.Poses.empty() ? "the origin of " : "pose " + std::to_string(this->Taken) +
-          " of " + this->Given.Poses + " is for ";
+      const std::string who = this->Given.Poses.empty()
+        ? "the origin of "
+        : "pose " + std::to_string(this->Taken) + " of " + this->Given.Poses + " is for ";
       Fail(who + this->Given.Screens + ", screen " + sight.Screen->Name +
-        ": an eye is behind it or in its plane; correct its corners, or the head's place by --pose");
+        ": an eye is behind it or in its plane; correct its corners, or the head's place by "
+        "--pose");
     }
   }
 }

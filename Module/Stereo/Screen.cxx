@@ -64,7 +64,8 @@ ScreenSight LookThrough(const Screen& s, const vec3& eye)
   sight.Back = glm::normalize(glm::cross(sight.Right, s.UpperRight - s.LowerRight));
   sight.Up = glm::cross(sight.Back, sight.Right);
   sight.Distance = glm::dot(eye - s.LowerRight, sight.Back);
-  const vec2 half = vec2(glm::length(across), glm::dot(s.UpperRight - s.LowerRight, sight.Up)) * 0.5;
+  const vec2 half =
+    vec2(glm::length(across), glm::dot(s.UpperRight - s.LowerRight, sight.Up)) * 0.5;
   const vec3 corner = s.LowerLeft - eye;
   const vec2 middle = vec2(glm::dot(corner, sight.Right), glm::dot(corner, sight.Up)) + half;
   const double d = std::max(sight.Distance, 2 * LeastDistance * glm::length(half));
