@@ -320,7 +320,9 @@ void vtkWideFoVCamera::ResetClipRadii(const double bounds[6])
   }
   double nearest;
   double farthest;
-  DistanceToBounds(this->GetPosition(), bounds, nearest, farthest);
+  double viewpoint[3];
+  this->GetViewpoint(viewpoint);
+  DistanceToBounds(viewpoint, bounds, nearest, farthest);
   if (!(farthest > 0) || !std::isfinite(farthest))
   {
     return;

@@ -278,7 +278,7 @@ public:
    * How far the eyes of the stereo model are from the camera's position, scene units: 0 where
    * they are there.
    */
-  double GetEyeReach();
+  virtual double GetEyeReach();
 
   /**
    * True unless the projection is "perspective", for which stock VTK serves.
@@ -345,15 +345,24 @@ protected:
    */
   vtkObjectBase* NewInstanceInternal() const override;
 
-  void CopyView(const vtkWideFoVCamera* source);
+  virtual void CopyView(const vtkWideFoVCamera* source);
   void ComputeProjectionTransform(double aspect, double nearz, double farz) override;
+
+  // Where distances are measured from, world.
+  virtual void GetViewpoint(double world[3])
+  {
+    this->GetPosition(world);
+  }
 
 #ifndef __VTK_WRAP__
   // Takes the options over, or refuses them with an error where `model` says why.
   bool SetStereoOptions(const char* model, const wfv::StereoOptions& options);
 
   // The stereo model, where the projection is one that it is made for; else nullptr.
-  const wfv::StereoModel* GetFittingModel();
+  virtual const wfv::StereoModel* GetFittingModel();
+
+  // Of a perspective: half its width and height at distance 1, and where its axis is, NDC.
+  void SetFrustum(const double half[2], const double center[2]);
 
   // For a perspective of which half the width at distance 1 is tx: where the eye is (scene
   // units to the right) and by how much its picture is shifted (NDC).

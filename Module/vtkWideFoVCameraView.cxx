@@ -210,7 +210,9 @@ void vtkWideFoVCamera::ComputeProjectionTransform(double aspect, double nearz, d
   const wfv::ViewOptions& o = this->Internal->Options;
   const double tx = std::tan(vtkMath::RadiansFromDegrees(0.5 * o.HorizontalFov));
   const double ty = std::tan(vtkMath::RadiansFromDegrees(0.5 * o.VerticalFov));
-  const double n = o.Radii[0] / std::sqrt(1 + tx * tx + ty * ty);
+  const double cornerX = tx * (1 + std::abs(o.Center.x));
+  const double cornerY = ty * (1 + std::abs(o.Center.y));
+  const double n = o.Radii[0] / std::sqrt(1 + cornerX * cornerX + cornerY * cornerY);
   this->ProjectionTransform->Identity();
   if (const std::array<double, 4>& part = this->Internal->Part; !this->Internal->ForBothEyes)
   {
@@ -232,10 +234,26 @@ void vtkWideFoVCamera::ComputeProjectionTransform(double aspect, double nearz, d
   double eye;
   double shift;
   this->GetOffAxisEye(tx, eye, shift);
-  this->ProjectionTransform->Frustum(
-    -n * tx * (1 + shift), n * tx * (1 - shift), -n * ty, n * ty, n, o.Radii[1]);
+  const wfv::vec2 center = o.Center + wfv::vec2(shift, 0);
+  this->ProjectionTransform->Frustum(-n * tx * (1 + center.x), n * tx * (1 - center.x),
+    -n * ty * (1 + center.y), n * ty * (1 - center.y), n, o.Radii[1]);
   this->ProjectionTransform->Translate(-eye, 0, 0);
   this->ProjectionTransform->RotateX(-o.Tilt);
+}
+
+void vtkWideFoVCamera::SetFrustum(const double half[2], const double center[2])
+{
+  wfv::ViewOptions& o = this->Internal->Options;
+  const double horizontal = 2 * vtkMath::DegreesFromRadians(std::atan(half[0]));
+  const double vertical = 2 * vtkMath::DegreesFromRadians(std::atan(half[1]));
+  const wfv::vec2 middle(center[0], center[1]);
+  if (horizontal != o.HorizontalFov || vertical != o.VerticalFov || middle != o.Center)
+  {
+    o.HorizontalFov = horizontal;
+    o.VerticalFov = vertical;
+    o.Center = middle;
+    this->Modified();
+  }
 }
 
 void vtkWideFoVCamera::GetFrustumPlanes(double aspect, double planes[24])

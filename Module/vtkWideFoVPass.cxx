@@ -2,6 +2,8 @@
 #include "vtkWideFoVPass.h"
 
 #include "vtkWideFoVCamera.h"
+#include "vtkWideFoVHeadlights.h"
+#include "vtkWideFoVScreenCamera.h"
 #include "vtkWideFoVStages.h"
 
 #include "vtkObjectFactory.h"
@@ -19,8 +21,9 @@ struct vtkWideFoVPass::Internals
 {
   vtkSmartPointer<vtkRenderPass> Delegate;
   vtkWideFoVStages Stages;
-  std::vector<vtkWideFoVStage*> Chosen; // one a prop, kept between frames for its memory
-  std::vector<vtkProp*> Order;          // the props as they came
+  vtkNew<vtkWideFoVHeadlights> Headlights; // of flat screens
+  std::vector<vtkWideFoVStage*> Chosen;    // one a prop, kept between frames for its memory
+  std::vector<vtkProp*> Order;             // the props as they came
 };
 
 namespace
@@ -131,6 +134,13 @@ void vtkWideFoVPass::Render(const vtkRenderState* s)
   this->NumberOfClusters = this->NumberOfCulledClusters = 0;
   this->NumberOfCulledProps = 0;
   this->NumberOfDrawnProps = count;
+  if (vtkWideFoVScreenCamera::SafeDownCast(camera))
+  {
+    in.Headlights->Begin(s);
+    this->DrawDelegate(s);
+    in.Headlights->End(s);
+    return;
+  }
   if (!camera || !camera->IsWide())
   {
     this->DrawDelegate(s);

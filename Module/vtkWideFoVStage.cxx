@@ -5,6 +5,7 @@
 #include "vtkWideFoVDirectionTextures.h"
 #include "vtkWideFoVDiscontinuity.h"
 #include "vtkWideFoVEye.h"
+#include "vtkWideFoVHeadlights.h"
 #include "vtkWideFoVLineMapper.h"
 #include "vtkWideFoVPass.h"
 #include "vtkWideFoVQuadricKind.h"
@@ -17,8 +18,6 @@
 #include "vtkActor.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
-#include "vtkLight.h"
-#include "vtkLightCollection.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
@@ -166,24 +165,7 @@ void vtkWideFoVStage::SetView(vtkRenderer* renderer, vtkWideFoVCamera* camera, d
     this->Tile[i + 2] = static_cast<float>((whole - 2 * this->Pixels.Start[i] - size) / size);
   }
 
-  this->FindHeadlights(renderer);
-}
-
-void vtkWideFoVStage::FindHeadlights(vtkRenderer* renderer)
-{
-  this->Headlights = 0;
-  int bit = 0;
-  vtkCollectionSimpleIterator it;
-  renderer->GetLights()->InitTraversal(it);
-  while (vtkLight* light = renderer->GetLights()->GetNextLight(it))
-  {
-    if (light->GetSwitch())
-    {
-      const bool ahead = light->LightTypeIsHeadlight() && !light->GetPositional();
-      this->Headlights |= ahead && bit < 31 ? 1 << bit : 0;
-      bit++;
-    }
-  }
+  this->Headlights = wfv::FindHeadlights(renderer);
 }
 
 void vtkWideFoVStage::NoteSamples()

@@ -122,9 +122,6 @@ private:
   // Sets the stereo model, and how triangles are covered, in a request whose primitives are known.
   void FinishTriangles(vtkWideFoVShaderBuilder::Request& request) const;
 
-  // Which of the renderer's lights are headlights.
-  void FindHeadlights(vtkRenderer* renderer);
-
   // Looks whether the bound framebuffer has several samples a pixel.
   void NoteSamples();
 

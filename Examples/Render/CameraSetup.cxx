@@ -9,6 +9,7 @@
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 #include <vtkWideFoVCamera.h>
+#include <vtkWideFoVScreenCamera.h>
 
 #include <cmath>
 
@@ -86,19 +87,55 @@ void SetView(vtkWideFoVCamera* camera, const Options& o)
 
 // The one that the renderer has, so that what a camera has found out about its view
 // lasts, or a new one.
-vtkSmartPointer<vtkWideFoVCamera> WideCameraOf(vtkRenderer* renderer)
+template <class Camera>
+vtkSmartPointer<Camera> CameraOf(vtkRenderer* renderer)
 {
-  vtkSmartPointer<vtkWideFoVCamera> camera;
+  vtkSmartPointer<Camera> camera;
   if (renderer->IsActiveCameraCreated())
   {
-    camera = vtkWideFoVCamera::SafeDownCast(renderer->GetActiveCamera());
+    camera = Camera::SafeDownCast(renderer->GetActiveCamera());
   }
   if (!camera)
   {
-    camera = vtkSmartPointer<vtkWideFoVCamera>::New();
+    camera = vtkSmartPointer<Camera>::New();
     renderer->SetActiveCamera(camera);
   }
   return camera;
+}
+
+// The room is placed; a head with a position stands in it.
+void SetScreen(vtkWideFoVScreenCamera* camera, const Options& o)
+{
+  const wfv::Screen& s = o.Screen->Corners;
+  camera->SetScreen(&s.LowerLeft.x, &s.LowerRight.x, &s.UpperRight.x);
+  const wfv::Head head = o.Head && o.Head->HasPosition ? o.Head->Head : wfv::Head();
+  camera->SetHeadPosition(head.Position.x, head.Position.y, head.Position.z);
+  camera->SetHeadTurn(head.Turn[0], head.Turn[1], head.Turn[2], head.Turn[3]);
+  camera->SetInterpupillaryDistance(o.View.Stereo.InterpupillaryDistance);
+  if (o.HasClip)
+  {
+    camera->SetClipRadii(o.View.Radii[0], o.View.Radii[1]);
+  }
+}
+}
+
+namespace
+{
+// A vector of the head or room of a pose, world; its up need not be at right angles.
+Vector3 ToWorld(const Pose& pose, const wfv::vec3& v)
+{
+  const Vector3 right = Unit(Cross(pose.Direction, pose.Up));
+  const Vector3 up = Cross(right, pose.Direction);
+  return v.x * right + v.y * up + -v.z * pose.Direction;
+}
+
+// The display is on the head, or, where it is screens in a room, the room turns with it.
+void MoveWithHead(Pose& pose, const HeadPose& head)
+{
+  const Pose room = pose;
+  pose.Eye = room.Eye + ToWorld(room, head.Head.Position);
+  pose.Direction = ToWorld(room, wfv::TurnedWith(head.Head, wfv::vec3(0, 0, -1)));
+  pose.Up = ToWorld(room, wfv::TurnedWith(head.Head, wfv::vec3(0, 1, 0)));
 }
 }
 
@@ -126,6 +163,10 @@ Pose MakePose(const Scene& scene, const Options& o)
     }
     pose.Up = { { 0, 0, pose.Direction[1] > 0 ? 1. : -1. } }; // as if the head were tilted back
   }
+  if (o.Head && !(o.Screen && o.Head->HasPosition))
+  {
+    MoveWithHead(pose, *o.Head);
+  }
   return pose;
 }
 
@@ -133,9 +174,16 @@ void SetCamera(vtkRenderer* renderer, const Scene& scene, const Options& o)
 {
   const Pose pose = MakePose(scene, o);
   const double distance = FocalDistance(scene);
+  if (o.Screen)
+  {
+    const auto camera = CameraOf<vtkWideFoVScreenCamera>(renderer);
+    Place(camera, pose, distance);
+    SetScreen(camera, o);
+    return;
+  }
   if (o.Technique != Technique::CubeMap)
   {
-    const vtkSmartPointer<vtkWideFoVCamera> camera = WideCameraOf(renderer);
+    const auto camera = CameraOf<vtkWideFoVCamera>(renderer);
     Place(camera, pose, distance);
     SetView(camera, o);
     return;

@@ -5,6 +5,7 @@
 #include "Messages.h"
 #include "OptionValues.h"
 #include "Scenes.h"
+#include "Sights.h"
 #include "StereoOptions.h"
 
 #include <algorithm>
@@ -282,6 +283,7 @@ void CheckScene(Options& o, const FieldsOfView& fov)
   if (!OnlyLists(o))
   {
     CheckInput(o);
+    CompleteRoom(o, fov);
     CompleteView(o, fov);
     CheckCamera(o);
     CheckDrawn(o);

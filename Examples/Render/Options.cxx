@@ -7,6 +7,7 @@
 #include "OptionCheck.h"
 #include "OptionGroup.h"
 #include "OptionValues.h"
+#include "Sights.h"
 #include "StereoOptions.h"
 
 namespace widefov
@@ -20,7 +21,11 @@ const Range FieldOfView{ 0, 360, true };
 void DeclareView(CLI::App& app, Options& o, FieldsOfView& fov)
 {
   Group group(app, "View");
-  group.Name("--projection", "NAME", o.Projection, "the map; --list-projections prints them");
+  group.Add("--projection", "NAME", o.Projection, "the map; --list-projections prints them",
+    [&o](const std::string&, const std::string& value) {
+      o.Projection = value;
+      o.HasProjection = true;
+    });
   const auto angle = [](std::optional<double>& target) {
     return [&target](const std::string& option, const std::string& value) {
       target = ParseNumber(option, value, FieldOfView);
@@ -127,6 +132,7 @@ void DeclareScene(CLI::App& app, Options& options, FieldsOfView& fov)
   DeclareView(app, options, fov);
   DeclareDrawing(app, options);
   DeclareStereo(app, options);
+  DeclareRoom(app, options);
   DeclareListings(app, options);
 }
 

@@ -3,8 +3,10 @@
 #ifndef WideFoVOptions_h
 #define WideFoVOptions_h
 
+#include "HeadPose.h"
 #include "Look.h"
 #include "Projections/Projection.h"
+#include "ScreensFile.h"
 
 #include <array>
 #include <optional>
@@ -38,6 +40,7 @@ struct Options
   std::string Scene; // a built-in scene instead of files
 
   std::string Projection = "equirectangular";
+  bool HasProjection = false;
   wfv::ViewOptions View; // complete after ParseOptions; Radii only where HasClip
   bool HasClip = false;
   std::string DirectionMap; // file of the projection of that name
@@ -60,6 +63,13 @@ struct Options
   std::string Stereo = "mono"; // its numbers are in View
   std::string Layout = "anaglyph";
   std::vector<std::string> StereoGiven; // stereo options on the command line
+
+  std::string Screens;               // file of flat screens; perspective
+  std::string Poses;                 // file of head poses
+  double RoomScale = 1;              // scene units a unit of the room
+  std::optional<NamedScreen> Screen; // what one picture of several shows (Sights.h)
+  std::optional<HeadPose> Head;      // whom it is for
+  std::optional<std::size_t> Number; // of the pose, where there are several
 
   widefov::Look Look;                // colours, glyphs
   Vector3 Background{ { 0, 0, 0 } }; // red, green, blue, 0 to 1

@@ -2,6 +2,7 @@
 #include "StereoOptions.h"
 
 #include "Messages.h"
+#include "Sights.h"
 #include "StereoLayout.h"
 #include "Stereo/Stereo.h"
 
@@ -31,8 +32,12 @@ void ModelNumber(OptionGroup& group, Options& o, const std::string& name, const 
 }
 
 // The options that a model has.
-std::vector<std::string> OptionsOfModel(const std::string& model)
+std::vector<std::string> OptionsOfModel(const std::string& model, bool screens)
 {
+  if (screens && model == "offaxis")
+  {
+    return { "--ipd" }; // the rest follows from the screens
+  }
   if (model == "omnidirectional")
   {
     return { "--ipd", "--pole-fade" };
@@ -59,7 +64,7 @@ void DeclareStereo(CLI::App& app, Options& o)
       o.StereoGiven.push_back(option);
     });
   ModelNumber(group, o, "--ipd", "D", s.InterpupillaryDistance, { 0, Most },
-    "omnidirectional: distance between the eyes, scene units");
+    "omnidirectional, screens: distance between the eyes, scene units");
   group.Add("--pole-fade", "A,B", "off",
     "omnidirectional: latitudes, degrees, between which the eyes' distance fades",
     [&o, &s](const std::string& option, const std::string& value) {
@@ -76,14 +81,12 @@ void DeclareStereo(CLI::App& app, Options& o)
     "offaxis: parallax far away, fraction of the width");
   ModelNumber(group, o, "--convergence", "D", s.Convergence, { 0, Most, true },
     "offaxis: distance of zero parallax, scene units");
-  group.Later("--screens", "FILE.pvx", "flat screens of a wall or CAVE");
-  group.Later("--pose", "FILE", "recorded head poses");
 }
 
 void CompleteStereo(Options& o)
 {
   o.View.Stereo.Model = wfv::FindStereoModel(o.Stereo);
-  std::vector<std::string> known = OptionsOfModel(o.Stereo);
+  std::vector<std::string> known = OptionsOfModel(o.Stereo, !o.Screens.empty());
   if (o.Stereo != "mono")
   {
     known.emplace_back("--layout");
@@ -148,11 +151,12 @@ void WarnOfNearness(const Options& o, const Scene& scene, const Vector3& eye)
 std::vector<std::string> FilesOf(const Options& o, const std::string& output)
 {
   const StereoLayout& layout = FindStereoLayout(o.Layout);
+  const std::string name = NameOfScreen(o, output);
   if (o.Stereo == "mono" || !layout.Separate)
   {
-    return { output };
+    return { NameOfPose(o, name) };
   }
-  return { FileOfEye(layout, output, 0), FileOfEye(layout, output, 1) };
+  return { NameOfPose(o, FileOfEye(layout, name, 0)), NameOfPose(o, FileOfEye(layout, name, 1)) };
 }
 
 PanoramaInfo DescribePanorama(const Options& o)

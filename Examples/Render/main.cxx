@@ -11,6 +11,7 @@
 #include "Program.h"
 #include "Progress.h"
 #include "RenderJob.h"
+#include "SightsJob.h"
 #include "StereoLayout.h"
 #include "StereoOptions.h"
 
@@ -66,6 +67,18 @@ void WriteAll(
   files.Commit();
 }
 
+void DrawSights(const Options& options, const Scene& scene)
+{
+  OutputFiles files;
+  const RenderStats stats = RenderSights(scene, options, files);
+  if (!options.Stats.empty())
+  {
+    const std::string text = StatsText(options, scene, stats);
+    files.Write(options.Stats, text.data(), text.size());
+  }
+  files.Commit();
+}
+
 int Run(int argc, char** argv)
 {
   Options options;
@@ -82,9 +95,15 @@ int Run(int argc, char** argv)
   }
   CheckOutputs(options);
   LoadDirectionMap(options);
+  CheckSights(options);
   const Scene scene = LoadScene(options);
   MakePose(scene, options); // complains before a window is opened
   WarnOfNearness(options, scene, MakePose(scene, options).Eye);
+  if (HasRoom(options))
+  {
+    DrawSights(options, scene);
+    return ExitDone;
+  }
   OutputFiles files;
   const RenderResult result = Render(scene, options, files);
   WriteAll(options, scene, result, files);

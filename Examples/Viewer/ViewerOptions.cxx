@@ -6,6 +6,7 @@
 #include "Messages.h"
 #include "OptionCheck.h"
 #include "OptionGroup.h"
+#include "Sights.h"
 
 namespace widefov
 {
@@ -34,6 +35,10 @@ void DeclareWindow(CLI::App& app, ViewerOptions& o)
 
 void CheckWall(ViewerOptions& o)
 {
+  if (HasRoom(o.Picture))
+  {
+    FailUsage("--screens and --pose are for widefov-render; leave them out");
+  }
   const bool none = wfv::FindProjection(o.Picture.Projection) == nullptr; // lists are asked for
   if (none || o.Wall[0] * o.Wall[1] == 1)
   {

@@ -163,6 +163,7 @@ View::View(const Projection& projection, const ViewOptions& o)
   : Map(&projection)
   , Stereo(o.Stereo.Model)
   , Tables(projection.Axis == Family::Sampled && !o.Map ? NothingToSee() : o.Map)
+  , Center(projection.Axis == Family::Planar ? o.Center : vec2(0))
 {
   WfvView& v = this->Parameters;
   v.map = this->Tables.get();
@@ -206,7 +207,7 @@ NdcPoint View::Forward(vec3 point) const
     xy = v.map->Find(sight.direction);
   }
   const bool shown = this->Map->Unproject(xy, v).inside && InCube(this->Stereo, xy);
-  xy = this->Stereo ? this->Stereo->Shift(xy, result.Ndc.z, v) : xy;
+  xy = (this->Stereo ? this->Stereo->Shift(xy, result.Ndc.z, v) : xy) + this->Center;
   result.Ndc.x = xy.x;
   result.Ndc.y = xy.y;
   result.Inside = sight.seen && std::abs(xy.x) <= 1 && std::abs(xy.y) <= 1 &&
@@ -223,7 +224,7 @@ ViewRay View::Ray(vec2 ndc) const
 ViewRay View::RayAt(vec3 ndc) const
 {
   const WfvView& v = this->Parameters;
-  const vec2 at(ndc.x, ndc.y);
+  const vec2 at = vec2(ndc.x, ndc.y) - this->Center;
   const vec2 place = this->Stereo ? this->Stereo->Unshift(at, ndc.z, v) : at;
   const WfvRay ray = this->Map->Unproject(place, v);
   const vec3 eye = this->Stereo ? this->Stereo->EyeAt(ray.direction, v) : vec3(0);

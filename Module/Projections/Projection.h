@@ -86,7 +86,8 @@ struct ViewOptions
   std::array<double, 5> Lens{ { 0, 0, 0, 0, 0 } };
   std::array<double, 2> Radii{ { 0.01, 1000 } };
   DepthMapping Mapping = DepthMapping::Linear;
-  double Aspect = 2; // width / height of the viewport in pixels; round maps use it
+  double Aspect = 2;   // width / height of the viewport in pixels; round maps use it
+  vec2 Center{ 0, 0 }; // where the axis of a perspective is in the picture, NDC; others ignore it
   std::shared_ptr<const DirectionMap> Map; // of the sampled projection; none: shows nothing
   StereoOptions Stereo;
 };
@@ -138,6 +139,7 @@ private:
   const Projection* Map;
   const StereoModel* Stereo;
   std::shared_ptr<const DirectionMap> Tables; // what Parameters point to
+  vec2 Center;
   WfvView Parameters;
 };
 }

@@ -4,6 +4,7 @@
 from collections import namedtuple
 
 from inputs import ENDINGS
+from rooms import ROOM
 
 DONE, FAILED, USAGE = 0, 1, 2
 
@@ -227,6 +228,8 @@ VIEWER = [
     usage("good.vtk --wall 2x1 --projection perspective --vfov 60", "--wall"),
     usage("good.vtk --wall 2x1 --technique cubemap", "--wall"),
     usage("good.vtk --wall 2x1 --monitor 1", "--wall"),
+    usage("good.vtk --screens cave.pvx", "--screens"),
+    usage("good.vtk --pose six.txt", "--pose"),
     usage("good.vtk --frames -1", "--frames"),
     usage("good.vtk --frames many", "--frames"),
     usage("good.vtk --log ''", "--log"),
@@ -258,6 +261,7 @@ VIEWER = [
 
 GROUPS = {
     "CommandLine": COMMAND_LINE,
+    "Room": [Case("good.vtk " + arguments, code, says) for arguments, code, says in ROOM],
     "Data": DATA,
     "Tolerated": TOLERATED,
     "Display": DISPLAY,

@@ -7,6 +7,7 @@ import struct
 import sys
 
 import numpy
+from rooms import room_files
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "..", "Utilities"))
 from exr import exr_bytes  # pylint: disable=wrong-import-position
@@ -129,6 +130,7 @@ def write_inputs(folder):
     files["infinite.vtk"] = binary(replaced(2, (0, INFINITY, -2)))
     files["only-nan.vtk"] = binary([(NAN, NAN, NAN)] * len(POINTS))
     files.update(direction_maps())
+    files.update((name, text.encode()) for name, text in room_files().items())
     noise = random.Random(1).randbytes(4096)
     files.update(("noise." + ending, noise) for ending in ENDINGS)
     for name, content in files.items():

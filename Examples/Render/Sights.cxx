@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Sights.h"
+
+#include "Messages.h"
+#include "OptionCheck.h"
+#include "StereoOptions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+namespace widefov
+{
+namespace
+{
+// Pixels along the longer side of a screen of which nobody says how many it has.
+constexpr double LongerSide = 1024;
+
+constexpr double LargestScale = 1e9; // scene units a unit of the room, and one over the least
+
+std::string WithSuffix(const std::string& path, const std::string& suffix)
+{
+  std::filesystem::path file(path);
+  return file.replace_filename(file.stem().string() + suffix + file.extension().string()).string();
+}
+
+wfv::Screen Scaled(const wfv::Screen& s, double scale)
+{
+  return { s.LowerLeft * scale, s.LowerRight * scale, s.UpperRight * scale };
+}
+
+std::array<int, 2> SizeOf(const Options& o, const NamedScreen& screen)
+{
+  if (o.HasSize)
+  {
+    return o.Size;
+  }
+  if (screen.Size[0] > 0)
+  {
+    return screen.Size;
+  }
+  const double width = glm::length(screen.Corners.LowerRight - screen.Corners.LowerLeft);
+  const double height = glm::length(screen.Corners.UpperRight - screen.Corners.LowerRight);
+  const double density = LongerSide / std::max(width, height);
+  const auto pixels = [density](double side) {
+    return std::max(1, static_cast<int>(std::lround(density * side)));
+  };
+  return { { pixels(width), pixels(height) } };
+}
+
+bool IsGiven(const Options& o, const std::string& option)
+{
+  return std::find(o.StereoGiven.begin(), o.StereoGiven.end(), option) != o.StereoGiven.end();
+}
+
+std::vector<HeadPose> AllPoses(HeadObserver& observer, double scale)
+{
+  std::vector<HeadPose> poses;
+  while (std::optional<HeadPose> pose = observer.Next())
+  {
+    pose->Head.Position *= scale;
+    poses.push_back(*pose);
+  }
+  return poses;
+}
+}
+
+void DeclareRoom(CLI::App& app, Options& o)
+{
+  OptionGroup group(app, "Room");
+  group.Name("--screens", "FILE.pvx", o.Screens,
+    "flat screens of a wall or CAVE, as ParaView describes them; a picture each");
+  group.Name("--pose", "FILE", o.Poses, "recorded head poses; a numbered picture each");
+  group.Number("--room-scale", "S", o.RoomScale, { 1 / LargestScale, LargestScale },
+    "scene units a unit of the screens and poses");
+}
+
+bool HasRoom(const Options& o)
+{
+  return !o.Screens.empty() || !o.Poses.empty();
+}
+
+void CompleteRoom(Options& o, const FieldsOfView& fov)
+{
+  if (!HasRoom(o) && o.RoomScale != 1)
+  {
+    FailUsage("--room-scale goes with --screens and --pose; leave it out");
+  }
+  if (HasRoom(o) && !o.Aov.empty())
+  {
+    FailUsage("--aov is for one picture, not for those of --screens and --pose; leave it out");
+  }
+  if (o.Screens.empty())
+  {
+    return;
+  }
+  if (o.HasProjection && o.Projection != "perspective")
+  {
+    FailUsage("--screens are flat and show the projection perspective; leave --projection out");
+  }
+  o.Projection = "perspective";
+  if (fov.Horizontal || fov.Vertical || fov.Round || !fov.Lens.empty() || o.View.Tilt != 0)
+  {
+    FailUsage("what --screens show follows from their corners; leave --hfov, --vfov, --fov, --lens "
+              "and --tilt out");
+  }
+}
+
+Sights::Sights(const Options& o)
+  : Given(o)
+{
+  wfv::StereoOptions& stereo = this->Given.View.Stereo;
+  if (!o.Screens.empty())
+  {
+    const ScreensFile file = ReadScreens(o.Screens);
+    this->Screens = file.Screens;
+    for (NamedScreen& screen : this->Screens)
+    {
+      screen.Size = SizeOf(o, screen);
+      screen.Corners = Scaled(screen.Corners, o.RoomScale);
+    }
+    if (!IsGiven(o, "--ipd"))
+    {
+      stereo.InterpupillaryDistance =
+        o.RoomScale * file.EyeSeparation.value_or(stereo.InterpupillaryDistance);
+    }
+  }
+  this->Poses = { HeadPose{ true, {} } };
+  if (!o.Poses.empty())
+  {
+    RecordedHead recorded(o.Poses);
+    this->Poses = AllPoses(recorded, o.RoomScale);
+  }
+}
+
+void Sights::CheckEyes(const Options& sight) const
+{
+  const std::vector<wfv::Eye> eyes = sight.Stereo == "mono"
+    ? std::vector<wfv::Eye>{ wfv::Eye::Middle }
+    : std::vector<wfv::Eye>{ wfv::Eye::Left, wfv::Eye::Right };
+  // a pose without a position turns the room with the head
+  const wfv::Head head = sight.Head->HasPosition ? sight.Head->Head : wfv::Head();
+  for (const wfv::Eye eye : eyes)
+  {
+    const wfv::vec3 at = wfv::EyeOf(head, sight.View.Stereo.InterpupillaryDistance, eye);
+    if (!(wfv::LookThrough(sight.Screen->Corners, at).Distance > 0))
+    {
+      const std::string who = this->Given.Poses.empty()
+        ? "the origin of "
+        : "pose " + std::to_string(this->Taken) + " of " + this->Given.Poses + " is for ";
+      Fail(who + this->Given.Screens + ", screen " + sight.Screen->Name +
+        ": an eye is behind it or in its plane; correct its corners, or the head's place by "
+        "--pose");
+    }
+  }
+}
+
+std::vector<Options> Sights::Next()
+{
+  if (this->Taken == this->Poses.size())
+  {
+    return {};
+  }
+  Options sight = this->Given;
+  sight.Head = this->Poses[this->Taken++];
+  if (this->Poses.size() > 1)
+  {
+    sight.Number = this->Taken;
+  }
+  std::vector<Options> sights;
+  for (const NamedScreen& screen : this->Screens)
+  {
+    sight.Screen = screen;
+    sight.Size = screen.Size;
+    sight.View.Aspect = double(screen.Size[0]) / screen.Size[1];
+    this->CheckEyes(sight);
+    sights.push_back(sight);
+  }
+  return sights.empty() ? std::vector<Options>{ sight } : sights;
+}
+
+void CheckSights(const Options& o)
+{
+  Sights sights(o);
+  while (!sights.Next().empty())
+  {
+    // each checks its eyes
+  }
+}
+
+std::string NameOfScreen(const Options& sight, const std::string& path)
+{
+  return sight.Screen ? WithSuffix(path, "-" + sight.Screen->Name) : path;
+}
+
+std::string NameOfPose(const Options& sight, const std::string& path)
+{
+  if (!sight.Number)
+  {
+    return path;
+  }
+  char number[32];
+  std::snprintf(number, sizeof(number), "-%04zu", *sight.Number);
+  return WithSuffix(path, number);
+}
+}

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where one run draws several pictures: one a screen of a room, one a pose of a head.
+#ifndef WideFoVSights_h
+#define WideFoVSights_h
+
+#include "OptionGroup.h"
+#include "Options.h"
+#include "Scene.h"
+
+#include <string>
+#include <vector>
+
+namespace widefov
+{
+struct FieldsOfView;
+
+void DeclareRoom(CLI::App& app, Options& options);
+
+// Before the view is completed: with screens the projection is perspective. Throws a Failure with
+// ExitUsage for options that do not go with screens.
+void CompleteRoom(Options& options, const FieldsOfView& fov);
+
+bool HasRoom(const Options& options);
+
+// What an observer of a head and a file of screens make of the options: each picture's own. The
+// observer is asked for one pose after the other; without one there is the head at the origin.
+class Sights
+{
+public:
+  // Reads the files that the options name. Throws a Failure with ExitFailed.
+  explicit Sights(const Options& options);
+
+  // The options of the pictures of one pose, in the order of the screens; none after the last.
+  // Throws a Failure with ExitFailed where an eye is not before a screen.
+  std::vector<Options> Next();
+
+private:
+  void CheckEyes(const Options& sight) const;
+
+  Options Given;
+  std::vector<NamedScreen> Screens; // scene units; none: the display is on the head
+  std::vector<HeadPose> Poses;
+  std::size_t Taken = 0;
+};
+
+// Reads all that the options name of a room, and throws as Sights does.
+void CheckSights(const Options& options);
+
+// picture.png of a sight: picture-SCREEN.png.
+std::string NameOfScreen(const Options& sight, const std::string& path);
+
+// And with the number of its pose: picture-0007.png.
+std::string NameOfPose(const Options& sight, const std::string& path);
+}
+
+#endif

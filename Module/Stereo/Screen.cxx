@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Screen.h"
+
+#include "NumberText.h"
+
+#include <cmath>
+
+namespace wfv
+{
+namespace
+{
+// Cosine of the angle between two sides of a screen: corners measured by hand pass.
+constexpr double LargestSkew = 0.01;
+
+// Of a screen's diagonal: nearer to the plane of a screen no eye is taken to be.
+constexpr double LeastDistance = 1e-6;
+
+bool IsFinite(const vec3& v)
+{
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+}
+
+std::string CheckScreen(const Screen& s)
+{
+  if (!IsFinite(s.LowerLeft) || !IsFinite(s.LowerRight) || !IsFinite(s.UpperRight))
+  {
+    return "a corner is not finite";
+  }
+  const vec3 across = s.LowerRight - s.LowerLeft;
+  const vec3 upward = s.UpperRight - s.LowerRight;
+  const double width = glm::length(across);
+  const double height = glm::length(upward);
+  if (!(width > 0) || !(height > 0) || !std::isfinite(width * height) || !(width * height > 0))
+  {
+    return "its corners span no area";
+  }
+  const double skew = glm::dot(across / width, upward / height);
+  return std::abs(skew) <= LargestSkew
+    ? ""
+    : "its corners are those of no rectangle: the angle at the lower right one is " +
+      NumberText(std::round(10 * std::acos(-skew) * 180 / WFV_PI) / 10) + " degrees";
+}
+
+vec3 TurnedWith(const Head& head, const vec3& v)
+{
+  const std::array<double, 4>& t = head.Turn;
+  const vec3 axis(t[0], t[1], t[2]);
+  const double square = glm::dot(axis, axis) + t[3] * t[3];
+  return v + glm::cross(axis, glm::cross(axis, v) + t[3] * v) * (2 / square);
+}
+
+vec3 EyeOf(const Head& head, double interpupillaryDistance, Eye eye)
+{
+  const double aside = 0.5 * interpupillaryDistance * static_cast<double>(eye);
+  return head.Position + TurnedWith(head, vec3(aside, 0, 0));
+}
+
+ScreenSight LookThrough(const Screen& s, const vec3& eye)
+{
+  const vec3 across = s.LowerRight - s.LowerLeft;
+  ScreenSight sight;
+  sight.Right = glm::normalize(across);
+  sight.Back = glm::normalize(glm::cross(sight.Right, s.UpperRight - s.LowerRight));
+  sight.Up = glm::cross(sight.Back, sight.Right);
+  sight.Distance = glm::dot(eye - s.LowerRight, sight.Back);
+  const vec2 half =
+    vec2(glm::length(across), glm::dot(s.UpperRight - s.LowerRight, sight.Up)) * 0.5;
+  const vec3 corner = s.LowerLeft - eye;
+  const vec2 middle = vec2(glm::dot(corner, sight.Right), glm::dot(corner, sight.Up)) + half;
+  const double d = std::max(sight.Distance, 2 * LeastDistance * glm::length(half));
+  sight.Half = half / d;
+  sight.Center = -middle / half;
+  return sight;
+}
+}
