@@ -47,6 +47,17 @@ def check(options, view, source, mesh, projection, dice):
     pixels.check_selection(view, source, path, SELECTIONS, dice)
 
 
+def check_eye(options, view, mesh):
+    """The right eye of a panorama; both at once are two frames of the server."""
+    view.Projection = "equirectangular"
+    view.InterpupillaryDistance = 0.5
+    scene.save(view, os.path.join(options.output, "eyes.png"), StereoMode="Both Eyes")
+    picture = os.path.join(options.output, "eyes_right.png")
+    answer = scene.check_cells(options, view, mesh, picture, 0.25, 1)
+    print("right eye", answer)
+    scene.require(answer["unexplained"] == 0 and answer["hits"] > 3000, "the right eye")
+
+
 def draw_and_select(options, server, port):
     connect(port, server)
     scene.load_plugin(options, remote=True)
@@ -59,6 +70,7 @@ def draw_and_select(options, server, port):
     dice = random.Random(2)
     for projection in ("equirectangular", "azimuthal-equidistant"):
         check(options, view, source, mesh, projection, dice)
+    check_eye(options, view, mesh)
 
 
 def main(options):
