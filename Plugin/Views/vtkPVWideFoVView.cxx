@@ -128,8 +128,14 @@ void vtkPVWideFoVView::SetAutomaticClipSpheres(bool automatic)
 
 void vtkPVWideFoVView::SetClipSpheres(double nearRadius, double farRadius)
 {
-  this->Internal->ClipSpheres = { { nearRadius, farRadius } };
-  this->UpdateCamera();
+  // a camera knows which are none; said here, and not anew by every frame
+  vtkNew<vtkWideFoVCamera> trial;
+  trial->SetClipRadii(nearRadius, farRadius);
+  if (trial->GetNearClipRadius() == nearRadius && trial->GetFarClipRadius() == farRadius)
+  {
+    this->Internal->ClipSpheres = { { nearRadius, farRadius } };
+    this->UpdateCamera();
+  }
 }
 
 void vtkPVWideFoVView::SetDepthMapping(int mapping)

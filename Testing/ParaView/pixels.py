@@ -43,6 +43,11 @@ def read_rows(path):
     return [[read(x, y) for x in range(width)] for y in range(height)]
 
 
+def count_lit(path):
+    """Pixels that are not black."""
+    return sum(number > 0 for row in read_rows(path) for number in row)
+
+
 def count_different(rows, others):
     """Pixels that are not the same in both."""
     return sum(a != b for x, y in zip(rows, others) for a, b in zip(x, y))
