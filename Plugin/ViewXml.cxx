@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Writes the server manager XML of the view: the template with what the registry of
-// projections knows put in.
+// projections and stereo models know put in.
 //
 //   widefov-view-xml TEMPLATE OUTPUT
 #include "Projection.h"
+#include "Stereo.h"
 
 #include <fstream>
 #include <iostream>
@@ -22,15 +23,41 @@ std::string Escape(const std::string& text)
   return escaped;
 }
 
+std::string Choice(const std::string& name)
+{
+  return "          <String value=\"" + Escape(name) + "\" />\n";
+}
+
 // What a combo box offers: those that are formulas.
 std::string Choices()
 {
   std::string text;
   for (const wfv::Projection& p : wfv::Projections())
   {
-    text += "          <String value=\"" + Escape(p.Name) + "\" />\n";
+    text += Choice(p.Name);
   }
   return text;
+}
+
+std::string StereoChoices()
+{
+  std::string text;
+  for (const wfv::StereoModel& m : wfv::StereoModels())
+  {
+    text += Choice(m.Name);
+  }
+  return text;
+}
+
+// A sentence a model: its name for people.
+std::string StereoHelp()
+{
+  std::string text;
+  for (const wfv::StereoModel& m : wfv::StereoModels())
+  {
+    text += "          " + m.Name + ": " + m.Title + ".\n";
+  }
+  return Escape(text);
 }
 
 // "360 degrees", or "from 90 to 170 degrees".
@@ -82,6 +109,8 @@ void Write(const std::string& source, const std::string& output)
   std::string text = content.str();
   Replace(text, "@PROJECTION_CHOICES@\n", Choices());
   Replace(text, "@PROJECTION_HELP@\n", Help());
+  Replace(text, "@STEREO_CHOICES@\n", StereoChoices());
+  Replace(text, "@STEREO_HELP@\n", StereoHelp());
   std::ofstream out(output);
   out << text;
   out.close();

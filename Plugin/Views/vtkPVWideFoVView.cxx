@@ -2,17 +2,13 @@
 #include "vtkPVWideFoVView.h"
 
 #include "Projection.h"
-#include "vtkWideFoVCamera.h"
-#include "vtkWideFoVEverywhereProp.h"
+#include "vtkPVWideFoVViewInternals.h"
 #include "vtkWideFoVOverrides.h"
-#include "vtkWideFoVPass.h"
 
 #include "vtkCommand.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLCamera.h"
 #include "vtkPVAxesWidget.h"
-#include "vtkPVDefaultPass.h"
 #include "vtkPVSynchronizedRenderer.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -31,22 +27,6 @@ namespace
 constexpr float AfterSynchronizer = -1.0f;
 }
 
-struct vtkPVWideFoVView::Internals
-{
-  vtkNew<vtkWideFoVPass> Pass;
-  vtkNew<vtkPVDefaultPass> Delegate;
-  vtkNew<vtkWideFoVEverywhereProp> Everywhere;
-  std::string Projection = "equirectangular";
-  double HorizontalFov = 360;
-  double VerticalFov = 180;
-  double Tilt = 0;
-  std::array<double, 5> Lens{ { 0, 0, 0, 0, 0 } };
-  bool AutomaticClipSpheres = true;
-  std::array<double, 2> ClipSpheres{ { 0.01, 1000 } };
-  int DepthMapping = vtkWideFoVCamera::LINEAR;
-  bool WarnedOfVolumes = false;
-};
-
 // Not the standard macro: the renderers are made by the superclass's constructor.
 vtkPVWideFoVView* vtkPVWideFoVView::New()
 {
@@ -61,6 +41,7 @@ vtkPVWideFoVView::vtkPVWideFoVView()
 {
   Internals& in = *this->Internal;
   in.Pass->SetDelegatePass(in.Delegate);
+  in.Stereo->SetStereoModelToOmnidirectional();
   this->SynchronizedRenderers->SetRenderPass(in.Pass);
   // a compass is no part of the scene
   vtkSmartPointer<vtkCamera> plain;
@@ -93,6 +74,7 @@ void vtkPVWideFoVView::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "AutomaticClipSpheres: " << in.AutomaticClipSpheres << "\n"
      << indent << "ClipSpheres: " << in.ClipSpheres[0] << ", " << in.ClipSpheres[1] << "\n"
      << indent << "DepthMapping: " << in.DepthMapping << "\n"
+     << indent << "StereoModel: " << in.Stereo->GetStereoModel() << "\n"
      << indent << "Pass:\n";
   in.Pass->PrintSelf(os, indent.GetNextIndent());
 }
@@ -146,8 +128,14 @@ void vtkPVWideFoVView::SetAutomaticClipSpheres(bool automatic)
 
 void vtkPVWideFoVView::SetClipSpheres(double nearRadius, double farRadius)
 {
-  this->Internal->ClipSpheres = { { nearRadius, farRadius } };
-  this->UpdateCamera();
+  // a camera knows which are none; said here, and not anew by every frame
+  vtkNew<vtkWideFoVCamera> trial;
+  trial->SetClipRadii(nearRadius, farRadius);
+  if (trial->GetNearClipRadius() == nearRadius && trial->GetFarClipRadius() == farRadius)
+  {
+    this->Internal->ClipSpheres = { { nearRadius, farRadius } };
+    this->UpdateCamera();
+  }
 }
 
 void vtkPVWideFoVView::SetDepthMapping(int mapping)
@@ -199,6 +187,7 @@ void vtkPVWideFoVView::UpdateCamera()
   {
     camera->SetLens(in.Lens[0], in.Lens[1], in.Lens[2], in.Lens[3], in.Lens[4]);
   }
+  this->UpdateStereo();
   // by the bounds of all ranks, not by those of the props that this one has
   camera->AutomaticClipRadiiOff();
   this->UpdateClipSpheres();
@@ -263,6 +252,7 @@ void vtkPVWideFoVView::WarnOfVolumes()
 
 void vtkPVWideFoVView::StartFrame()
 {
+  this->UpdateStereo();
   this->UpdateClipSpheres();
   this->Internal->Everywhere->UseBoundsOn();
 }

@@ -66,6 +66,20 @@ public:
    */
   virtual void SetDepthMapping(int mapping);
 
+  ///@{
+  /**
+   * How the eyes of the view's stereo types differ, see the setters of these names in
+   * vtkWideFoVCamera (default "omnidirectional", whose eyes are 0.065 units apart). Without
+   * stereo rendering they change nothing. What a camera refuses leaves the old value.
+   */
+  virtual void SetStereoModel(const char* name);
+  virtual void SetInterpupillaryDistance(double distance);
+  virtual void SetPoleFade(double start, double end);
+  virtual void SetWarpedStereo(double iod, double distance, double offset);
+  virtual void SetSeparation(double fraction);
+  virtual void SetConvergence(double distance);
+  ///@}
+
   /**
    * One of vtkWideFoVPass::Techniques (default AUTO).
    */
@@ -91,6 +105,9 @@ private:
 
   // The settings to the camera that draws, whichever that is now.
   void UpdateCamera();
+
+  // The stereo settings to the camera; none while the window shows one eye alone.
+  void UpdateStereo();
 
   // The clip spheres to the data, or as they are set; the same on every process.
   void UpdateClipSpheres();

@@ -19,7 +19,7 @@
 
 namespace
 {
-// What a kind of picture is made with; degrees.
+// What a kind of picture is made with; degrees. Two eyes are omnidirectional ones.
 struct Preset
 {
   const char* Title;
@@ -27,14 +27,18 @@ struct Preset
   double HorizontalFov;
   double VerticalFov;
   double Tilt;
+  int TwoEyes;
 };
 
 const Preset Presets[] = {
-  { "360 photo", "equirectangular", 360, 180, 0 },
-  { "VR180, one eye", "equirectangular", 180, 180, 0 },
-  { "Planetarium dome", "azimuthal-equidistant", 180, 180, 90 },
-  { "Fisheye", "azimuthal-equidistant", 180, 180, 0 },
-  { "Whole sphere, equal areas", "hammer", 360, 180, 0 },
+  { "360 photo", "equirectangular", 360, 180, 0, 0 },
+  { "360 stereo video", "equirectangular", 360, 180, 0, 1 },
+  { "VR180", "equirectangular", 180, 180, 0, 1 },
+  { "VR180, one eye", "equirectangular", 180, 180, 0, 0 },
+  { "Planetarium dome", "azimuthal-equidistant", 180, 180, 90, 0 },
+  { "Planetarium dome, two eyes", "azimuthal-equidistant", 180, 180, 90, 1 },
+  { "Fisheye", "azimuthal-equidistant", 180, 180, 0, 0 },
+  { "Whole sphere, equal areas", "hammer", 360, 180, 0, 0 },
 };
 
 vtkSMViewProxy* WideProxy(pqView* view)
@@ -58,6 +62,11 @@ void Apply(const Preset& preset)
     vtkSMPropertyHelper(proxy, "HorizontalFieldOfView").Set(preset.HorizontalFov);
     vtkSMPropertyHelper(proxy, "VerticalFieldOfView").Set(preset.VerticalFov);
     vtkSMPropertyHelper(proxy, "Tilt").Set(preset.Tilt);
+    vtkSMPropertyHelper(proxy, "StereoRender").Set(preset.TwoEyes);
+    if (preset.TwoEyes)
+    {
+      vtkSMPropertyHelper(proxy, "StereoModel").Set("omnidirectional");
+    }
     proxy->UpdateVTKObjects();
   }
   END_UNDO_SET();
@@ -92,7 +101,7 @@ void pqWideFoVToolBar::build()
   auto* const button = new QToolButton(this);
   button->setObjectName("Presets");
   button->setText("Presets");
-  button->setToolTip("Projection, fields of view and tilt for a kind of picture");
+  button->setToolTip("Projection, fields of view, tilt and eyes for a kind of picture");
   button->setPopupMode(QToolButton::InstantPopup);
   auto* const menu = new QMenu(button);
   for (const Preset& preset : Presets)

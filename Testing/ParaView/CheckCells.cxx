@@ -4,13 +4,16 @@
 //   widefov-check-cells REQUEST.json
 //
 // The request: {"mesh": FILE.vtp, "picture": FILE.png, "projection", "hfov", "vfov", "tilt"
-// (degrees), "eye", "focal", "up" (world), "clip": [near, far], "tolerance" (pixels)}. A
+// (degrees), "eye", "focal", "up" (world), "clip": [near, far], "tolerance" (pixels)}, and of
+// one of two eyes "stereo": {"model", "side" (-1 left, 1 right), "ipd", "fade", "warped",
+// "separation", "convergence"}, the numbers as of vtkWideFoVCamera's setters. A
 // pixel's colour is the number that the mesh's cell array "number" gives the cell, 24 bits,
 // red the highest; black is nothing.
 // The answer, on standard output: {"pixels", "hits", "mismatched", "unexplained",
 // "missing", "spurious"} in pixels, {"max_px"} and "worst", the first few of them.
 #include "Metrics.h"
 #include "RayCaster.h"
+#include "Stereo.h"
 
 #include <vtkCamera.h>
 #include <vtkCellData.h>
@@ -68,6 +71,26 @@ reference::DrawnPicture ReadPicture(const std::string& file)
   return picture;
 }
 
+StereoOptions MakeStereo(const json& stereo)
+{
+  StereoOptions o;
+  o.Model = FindStereoModel(stereo.at("model"));
+  if (!o.Model)
+  {
+    throw std::runtime_error("unknown stereo model");
+  }
+  o.Eye = static_cast<Eye>(stereo.at("side").get<int>());
+  o.InterpupillaryDistance = stereo.at("ipd");
+  o.PoleFade = stereo.at("fade");
+  const auto warped = stereo.at("warped").get<std::array<double, 3>>();
+  o.Iod = warped[0];
+  o.Distance = warped[1];
+  o.Offset = warped[2];
+  o.Separation = stereo.at("separation");
+  o.Convergence = stereo.at("convergence");
+  return o;
+}
+
 View MakeView(const json& request, double aspect)
 {
   const Projection* const projection = FindProjection(request.at("projection"));
@@ -84,6 +107,10 @@ View MakeView(const json& request, double aspect)
   o.Tilt = request.value("tilt", 0.0);
   o.Radii = request.at("clip");
   o.Aspect = aspect;
+  if (request.contains("stereo"))
+  {
+    o.Stereo = MakeStereo(request.at("stereo"));
+  }
   const std::string wrong = CheckOptions(*projection, o);
   if (!wrong.empty())
   {

@@ -36,6 +36,23 @@ def read_levels(path):
     ]
 
 
+def read_rows(path):
+    """Rows of the colours of the pixels, as numbers."""
+    width, height, _ = _read(path).GetDimensions()
+    read = read_numbers(path)
+    return [[read(x, y) for x in range(width)] for y in range(height)]
+
+
+def count_lit(path):
+    """Pixels that are not black."""
+    return sum(number > 0 for row in read_rows(path) for number in row)
+
+
+def count_different(rows, others):
+    """Pixels that are not the same in both."""
+    return sum(a != b for x, y in zip(rows, others) for a, b in zip(x, y))
+
+
 def count_other(first, second, rounding):
     """Pixels of two pictures whose red differs by more levels than these."""
     rows = zip(read_levels(first), read_levels(second))

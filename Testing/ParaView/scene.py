@@ -172,8 +172,8 @@ def show_as_numbers(display):
     display.Specular = 0
 
 
-def save(view, path, size=None):
-    simple.SaveScreenshot(path, view, ImageResolution=size or list(view.ViewSize))
+def save(view, path, size=None, **options):
+    simple.SaveScreenshot(path, view, ImageResolution=size or list(view.ViewSize), **options)
     return path
 
 
@@ -199,8 +199,20 @@ def check(options, request, mesh_path, picture_path, tolerance):
     return json.loads(answer.stdout)
 
 
-def check_cells(options, view, mesh_path, picture_path, tolerance):
-    """The same, for a wide view as it is now."""
+def _stereo_of(view, side):
+    return {
+        "side": side,
+        "model": view.GetProperty("StereoModel").GetData(),
+        "ipd": view.InterpupillaryDistance,
+        "fade": list(view.PoleFade),
+        "warped": list(view.WarpedStereo),
+        "separation": view.Separation,
+        "convergence": view.Convergence,
+    }
+
+
+def check_cells(options, view, mesh_path, picture_path, tolerance, side=0):
+    """The same, for a wide view as it is now; of its left eye (-1) or the right one (1)."""
     request = {
         "projection": view.GetProperty("Projection").GetData(),
         "hfov": view.HorizontalFieldOfView,
@@ -209,4 +221,6 @@ def check_cells(options, view, mesh_path, picture_path, tolerance):
         "clip": list(EVERYTHING if view.AutomaticClipSpheres else view.ClipSpheres),
     }
     request.update(pose_of(view))
+    if side:
+        request["stereo"] = _stereo_of(view, side)
     return check(options, request, mesh_path, picture_path, tolerance)

@@ -36,6 +36,18 @@ def check_opaque(options, view, mesh):
         check(options, view, mesh, projection)
 
 
+def check_eyes(options, view, mesh):
+    """One eye after the other, of a dome."""
+    view.Projection = "azimuthal-equidistant"
+    view.InterpupillaryDistance = 0.5
+    for side, mode in ((-1, "Left Eye Only"), (1, "Right Eye Only")):
+        path = os.path.join(options.output, "eye%d.png" % side)
+        picture = scene.save(view, path, StereoMode=mode)
+        answer = scene.check_cells(options, view, mesh, picture, 0.25, side)
+        print(mode, answer, flush=True)
+        scene.require(answer["unexplained"] == 0 and answer["hits"] > 3000, mode)
+
+
 def check_idle_ranks(options, source, mesh):
     """The same where all data are on rank 0, in a view of its own."""
     view = scene.make_view()
@@ -69,6 +81,7 @@ def main(options):
     display = scene.show_cells(scene.spread(whole), view)
     scene.place_eye(view, [0.5, 0.3, 1], [0.6, 0.2, 0])
     check_opaque(options, view, mesh)
+    check_eyes(options, view, mesh)
     check_translucent(options, view, display, ranks)
     check_idle_ranks(options, whole, mesh)
 

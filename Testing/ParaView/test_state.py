@@ -19,6 +19,13 @@ SETTINGS = {
     "DepthMapping": "Logarithmic",
     "Technique": "Exact",
     "Tolerance": 0.5,
+    "StereoRender": 1,
+    "StereoModel": "warped",
+    "InterpupillaryDistance": 0.25,
+    "PoleFade": [50, 80],
+    "WarpedStereo": [0.25, 6, -0.5],
+    "Separation": 0.02,
+    "Convergence": 3,
 }
 
 

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a vtkPVWideFoVView keeps; for its own sources alone.
+#ifndef vtkPVWideFoVViewInternals_h
+#define vtkPVWideFoVViewInternals_h
+
+#include "vtkPVWideFoVView.h"
+
+#include "vtkWideFoVCamera.h"
+#include "vtkWideFoVEverywhereProp.h"
+#include "vtkWideFoVPass.h"
+
+#include "vtkNew.h"
+#include "vtkPVDefaultPass.h"
+
+#include <array>
+#include <string>
+
+struct vtkPVWideFoVView::Internals
+{
+  vtkNew<vtkWideFoVPass> Pass;
+  vtkNew<vtkPVDefaultPass> Delegate;
+  vtkNew<vtkWideFoVEverywhereProp> Everywhere;
+  std::string Projection = "equirectangular";
+  double HorizontalFov = 360;
+  double VerticalFov = 180;
+  double Tilt = 0;
+  std::array<double, 5> Lens{ { 0, 0, 0, 0, 0 } };
+  bool AutomaticClipSpheres = true;
+  std::array<double, 2> ClipSpheres{ { 0.01, 1000 } };
+  int DepthMapping = vtkWideFoVCamera::LINEAR;
+  bool WarnedOfVolumes = false;
+
+  // Its stereo settings alone count: a camera knows which values are none.
+  vtkNew<vtkWideFoVCamera> Stereo;
+};
+
+#endif
