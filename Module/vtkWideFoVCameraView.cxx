@@ -199,6 +199,23 @@ void vtkWideFoVCamera::GetKeyMatrices(vtkRenderer* renderer, vtkMatrix4x4*& wcvc
   wcdc->DeepCopy(wcvc);
 }
 
+namespace
+{
+// Two frusta lie in the one with its apex behind the line of the eyes. tx, ty: tangents of half the
+// field of view; near: distance of the near plane from that line.
+void AddFrustumOfBothEyes(
+  vtkPerspectiveTransform* transform, const wfv::ViewOptions& o, double tx, double ty, double near)
+{
+  const double s = o.Stereo.Separation;
+  const double back = o.Stereo.Convergence * s / (1 + s);
+  const double n = near + back;
+  const double x = n * tx * (1 + s);
+  transform->Frustum(-x, x, -n * ty, n * ty, n, o.Radii[1] + back);
+  transform->Translate(0, 0, -back);
+  transform->RotateX(-o.Tilt);
+}
+}
+
 void vtkWideFoVCamera::ComputeProjectionTransform(double aspect, double nearz, double farz)
 {
   if (this->IsWide())
@@ -221,14 +238,7 @@ void vtkWideFoVCamera::ComputeProjectionTransform(double aspect, double nearz, d
   this->ProjectionTransform->AdjustZBuffer(-1, +1, nearz, farz);
   if (this->Internal->ForBothEyes)
   {
-    // two frusta lie in the one with this apex behind the line of the eyes
-    const double s = o.Stereo.Separation;
-    const double back = o.Stereo.Convergence * s / (1 + s);
-    const double near = n + back;
-    const double x = near * tx * (1 + s);
-    this->ProjectionTransform->Frustum(-x, x, -near * ty, near * ty, near, o.Radii[1] + back);
-    this->ProjectionTransform->Translate(0, 0, -back);
-    this->ProjectionTransform->RotateX(-o.Tilt);
+    AddFrustumOfBothEyes(this->ProjectionTransform, o, tx, ty, n);
     return;
   }
   double eye;

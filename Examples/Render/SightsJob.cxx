@@ -121,10 +121,7 @@ void Time(SightsStage& stage, const std::vector<Options>& sights, int frames, Re
 
 void Write(const Options& sight, const std::vector<Picture>& pictures, OutputFiles& files)
 {
-  PanoramaInfo info;
-  info.Equirectangular = sight.Projection == "equirectangular" && sight.Stereo == "mono";
-  info.HorizontalFov = sight.View.HorizontalFov;
-  info.VerticalFov = sight.View.VerticalFov;
+  const PanoramaInfo info = DescribePanorama(sight);
   for (const std::string& output : sight.Outputs)
   {
     const std::vector<std::string> names = FilesOf(sight, output);
