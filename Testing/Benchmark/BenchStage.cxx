@@ -144,12 +144,31 @@ void BenchStage::Add(const Run& run)
   this->Entries.push_back(entry);
 }
 
+namespace
+{
+void DrawEyes(BenchEntry& entry)
+{
+  if (entry.Run.Options.Stereo == "mono")
+  {
+    entry.Window->Render();
+    return;
+  }
+  entry.Window->StereoRenderOn();
+  for (const int eye : { VTK_STEREO_LEFT, VTK_STEREO_RIGHT })
+  {
+    entry.Window->SetStereoType(eye);
+    entry.Window->Render();
+  }
+  entry.Window->StereoRenderOff();
+}
+}
+
 double BenchStage::Draw(BenchEntry& entry)
 {
   entry.Renderer->DrawOn();
   entry.Window->MakeCurrent();
   const auto start = std::chrono::steady_clock::now();
-  entry.Window->Render();
+  DrawEyes(entry);
   entry.Window->WaitForCompletion();
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
   entry.Renderer->DrawOff();

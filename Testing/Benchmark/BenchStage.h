@@ -41,7 +41,7 @@ public:
   std::vector<BenchEntry>& GetEntries() { return this->Entries; }
   const BenchScene& GetScene() const { return this->Scene; }
 
-  // Draws one frame of this run and waits until it is drawn. Milliseconds. Throws a
+  // Draws one frame of this run, of both eyes where it has them, and waits until it is drawn. Milliseconds. Throws a
   // Failure with ExitFailed where VTK reports an error.
   double Draw(BenchEntry& entry);
 

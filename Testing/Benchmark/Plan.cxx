@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Plan.h"
 
+#include "Stereo/Stereo.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -27,6 +29,12 @@ widefov::Technique TechniqueOf(const std::string& method)
     : method == "vertex"     ? Technique::Vertex
     : method == "cubemap"    ? Technique::CubeMap
                              : Technique::Auto;
+}
+
+// Both eyes.
+bool IsStereo(const std::string& method)
+{
+  return method.rfind("stereo-", 0) == 0;
 }
 
 void SetView(widefov::Options& o, const std::string& projection, double hfov)
@@ -66,9 +74,14 @@ public:
     {
       run.Options.Tolerance = *parameter;
     }
-    if (method == "perspective")
+    if (method == "perspective" || method == "stereo-offaxis")
     {
       SetView(run.Options, "perspective", PerspectiveFov);
+    }
+    if (IsStereo(method))
+    {
+      run.Options.Stereo = method.substr(method.find('-') + 1);
+      run.Options.View.Stereo.Model = FindStereoModel(run.Options.Stereo);
     }
     return run;
   }
@@ -76,7 +89,9 @@ public:
   void Add(const std::string& method, const std::vector<double>& parameters = {})
   {
     const std::vector<std::string>& m = this->Request.Methods;
-    if (!m.empty() && std::find(m.begin(), m.end(), method) == m.end())
+    const bool asked = m.empty() ? !(this->Request.Quick && IsStereo(method))
+                                 : std::find(m.begin(), m.end(), method) != m.end();
+    if (!asked)
     {
       return;
     }
@@ -100,7 +115,8 @@ private:
 
 std::vector<std::string> MethodNames()
 {
-  return { "auto", "exact", "tessellate", "preclip", "vertex", "cubemap", "perspective", "floor" };
+  return { "auto", "exact", "tessellate", "preclip", "vertex", "cubemap", "perspective", "floor",
+    "stereo-omnidirectional", "stereo-offaxis" };
 }
 
 int EqualDensity(int width)
@@ -123,6 +139,8 @@ std::vector<Run> MakePlan(const PlanRequest& request, const widefov::Options& ca
   maker.Add("vertex");
   maker.Add("perspective");
   maker.Add("floor");
+  maker.Add("stereo-omnidirectional");
+  maker.Add("stereo-offaxis");
   maker.Add("cubemap",
     request.Quick ? std::vector<double>{ density }
                   : std::vector<double>{ density, 512, 1024, 2048, 4096 });

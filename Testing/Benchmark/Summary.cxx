@@ -121,6 +121,9 @@ void AddGroup(Json& json, const Group& group)
       group.AddRatio(json, name, "perspective");
     }
   }
+  group.AddRatio(json, "stereo-omnidirectional", Usual);
+  group.AddRatio(json, "stereo-omnidirectional", "exact");
+  group.AddRatio(json, "stereo-offaxis", "perspective");
   for (const std::string name : { Usual, "exact" })
   {
     for (const Measure& measure : Measures())
