@@ -231,6 +231,10 @@ public:
    */
   virtual void SetWarpedStereo(double iod, double distance, double offset);
   virtual void GetWarpedStereo(double values[3]);
+
+  // Where the viewer is to the right of and above the cube's axis (NDC, default 0, 0), for tracked
+  // heads. What is not finite is refused with an error.
+  virtual void SetWarpedViewer(double x, double y);
   ///@}
 
   ///@{

@@ -127,6 +127,13 @@ void vtkWideFoVCamera::SetWarpedStereo(double iod, double distance, double offse
   this->SetStereoOptions("warped", options);
 }
 
+void vtkWideFoVCamera::SetWarpedViewer(double x, double y)
+{
+  wfv::StereoOptions options = this->Internal->Options.Stereo;
+  options.Viewer = { { x, y } };
+  this->SetStereoOptions("warped", options);
+}
+
 void vtkWideFoVCamera::GetWarpedStereo(double values[3])
 {
   const wfv::StereoOptions& o = this->Internal->Options.Stereo;

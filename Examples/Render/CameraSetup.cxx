@@ -57,6 +57,7 @@ void SetStereo(vtkWideFoVCamera* camera, const wfv::StereoOptions& s)
   camera->SetInterpupillaryDistance(s.InterpupillaryDistance);
   camera->SetPoleFade(s.PoleFade[0], s.PoleFade[1]);
   camera->SetWarpedStereo(s.Iod, s.Distance, s.Offset);
+  camera->SetWarpedViewer(s.Viewer[0], s.Viewer[1]);
   camera->SetSeparation(s.Separation);
   camera->SetConvergence(s.Convergence);
 }
@@ -174,7 +175,7 @@ void SetCamera(vtkRenderer* renderer, const Scene& scene, const Options& o)
 {
   const Pose pose = MakePose(scene, o);
   const double distance = FocalDistance(scene);
-  if (o.Screen)
+  if (o.Screen && o.Stereo != "warped")
   {
     const auto camera = CameraOf<vtkWideFoVScreenCamera>(renderer);
     Place(camera, pose, distance);

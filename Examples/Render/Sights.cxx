@@ -95,6 +95,10 @@ void CompleteRoom(Options& o, const FieldsOfView& fov)
   {
     return;
   }
+  if (o.Stereo == "warped")
+  {
+    return; // the volume is behind the screen, whatever its map
+  }
   if (o.HasProjection && o.Projection != "perspective")
   {
     FailUsage("--screens are flat and show the projection perspective; leave --projection out");
@@ -115,6 +119,11 @@ Sights::Sights(const Options& o)
   {
     const ScreensFile file = ReadScreens(o.Screens);
     this->Screens = file.Screens;
+    if (o.Stereo == "warped" && this->Screens.size() > 1)
+    {
+      Fail(o.Screens + " has " + std::to_string(this->Screens.size()) +
+        " screens; the warped volume stands behind one");
+    }
     for (NamedScreen& screen : this->Screens)
     {
       screen.Size = SizeOf(o, screen);
@@ -156,6 +165,27 @@ void Sights::CheckEyes(const Options& sight) const
   }
 }
 
+// The volume behind its screen: as wide and high as it, its depth in the measure of its width.
+void Sights::PlaceVolume(Options& sight) const
+{
+  wfv::StereoOptions& s = sight.View.Stereo;
+  const wfv::Head head = sight.Head->HasPosition ? sight.Head->Head : wfv::Head();
+  const wfv::Screen& screen = sight.Screen->Corners;
+  const auto look = [&](wfv::Eye eye) {
+    return wfv::LookThrough(screen, wfv::EyeOf(head, s.InterpupillaryDistance, eye));
+  };
+  const wfv::ScreenSight middle = look(wfv::Eye::Middle);
+  s.Viewer = { { middle.Center.x, middle.Center.y } };
+  s.Distance = 1 / middle.Half.x;
+  s.Iod = std::max(0., look(wfv::Eye::Right).Center.x - look(wfv::Eye::Left).Center.x);
+  const std::string problem = s.Model->Check(s, *wfv::FindProjection(sight.Projection));
+  if (!problem.empty())
+  {
+    Fail(this->Given.Screens + ", screen " + sight.Screen->Name + ": " + problem +
+      "; stand farther back, or give another --offset");
+  }
+}
+
 std::vector<Options> Sights::Next()
 {
   if (this->Taken == this->Poses.size())
@@ -175,6 +205,10 @@ std::vector<Options> Sights::Next()
     sight.Size = screen.Size;
     sight.View.Aspect = double(screen.Size[0]) / screen.Size[1];
     this->CheckEyes(sight);
+    if (sight.Stereo == "warped")
+    {
+      this->PlaceVolume(sight);
+    }
     sights.push_back(sight);
   }
   return sights.empty() ? std::vector<Options>{ sight } : sights;

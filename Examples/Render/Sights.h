@@ -36,6 +36,7 @@ public:
 
 private:
   void CheckEyes(const Options& sight) const;
+  void PlaceVolume(Options& sight) const;
 
   Options Given;
   std::vector<NamedScreen> Screens; // scene units; none: the display is on the head

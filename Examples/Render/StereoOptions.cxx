@@ -34,9 +34,11 @@ void ModelNumber(OptionGroup& group, Options& o, const std::string& name, const 
 // The options that a model has.
 std::vector<std::string> OptionsOfModel(const std::string& model, bool screens)
 {
-  if (screens && model == "offaxis")
+  if (screens && (model == "offaxis" || model == "warped"))
   {
-    return { "--ipd" }; // the rest follows from the screens
+    // the rest follows from the screens
+    return model == "warped" ? std::vector<std::string>{ "--ipd", "--offset" }
+                             : std::vector<std::string>{ "--ipd" };
   }
   if (model == "omnidirectional")
   {

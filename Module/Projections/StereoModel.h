@@ -33,6 +33,7 @@ struct StereoOptions
   double Iod = 0.5;     // warped: between the eyes, NDC
   double Distance = 5;  // warped: of the viewer from the plane of zero parallax, NDC
   double Offset = -0.8; // warped: that plane, NDC depth
+  std::array<double, 2> Viewer{ { 0, 0 } }; // warped: between the eyes, NDC off the cube's axis
 
   double Separation = 0.03; // offaxis: parallax far away, fraction of the picture's width
   double Convergence = 10;  // offaxis: distance of zero parallax, scene units

@@ -64,7 +64,7 @@ vec4 OffAxisParameters(const StereoOptions& o, const WfvView& v)
 
 vec4 WarpedParameters(const StereoOptions& o, const WfvView&)
 {
-  return vec4(0.5 * Sign(o) * o.Iod, o.Distance, o.Offset, 0);
+  return vec4(o.Viewer[0] + 0.5 * Sign(o) * o.Iod, o.Distance, o.Offset, o.Viewer[1]);
 }
 
 vec4 OmnidirectionalParameters(const StereoOptions& o, const WfvView&)
@@ -110,6 +110,10 @@ std::string CheckWarped(const StereoOptions& o, const Projection& p)
   {
     return "warped stereo needs a finite iod of at least 0 and an offset in [-1, 1], not " +
       NumberText(o.Iod) + " and " + NumberText(o.Offset);
+  }
+  if (!std::isfinite(o.Viewer[0]) || !std::isfinite(o.Viewer[1]))
+  {
+    return "the viewer of warped stereo must be at a finite place";
   }
   if (!(o.Distance > 1 + o.Offset))
   {

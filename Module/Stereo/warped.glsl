@@ -5,9 +5,11 @@
 // Source: Ardouin et al. 2014, section 3.5. The rays of this eye are curves: lines of the
 // cube, that the map bends.
 //
-// v.stereo: x  the eye, NDC to the right of the cube's axis (half of iod, signed)
+// v.stereo: x  the eye, NDC to the right of the cube's axis (half of iod, signed, and where the
+//              viewer is)
 //           y  distance of the viewer in front of the plane of zero parallax, NDC
 //           z  that plane, NDC depth
+//           w  the eye, NDC above the cube's axis
 
 WFV_FN WfvSight wfvSee(vec3 p, WfvView v)
 {
@@ -22,11 +24,13 @@ WFV_FN vec3 wfvEyeAt(vec3 direction, WfvView v)
 WFV_FN vec2 wfvShift(vec2 ndc, float depth, WfvView v)
 {
   float k = v.stereo.y / (v.stereo.y + (depth - v.stereo.z));
-  return vec2(v.stereo.x + (ndc.x - v.stereo.x) * k, ndc.y * k);
+  vec2 eye = vec2(v.stereo.x, v.stereo.w);
+  return eye + (ndc - eye) * k;
 }
 
 WFV_FN vec2 wfvUnshift(vec2 ndc, float depth, WfvView v)
 {
   float k = (v.stereo.y + (depth - v.stereo.z)) / v.stereo.y;
-  return vec2(v.stereo.x + (ndc.x - v.stereo.x) * k, ndc.y * k);
+  vec2 eye = vec2(v.stereo.x, v.stereo.w);
+  return eye + (ndc - eye) * k;
 }

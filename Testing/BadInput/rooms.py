@@ -28,6 +28,7 @@ def room_files():
     """File name -> text."""
     return {
         "cave.pvx": pvx(machine(), '<EyeSeparation Value="0.06"/>'),
+        "both.pvx": pvx(machine("Left"), machine("Right")),
         "cut.pvx": pvx(machine())[:-40],
         "other.pvx": '<?xml version="1.0" ?>\n<VTKFile type="PolyData"/>\n',
         "none.pvx": pvx(),
@@ -68,6 +69,9 @@ ROOM = [
     ("--room-scale 2", USAGE, "--room-scale"),
     ("--pose six.txt --aov {out}/data.exr", USAGE, "--aov is for one picture"),
     ("--screens missing.pvx", FAILED, "missing.pvx"),
+    ("--screens both.pvx --stereo warped", FAILED, "stands behind one"),
+    ("--screens cave.pvx --stereo warped --iod 1", USAGE, "--iod"),
+    ("--screens cave.pvx --stereo warped --offset 1", FAILED, "in front of the whole cube"),
     ("--screens folder.vtk", FAILED, "folder.vtk"),
     ("--screens pipe.vtk", FAILED, "pipe.vtk"),
     ("--screens empty.vtk", FAILED, "no XML"),

@@ -133,6 +133,7 @@ void PlaceCamera(vtkWideFoVCamera* camera, const Shot& s)
   camera->SetInterpupillaryDistance(stereo.InterpupillaryDistance);
   camera->SetPoleFade(stereo.PoleFade[0], stereo.PoleFade[1]);
   camera->SetWarpedStereo(stereo.Iod, stereo.Distance, stereo.Offset);
+  camera->SetWarpedViewer(stereo.Viewer[0], stereo.Viewer[1]);
   camera->SetSeparation(stereo.Separation);
   camera->SetConvergence(stereo.Convergence);
   camera->SetClipRadii(s.Options.Radii[0], s.Options.Radii[1]);

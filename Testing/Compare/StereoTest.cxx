@@ -125,5 +125,24 @@ TEST_P(CompareStereo, Warped)
   }
 }
 
+// The volume in a room, and a viewer who has stepped aside and stooped.
+TEST_P(CompareStereo, WarpedViewer)
+{
+  const Projection& p = *FindProjection(this->GetParam());
+  if (p.Axis == Family::Planar)
+  {
+    GTEST_SKIP() << "warped is for wide projections";
+  }
+  StereoOptions stereo = Model("warped");
+  stereo.Iod = 0.1;
+  stereo.Distance = 3;
+  stereo.Viewer = { { 0.7, -0.4 } };
+  Shot shot = MakeShot(p.Name, p.MaxHorizontalFov, PlainPoses().back());
+  shot.Width /= 4;
+  shot.Height /= 4;
+  Picture->SetMesh(MakeGlobe(6));
+  Check(shot, stereo, "globe of 6");
+}
+
 INSTANTIATE_TEST_SUITE_P(
   All, CompareStereo, ::testing::ValuesIn(ProjectionNames()), DrawingTest::NameOf);
