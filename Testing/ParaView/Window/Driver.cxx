@@ -124,7 +124,7 @@ std::vector<std::function<void()>> Steps()
     [] { Photograph("hammer"); }, [] { Get<QAction>("actionEditUndo")->trigger(); },
     [] { Photograph("undone"); }, [] { OpenPresets(); }, [] { Photograph("presets"); },
     [] { ChoosePreset("Planetarium dome, two eyes"); }, [] { Photograph("dome"); },
-    [] { Search("stereo"); }, [] { Photograph("stereo"); }, [] { Darken(); },
+    [] { Search("stereo"); }, [] { Photograph("stereo"); }, [] { Darken(); }, [] {},
     [] { Photograph("dark"); }, [] { End(0, "done"); } };
 }
 
