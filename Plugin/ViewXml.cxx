@@ -28,13 +28,13 @@ std::string Choice(const std::string& name)
   return "          <String value=\"" + Escape(name) + "\" />\n";
 }
 
-// What a combo box offers: those that are formulas.
+// What a combo box offers.
 std::string Choices()
 {
   std::string text;
-  for (const wfv::Projection& p : wfv::Projections())
+  for (const wfv::Projection* p : wfv::AllProjections())
   {
-    text += Choice(p.Name);
+    text += Choice(p->Name);
   }
   return text;
 }
@@ -84,6 +84,8 @@ std::string Help()
       (round ? " across" : " by " + Range(p.MinVerticalFov, p.MaxVerticalFov)) +
       (p.Limit.empty() ? "" : ", for " + p.Limit) + ".\n";
   }
+  const wfv::Projection& sampled = wfv::SampledProjection();
+  text += "          " + sampled.Name + ": " + sampled.Title + ", see DirectionMapFile.\n";
   return Escape(text);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPVWideFoVView.h"
 
+#include "DirectionFile.h"
 #include "Projection.h"
 #include "vtkPVWideFoVViewInternals.h"
 #include "vtkWideFoVOverrides.h"
@@ -71,6 +72,7 @@ void vtkPVWideFoVView::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "HorizontalFieldOfView: " << in.HorizontalFov << "\n"
      << indent << "VerticalFieldOfView: " << in.VerticalFov << "\n"
      << indent << "Tilt: " << in.Tilt << "\n"
+     << indent << "DirectionMapFile: " << in.DirectionMapFile << "\n"
      << indent << "AutomaticClipSpheres: " << in.AutomaticClipSpheres << "\n"
      << indent << "ClipSpheres: " << in.ClipSpheres[0] << ", " << in.ClipSpheres[1] << "\n"
      << indent << "DepthMapping: " << in.DepthMapping << "\n"
@@ -117,6 +119,26 @@ void vtkPVWideFoVView::SetTilt(double degrees)
 void vtkPVWideFoVView::SetLens(double c1, double c2, double c3, double c4, double c5)
 {
   this->Internal->Lens = { { c1, c2, c3, c4, c5 } };
+  this->UpdateCamera();
+}
+
+void vtkPVWideFoVView::SetDirectionMapFile(const char* path)
+{
+  const std::string wanted = path ? path : "";
+  Internals& in = *this->Internal;
+  if (wanted == in.DirectionMapFile)
+  {
+    return;
+  }
+  try
+  {
+    in.DirectionMap = wanted.empty() ? nullptr : wfvplugin::ReadDirectionFile(wanted);
+    in.DirectionMapFile = wanted;
+  }
+  catch (const std::exception& e)
+  {
+    vtkErrorMacro(<< e.what());
+  }
   this->UpdateCamera();
 }
 
@@ -176,6 +198,7 @@ void vtkPVWideFoVView::UpdateCamera()
   camera->SetVerticalFieldOfView(
     std::clamp(in.VerticalFov, map.MinVerticalFov, map.MaxVerticalFov));
   camera->SetTilt(in.Tilt);
+  camera->SetDirectionMap(in.DirectionMap);
   camera->SetDepthMapping(in.DepthMapping);
   std::array<double, 5> lens;
   camera->GetLens(lens.data());

@@ -51,6 +51,13 @@ public:
   virtual void SetLens(double c1, double c2, double c3, double c4, double c5);
 
   /**
+   * What the projection "direction-map" shows, an OpenEXR image of a direction a pixel (default:
+   * none, which shows nothing). A file that is none is refused with an error, and the old map
+   * stays. Every process reads it.
+   */
+  virtual void SetDirectionMapFile(const char* path);
+
+  /**
    * Fit the clip spheres to the visible data before each frame (default on).
    */
   virtual void SetAutomaticClipSpheres(bool automatic);

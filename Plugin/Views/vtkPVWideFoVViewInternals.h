@@ -13,6 +13,7 @@
 #include "vtkPVDefaultPass.h"
 
 #include <array>
+#include <memory>
 #include <string>
 
 struct vtkPVWideFoVView::Internals
@@ -25,6 +26,8 @@ struct vtkPVWideFoVView::Internals
   double VerticalFov = 180;
   double Tilt = 0;
   std::array<double, 5> Lens{ { 0, 0, 0, 0, 0 } };
+  std::string DirectionMapFile;
+  std::shared_ptr<const wfv::DirectionMap> DirectionMap; // none without a file
   bool AutomaticClipSpheres = true;
   std::array<double, 2> ClipSpheres{ { 0.01, 1000 } };
   int DepthMapping = vtkWideFoVCamera::LINEAR;

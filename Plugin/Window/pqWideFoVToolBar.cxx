@@ -2,6 +2,7 @@
 #include "pqWideFoVToolBar.h"
 
 #include <QComboBox>
+#include <QIcon>
 #include <QMenu>
 #include <QSignalBlocker>
 #include <QToolButton>
@@ -101,6 +102,9 @@ void pqWideFoVToolBar::build()
   auto* const button = new QToolButton(this);
   button->setObjectName("Presets");
   button->setText("Presets");
+  // its colours stand out from light and dark panels alike
+  button->setIcon(QIcon(":/WideFoV/Icons/presets.svg"));
+  button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   button->setToolTip("Projection, fields of view, tilt and eyes for a kind of picture");
   button->setPopupMode(QToolButton::InstantPopup);
   auto* const menu = new QMenu(button);

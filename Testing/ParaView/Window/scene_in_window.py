@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Run by ParaView's window: the view and data in it, and a line in a log for every change."""
+
+import json
+import os
+
+from paraview import simple
+
+SETTINGS = ["Projection", "HorizontalFieldOfView", "Tilt", "StereoRender", "StereoModel"]
+LOG = os.path.join(os.environ["WIDEFOV_PHOTOGRAPHS"], "settings.log")
+
+simple.LoadPlugin(os.environ["WIDEFOV_PLUGIN"], remote=False, ns=vars(simple))
+simple._DisableFirstRenderCameraReset()  # the eye is in the data
+old = simple.GetActiveView()
+layout = simple.GetLayout()
+view = simple.CreateView("WideFoVView")
+if old:
+    simple.Delete(old)
+simple.AssignViewToLayout(view=view, layout=layout)
+simple.SetActiveView(view)
+
+wavelet = simple.Wavelet()
+gradient = simple.Gradient(Input=wavelet, ScalarArray=["POINTS", "RTData"])
+gradient.UpdatePipeline()
+lines = simple.StreamTracer(Input=gradient, SeedType="Point Cloud", Vectors=["POINTS", "Gradient"])
+lines.SeedType.Radius = 9
+lines.SeedType.NumberOfPoints = 50
+simple.Show(simple.Outline(Input=wavelet), view).LineWidth = 3
+display = simple.Show(simple.Tube(Input=lines, Radius=0.06), view)
+simple.ColorBy(display, ("POINTS", "RTData"))
+display.RescaleTransferFunctionToDataRange()
+ball = simple.Sphere(Center=[4, 3, -5], Radius=2, ThetaResolution=64, PhiResolution=64)
+simple.Show(ball, view)
+view.CameraPosition = [1, 1, 1]
+view.CameraFocalPoint = [1.5, 1.2, -4]
+view.InterpupillaryDistance = 0.2
+simple.Render(view)
+
+
+def log(*_):
+    """The settings as they are now."""
+    values = {name: view.GetProperty(name).GetData() for name in SETTINGS}
+    with open(LOG, "a") as out:
+        out.write(json.dumps(values) + "\n")
+
+
+log()
+view.SMProxy.AddObserver("PropertyModifiedEvent", log)

@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What people do in a view: hover over a surface, measure, link cameras, put text and legends."""
+
+import math
+import os
+import random
+
+from paraview import simple
+
+import pixels
+import scene
+
+CENTRE, RADIUS, SIDES = (4, 1, -3), 2, 96
+EYE, FOCAL = (0.5, 0.3, 1), (0.5, 0.3, -1)  # looking down -z
+
+# Units of the scene: sides are flat, and ParaView meets the plane of the side that is drawn at the
+# pixel's centre with the ray of its corner.
+FLAT = 0.1
+
+# Pixels: a line is one wide, and its pixel's centre is up to half of one beside it.
+LINE_TOLERANCE = 1.5
+
+
+def check_hover(view):
+    """The point under the mouse is on the surface, and the mouse's ray leads there."""
+    dice = random.Random(3)
+    found = 0
+    middle = place_of(CENTRE)
+    for _ in range(60):
+        x, y = (round(c) + dice.randrange(-20, 20) for c in middle)  # most of it is the ball's
+        point, normal = [0.0] * 3, [0.0] * 3
+        if not view.SMProxy.ConvertDisplayToPointOnSurface([x, y], point, normal, False):
+            continue
+        found += 1
+        off = math.dist(point, CENTRE) - RADIUS
+        scene.require(abs(off) < FLAT, "a point is %g off the ball" % off)
+        seen = place_of(point)
+        scene.require(math.dist(seen, (x, y)) < 1, "%s leads to %s" % ((x, y), seen))
+    print(found, "points under the mouse")
+    scene.require(found >= 20, "no point is found")
+
+
+def place_of(point):
+    """Where an equirectangular picture of everything shows a point; pixels from the lower left."""
+    x, y, z = (a - b for a, b in zip(point, EYE))
+    longitude, latitude = math.atan2(x, -z), math.atan2(y, math.hypot(x, z))
+    return (
+        (longitude / math.pi + 1) / 2 * scene.SIZE[0],
+        (latitude / (math.pi / 2) + 1) / 2 * scene.SIZE[1],
+    )
+
+
+def check_ruler(options, view):
+    """A ruler from the left to the right behind the viewer is an arc across the border."""
+    ends = (-3, -1, 3), (3, 2, 4)
+    ruler = simple.Ruler(Point1=ends[0], Point2=ends[1])
+    simple.Show(ruler, view)
+    length = ruler.SMProxy.GetClientSideObject().GetOutputDataObject(0).GetLength()
+    scene.require(abs(length - math.dist(*ends)) < 1e-9, "the ruler's length")
+    rows = pixels.read_rows(scene.save(view, os.path.join(options.output, "ruler.png")))
+    lit = [(i + 0.5, j + 0.5) for j, row in enumerate(rows) for i, n in enumerate(row) if n]
+    lines = [place_of([a + t / 400 * (b - a) for a, b in zip(*ends)]) for t in range(401)]
+    lonely = [p for p in lines if min(math.dist(p, q) for q in lit) > LINE_TOLERANCE]
+    strange = [q for q in lit if min(math.dist(p, q) for p in lines) > LINE_TOLERANCE]
+    columns = {round(x) for x, _ in lit}
+    print("ruler:", len(lit), "pixels, off", len(lonely), len(strange))
+    scene.require(not lonely and not strange, "the ruler is elsewhere")
+    scene.require(min(columns) < 2 and max(columns) > scene.SIZE[0] - 3, "it is not behind")
+    simple.Delete(ruler)
+
+
+def check_linked(view):
+    """A Render View that follows, and leads."""
+    other = scene.make_view([100, 100], kind="RenderView")
+    simple.AddCameraLink(view, other, "linked")
+    for leader, follower, eye in ((view, other, [1, 2, 3]), (other, view, [3, 1, 2])):
+        leader.CameraPosition = eye
+        simple.Render(leader)
+        found = list(follower.CameraPosition)
+        scene.require(found == eye, "the other camera is at " + str(found))
+    wide = view.SMProxy.GetActiveCamera().GetClassName()
+    scene.require(wide == "vtkWideFoVCamera", "the link has put a " + wide + " in")
+    simple.RemoveCameraLink("linked")
+    simple.Delete(other)
+
+
+def check_flat(options, view, ball):
+    """Text and a legend are drawn over the picture, as in any view."""
+    empty = pixels.count_lit(scene.save(view, os.path.join(options.output, "empty.png")))
+    text = simple.Text(Text="Text")
+    simple.Show(text, view)
+    with_text = pixels.count_lit(scene.save(view, os.path.join(options.output, "text.png")))
+    display = simple.Show(simple.Elevation(Input=ball), view)
+    simple.ColorBy(display, ("POINTS", "Elevation"))
+    display.SetScalarBarVisibility(view, True)
+    legend = scene.save(view, os.path.join(options.output, "legend.png"))
+    print("lit:", empty, with_text, pixels.count_lit(legend))
+    scene.require(empty + 10 < with_text < pixels.count_lit(legend) - 300, "annotation")
+
+
+def main(options):
+    scene.load_plugin(options)
+    view = scene.make_view()
+    ball = simple.Sphere(Center=CENTRE, Radius=RADIUS, ThetaResolution=SIDES, PhiResolution=SIDES)
+    simple.Show(ball, view)
+    scene.place_eye(view, EYE, FOCAL)
+    simple.Render(view)
+    check_hover(view)
+    simple.Hide(ball, view)
+    check_ruler(options, view)
+    check_linked(view)
+    check_flat(options, view, ball)
+
+
+scene.run(main)
