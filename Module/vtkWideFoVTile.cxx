@@ -60,6 +60,7 @@ void SetTileUniforms(vtkShaderProgram* program, const TilePixels& pixels, const 
   // in whole and half pixels, so that a tile has the very rays of the whole picture
   float toMap[4];
   float picture[4];
+  float quarter[2]; // pixels of a quarter turn, where the map's unit is the radian
   for (int i = 0; i < 2; i++)
   {
     const double larger = viewport[i + 2] / pixels.Size[i];
@@ -69,6 +70,7 @@ void SetTileUniforms(vtkShaderProgram* program, const TilePixels& pixels, const 
     picture[i + 2] = static_cast<float>(whole);
     toMap[i] = static_cast<float>(viewport[i] + 0.5 * whole - start);
     toMap[i + 2] = static_cast<float>(2 / (whole * scale[i]));
+    quarter[i] = static_cast<float>(0.25 * WFV_PI * whole * scale[i]);
   }
   const float f[4] = { static_cast<float>(viewport[0]), static_cast<float>(viewport[1]),
     static_cast<float>(viewport[2]), static_cast<float>(viewport[3]) };
@@ -76,5 +78,6 @@ void SetTileUniforms(vtkShaderProgram* program, const TilePixels& pixels, const 
   program->SetUniform4f("wfvViewport", f);
   program->SetUniform4f("wfvPixelToMap", toMap);
   program->SetUniform4f("wfvPicture", picture);
+  program->SetUniform2f("wfvQuarterTurn", quarter);
 }
 }

@@ -6,6 +6,9 @@
 
 const float WFV_TOP = 3.7320508075688773;
 
+// Whether y is the latitude itself.
+const bool WFV_EVEN_LATITUDES = false;
+
 // Cosine of the latitude at which the height ends, for what lies beyond the domain.
 const float WFV_CENTRAL_END = 1e-6;
 

@@ -6,6 +6,9 @@
 
 const float WFV_TOP = 1.0;
 
+// Whether y is the latitude itself.
+const bool WFV_EVEN_LATITUDES = false;
+
 WFV_FN float wfvHeight(float phi)
 {
   return sin(phi);

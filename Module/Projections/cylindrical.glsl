@@ -3,6 +3,7 @@
 // Included after the projection, which brings
 //   float wfvHeight(float phi)   y in the raw map, growing and odd
 //   float wfvLatitude(float y)   its inverse on [-WFV_TOP, WFV_TOP]
+//   WFV_EVEN_LATITUDES           whether y is the latitude itself
 //   WFV_TOP                      y at the largest latitude of the domain
 // Discontinuities: the meridian lambda = +-pi, a straight line; each pole is stretched
 // to a line, or lies infinitely far away.

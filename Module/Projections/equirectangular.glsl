@@ -6,6 +6,9 @@
 
 const float WFV_TOP = 0.5 * WFV_PI;
 
+// Whether y is the latitude itself.
+const bool WFV_EVEN_LATITUDES = true;
+
 WFV_FN float wfvHeight(float phi)
 {
   return phi;

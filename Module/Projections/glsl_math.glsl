@@ -30,10 +30,8 @@ WFV_FN float wfvAtan2(float y, float x)
 // quarter turns, taken off in two parts, and Taylor's polynomials to r^9 and r^8 on
 // [-pi/4, pi/4], whose remainders are below 2e-9 and 3e-8. Both for less than either alone
 // costs in software; the accuracy of sin and cos is left open, and often 5e-7.
-WFV_FN vec2 wfvSinCos(float x)
+WFV_FN vec2 wfvSinCosOf(float r, float k) // of r and k quarter turns
 {
-  float k = floor(x * 0.63661977236758134 + 0.5);
-  float r = (x - k * 1.5703125) - k * 4.8382679489661923e-4;
   float t = r * r;
   float s = (2.7557319e-6 * t - 1.9841270e-4) * t + 8.3333333e-3;
   s = r + r * t * (s * t - 0.16666667);
@@ -44,6 +42,12 @@ WFV_FN vec2 wfvSinCos(float x)
   float turned = half_ - 2.0 * floor(0.5 * half_);
   float sign_ = 1.0 - 2.0 * turned;
   return odd > 0.5 ? vec2(sign_ * c, -sign_ * s) : vec2(sign_ * s, sign_ * c);
+}
+
+WFV_FN vec2 wfvSinCos(float x)
+{
+  float k = floor(x * 0.63661977236758134 + 0.5);
+  return wfvSinCosOf((x - k * 1.5703125) - k * 4.8382679489661923e-4, k);
 }
 
 // sqrt(x^2 + y^2) without overflow or underflow of the squares.

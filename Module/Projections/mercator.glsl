@@ -7,6 +7,9 @@
 
 const float WFV_TOP = WFV_PI;
 
+// Whether y is the latitude itself.
+const bool WFV_EVEN_LATITUDES = false;
+
 // tan(phi/2) at which the height ends, for what lies beyond the domain.
 const float WFV_MERCATOR_END = 0.999999;
 

@@ -8,6 +8,9 @@
 // 5/2 atanh(tan(pi/5))
 const float WFV_TOP = 2.3034125433763912;
 
+// Whether y is the latitude itself.
+const bool WFV_EVEN_LATITUDES = false;
+
 WFV_FN float wfvHeight(float phi)
 {
   return 2.5 * wfvAtanh(sin(0.4 * phi) / cos(0.4 * phi));

@@ -15,13 +15,41 @@ vec2 wfvPlaceBeside(vec2 offset)
 // The picture's centre, pixels of the window, and the raw map's units a pixel.
 uniform vec4 wfvPixelToMap;
 
+#if WFV_MERIDIAN && WFV_STRAIGHT_SEAM
+// Pixels that are a quarter of a turn, a whole number in most pictures.
+uniform vec2 wfvQuarterTurn;
+
+// Sine and cosine of so many pixels, where pixels are alike. Whole quarters are taken off the
+// pixels, exactly: what is rounded then is a share of the rest, not of up to half a turn.
+vec2 wfvSinCosOfPixels(float p, float pixel, float quarter)
+{
+  float k = floor(p * (pixel * 0.63661977236758134) + 0.5);
+  return wfvSinCosOf((p - k * quarter) * pixel, k);
+}
+
+// The direction of a place so many pixels from the centre of a cylindrical map.
+vec3 wfvCylinderDirection(vec2 p, float y)
+{
+  vec2 lambda = wfvSinCosOfPixels(p.x, wfvPixelToMap.z, wfvQuarterTurn.x);
+  vec2 phi = WFV_EVEN_LATITUDES ? wfvSinCosOfPixels(p.y, wfvPixelToMap.w, wfvQuarterTurn.y)
+                                : wfvSinCos(wfvLatitude(y));
+  return vec3(phi.y * lambda.x, phi.x, -phi.y * lambda.y);
+}
+#endif
+
 // Its ray.
 WfvRay wfvRayAt(vec2 offset)
 {
 #if WFV_FLAT_RIM
   return wfvUnproject(wfvPlaceBeside(offset), wfvView);
 #else
-  return wfvRayOfMap((gl_FragCoord.xy + offset - wfvPixelToMap.xy) * wfvPixelToMap.zw, wfvView);
+  vec2 p = gl_FragCoord.xy + offset - wfvPixelToMap.xy;
+  vec2 m = p * wfvPixelToMap.zw;
+  WfvRay ray = wfvRayOfMap(m, wfvView);
+#if WFV_MERIDIAN && WFV_STRAIGHT_SEAM
+  ray.direction = wfvCylinderDirection(p, max(-WFV_TOP, min(WFV_TOP, m.y)));
+#endif
+  return ray;
 #endif
 }
 

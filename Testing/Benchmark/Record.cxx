@@ -40,6 +40,7 @@ Json Figures(const std::optional<ErrorFigures>& error)
     { "max_px", Found(m.MaxPx) }, { "p99_px", Found(m.P99Px) },
     { "max_depth_rel", depth ? Json(m.MaxDepthRel) : Json(nullptr) },
     { "depth_px", depth && std::isfinite(m.DepthPx) ? Json(m.DepthPx) : Json(nullptr) },
+    { "depth_ulps", depth && std::isfinite(m.DepthUlps) ? Json(m.DepthUlps) : Json(nullptr) },
     { "b", error->Tolerance }, { "mismatched_pixels", m.Mismatched },
     { "searched_pixels", m.Searched } };
 }

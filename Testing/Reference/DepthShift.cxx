@@ -13,6 +13,27 @@ namespace
 constexpr double ShiftStep = 1e-3;
 }
 
+double DepthRounding(const Caster& caster, int width, int height, int i, int j, const Hit& hit)
+{
+  const TriangleSoup* const soup = caster.GetSoup();
+  if (!soup || hit.Triangle < 0)
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+  const auto& corners = soup->Triangles[hit.Triangle];
+  const vec3 p = soup->Points[corners[0]];
+  const vec3 normal = glm::cross(soup->Points[corners[1]] - p, soup->Points[corners[2]] - p);
+  const vec3 d = caster.GetView().Ray(PixelToNdc(i + 0.5, j + 0.5, width, height)).Direction;
+  double change = 0;
+  for (int k = 0; k < 3; ++k)
+  {
+    const float component = float(std::abs(d[k]));
+    const double step = double(std::nextafter(component, 2.0f)) - component;
+    change += 0.5 * step * std::abs(normal[k]);
+  }
+  return change / std::abs(glm::dot(normal, d));
+}
+
 double DepthShift(
   const Caster& caster, int width, int height, int i, int j, const Hit& hit, double drawn)
 {

@@ -15,6 +15,11 @@ namespace reference
 // Infinite where no shift tells: no triangle, or a plane that is as far all round.
 double DepthShift(
   const Caster& caster, int width, int height, int i, int j, const Hit& hit, double drawn);
+
+// By how much, relative, the distance of that plane changes where each component of the ray's
+// direction changes by half a step of float32, the worst way: what rounding the direction to
+// float32 may make of it, all else being exact. Infinite as above.
+double DepthRounding(const Caster& caster, int width, int height, int i, int j, const Hit& hit);
 }
 }
 

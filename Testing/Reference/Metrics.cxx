@@ -76,9 +76,13 @@ void MeasureDepth(
     e <= metrics.MaxDepthRel ? metrics.MaxDepthRel : (std::isnan(e) ? INFINITY : e);
   if (!(e <= DepthRel))
   {
-    const double shift = DepthShift(caster, drawn.Width, drawn.Height, int(n % drawn.Width),
-      int(n / drawn.Width), hit, drawn.Distance[n]);
+    const int i = int(n % drawn.Width);
+    const int j = int(n / drawn.Width);
+    const double shift =
+      DepthShift(caster, drawn.Width, drawn.Height, i, j, hit, drawn.Distance[n]);
     metrics.DepthPx = std::max(metrics.DepthPx, shift);
+    const double rounding = DepthRounding(caster, drawn.Width, drawn.Height, i, j, hit);
+    metrics.DepthUlps = std::max(metrics.DepthUlps, e / rounding);
   }
 }
 

@@ -52,6 +52,7 @@ struct Metrics
   double P99Px = 0;
   double MaxDepthRel = 0; // relative difference of the distances where the cells agree
   double DepthPx = 0;     // pixels: where that is more than DepthRel, what shift explains it
+  double DepthUlps = 0;   // there: the difference over what float32 makes of the ray alone
   long Mismatched = 0;    // pixels whose cells differ at the pixel centre
   long Searched = 0;      // of them, those that were searched for a place of agreement
   long UnexplainedPixels = 0;

@@ -62,3 +62,33 @@ TEST(DepthShift, IsInfiniteWithoutATriangleOrANumber)
   const Hit here = HitAt(caster, I + 0.5, J + 0.5);
   EXPECT_EQ(DepthShift(caster, Width, Height, I, J, here, std::nan("")), infinite);
 }
+
+// Rounding the ray's direction to float32 changes the distance by no more, and often by as much.
+TEST(DepthRounding, IsWhatRoundingTheRayMakes)
+{
+  for (double lean : { -2.0, 0.1, 0.8 })
+  {
+    const RayCaster caster(Leaning(lean), WholeSphere());
+    const TriangleSoup& soup = caster.GetTriangles();
+    const vec3 p = soup.Points[0];
+    const vec3 normal = glm::cross(soup.Points[1] - p, soup.Points[2] - p);
+    double most = 0;
+    for (int i = I - 40; i < I + 40; ++i)
+    {
+      const vec2 ndc = PixelToNdc(i + 0.5, J + 0.5, Width, Height);
+      const Hit hit = caster.Cast(ndc);
+      if (hit.Cell != 0)
+      {
+        continue;
+      }
+      const vec3 d = caster.GetView().Ray(ndc).Direction;
+      const vec3 rounded = vec3{ float(d.x), float(d.y), float(d.z) };
+      const double distance = glm::dot(normal, p) / glm::dot(normal, rounded);
+      const double bound = DepthRounding(caster, Width, Height, i, J, hit);
+      const double share = std::abs(distance / hit.Distance - 1) / bound;
+      EXPECT_LE(share, 1 + 1e-6) << lean << " " << i; // first order
+      most = std::max(most, share);
+    }
+    EXPECT_GT(most, 0.5) << lean;
+  }
+}
