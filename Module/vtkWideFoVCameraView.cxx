@@ -224,6 +224,19 @@ void vtkWideFoVCamera::GetKeyMatrices(vtkRenderer* renderer, vtkMatrix4x4*& wcvc
   wcdc->DeepCopy(wcvc);
 }
 
+namespace
+{
+// Of the tile that a window is; what both eyes are culled by is the whole picture's.
+void ShowPart(
+  vtkPerspectiveTransform* transform, bool forBothEyes, const std::array<double, 4>& part)
+{
+  if (!forBothEyes)
+  {
+    transform->AdjustViewport(part[0], part[1], part[2], part[3], -1, 1, -1, 1);
+  }
+}
+}
+
 void vtkWideFoVCamera::ComputeProjectionTransform(double aspect, double nearz, double farz)
 {
   if (this->IsWide())
@@ -239,10 +252,7 @@ void vtkWideFoVCamera::ComputeProjectionTransform(double aspect, double nearz, d
   const double cornerY = ty * (1 + std::abs(o.Center.y));
   const double n = o.Radii[0] / std::sqrt(1 + cornerX * cornerX + cornerY * cornerY);
   this->ProjectionTransform->Identity();
-  if (const std::array<double, 4>& part = this->Internal->Part; !this->Internal->ForBothEyes)
-  {
-    this->ProjectionTransform->AdjustViewport(part[0], part[1], part[2], part[3], -1, 1, -1, 1);
-  }
+  ShowPart(this->ProjectionTransform, this->Internal->ForBothEyes, this->Internal->Part);
   this->ProjectionTransform->AdjustZBuffer(-1, +1, nearz, farz);
   if (this->Internal->ForBothEyes)
   {
