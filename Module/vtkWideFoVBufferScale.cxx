@@ -36,7 +36,6 @@ void BufferScale::Prepare(vtkProp* prop)
   {
     return;
   }
-  prop->GetBounds(); // brings the input up to date
   const bool good = AreGoodAsTheyAre(mapper->GetInput());
   const auto known = this->Changed.find(mapper);
   const bool changed = known != this->Changed.end() && known->second == mapper;

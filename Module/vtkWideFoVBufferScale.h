@@ -17,8 +17,8 @@ namespace wfv
 class BufferScale
 {
 public:
-  // Before the prop is drawn. A mapper keeps the method that its user has chosen; one that is
-  // changed here is changed back when its points are others.
+  // Before the prop is drawn, its input being up to date. A mapper keeps the method that its user
+  // has chosen; one that is changed here is changed back when its points are others.
   void Prepare(vtkProp* prop);
 
 private:

@@ -324,6 +324,11 @@ public:
    */
   virtual void PrepareFrame(vtkRenderer* renderer);
 
+  // Of the pass: the same, with the bounds of the visible props where they are known, else
+  // nullptr; until the end of the frame PrepareFrame then has nothing to do.
+  void BeginFrame(vtkRenderer* renderer, const double* bounds);
+  void EndFrame();
+
   ///@{
   /**
    * As vtkCamera's, and the wide view with them where the source has one.

@@ -16,7 +16,9 @@ struct vtkWideFoVCamera::Internals
   double CacheAspect = 0;
   wfv::Eye CacheEye = wfv::Eye::Middle;
   vtkMTimeType CacheTime = 0;
-  bool ForBothEyes = false; // the frustum that is asked for
+  bool InFrame = false;           // everything is prepared
+  const double* Bounds = nullptr; // of the visible props, where they are known
+  bool ForBothEyes = false;       // the frustum that is asked for
   // Normalized device coordinates that the window shows of a perspective: low and high x, low
   // and high y; all of it unless the window is a tile.
   std::array<double, 4> Part{ { -1, 1, -1, 1 } };

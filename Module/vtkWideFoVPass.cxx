@@ -2,6 +2,7 @@
 #include "vtkWideFoVPass.h"
 
 #include "vtkWideFoVCamera.h"
+#include "vtkWideFoVFrameProps.h"
 #include "vtkWideFoVHeadlights.h"
 #include "vtkWideFoVScreenCamera.h"
 #include "vtkWideFoVStages.h"
@@ -22,12 +23,23 @@ struct vtkWideFoVPass::Internals
   vtkSmartPointer<vtkRenderPass> Delegate;
   vtkWideFoVStages Stages;
   vtkNew<vtkWideFoVHeadlights> Headlights; // of flat screens
-  std::vector<vtkWideFoVStage*> Chosen;    // one a prop, kept between frames for its memory
-  std::vector<vtkProp*> Order;             // the props as they came
+  wfv::FrameProps Props;                   // as they came
+  std::vector<vtkWideFoVStage*> Chosen;    // one a prop that is seen, kept for its memory
 };
 
 namespace
 {
+// Seconds: a frame that may take longer is for standing still.
+constexpr double LongestShare = 1;
+
+// Fraction of its share under which a frame leaves time for a better one: covering triangles may
+// take four times as long as chords.
+constexpr double SpareTime = 0.2;
+
+// Pixels, by how much a frame is relaxed.
+constexpr int MostRelaxed = 2;
+constexpr double RelaxedTolerances[MostRelaxed + 1] = { 0, 1, 4 };
+
 // The renderer's own list is what its stock passes go through.
 class RendererAccess : public vtkRenderer
 {
@@ -60,6 +72,8 @@ void vtkWideFoVPass::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "NumberOfPreClipDraws: " << this->NumberOfPreClipDraws << "\n"
      << indent << "NumberOfExactDraws: " << this->NumberOfExactDraws << "\n"
      << indent << "NumberOfTessellateDraws: " << this->NumberOfTessellateDraws << "\n"
+     << indent << "KeepUpdateRate: " << this->KeepUpdateRate << "\n"
+     << indent << "Relaxation: " << this->Relaxation << "\n"
      << indent << "Culling: " << this->Culling << "\n"
      << indent << "NumberOfDrawnProps: " << this->NumberOfDrawnProps << "\n"
      << indent << "NumberOfCulledProps: " << this->NumberOfCulledProps << "\n"
@@ -96,20 +110,27 @@ void vtkWideFoVPass::DrawDelegate(const vtkRenderState* s)
   this->UpdateGeometry(renderer, s->GetFrameBuffer());
 }
 
-int vtkWideFoVPass::Cull(vtkProp** props, int count)
+int vtkWideFoVPass::Cull(vtkProp** props)
 {
-  vtkProp** const end = std::stable_partition(
-    props, props + count, [this](vtkProp* prop) { return !this->Internal->Stages.IsUnseen(prop); });
-  return static_cast<int>(end - props);
+  Internals& in = *this->Internal;
+  int seen = 0;
+  in.Chosen.clear();
+  for (int i = 0; i < in.Props.GetCount(); i++)
+  {
+    if (!in.Props.IsUnseen(i))
+    {
+      in.Chosen.push_back(in.Props.GetStage(i));
+      props[seen++] = in.Props.GetProp(i);
+    }
+  }
+  return seen;
 }
 
 void vtkWideFoVPass::DrawProps(const vtkRenderState* s, vtkProp** props, int count)
 {
   Internals& in = *this->Internal;
-  in.Chosen.resize(count);
   for (int i = 0; i < count; i++)
   {
-    in.Chosen[i] = in.Stages.Choose(props[i]);
     vtkWideFoVStages::Attach(props[i], in.Chosen[i]);
   }
   vtkRenderState seen(s->GetRenderer());
@@ -121,6 +142,19 @@ void vtkWideFoVPass::DrawProps(const vtkRenderState* s, vtkProp** props, int cou
   {
     vtkWideFoVStages::Detach(props[i], in.Chosen[i]);
   }
+}
+
+void vtkWideFoVPass::FindRelaxation(vtkRenderer* renderer)
+{
+  const double share = renderer->GetAllocatedRenderTime();
+  const double took = renderer->GetLastRenderTimeInSeconds();
+  if (!this->KeepUpdateRate || this->Technique == VERTEX || share > LongestShare)
+  {
+    this->Relaxation = 0; // it stands still
+    return;
+  }
+  const int change = took > share ? 1 : took < SpareTime * share ? -1 : 0;
+  this->Relaxation = std::clamp(this->Relaxation + change, 0, MostRelaxed);
 }
 
 void vtkWideFoVPass::Render(const vtkRenderState* s)
@@ -146,21 +180,38 @@ void vtkWideFoVPass::Render(const vtkRenderState* s)
     this->DrawDelegate(s);
     return;
   }
-  camera->PrepareFrame(renderer);
-  in.Stages.SetCulling(this->Culling != 0);
-  in.Stages.Begin(renderer, camera, this->Technique, this->Tolerance);
-  in.Stages.SetDebugView(this->DebugView != 0);
+  this->RenderWide(s, camera);
+  this->TakeCounts();
+}
+
+void vtkWideFoVPass::RenderWide(const vtkRenderState* s, vtkWideFoVCamera* camera)
+{
+  Internals& in = *this->Internal;
+  vtkRenderer* renderer = s->GetRenderer();
+  const int count = s->GetPropArrayCount();
   vtkProp** props = s->GetPropArray();
-  in.Order.assign(props, props + count);
-  const int seen = this->Cull(props, count);
+  in.Props.Gather(renderer, props, count);
+  double bounds[6];
+  camera->BeginFrame(renderer, in.Props.GetSceneBounds(renderer, bounds) ? bounds : nullptr);
+  in.Stages.SetCulling(this->Culling != 0);
+  this->FindRelaxation(renderer);
+  const bool relaxed = this->Relaxation > 0;
+  in.Stages.Begin(renderer, camera, relaxed ? static_cast<int>(PRECLIP) : this->Technique,
+    relaxed ? std::max(this->Tolerance, RelaxedTolerances[this->Relaxation]) : this->Tolerance);
+  in.Stages.SetDebugView(this->DebugView != 0);
+  in.Props.Choose(in.Stages, in.Stages.GetViewNumber());
+  const int seen = this->Cull(props);
   RendererAccess::SetCount(renderer, props, seen);
   this->DrawProps(s, props, seen);
   RendererAccess::SetCount(renderer, props, count);
-  std::copy(in.Order.begin(), in.Order.end(), props);
+  for (int i = 0; i < count; i++)
+  {
+    props[i] = in.Props.GetProp(i);
+  }
   in.Stages.End();
+  camera->EndFrame();
   this->NumberOfDrawnProps = seen;
   this->NumberOfCulledProps = count - seen;
-  this->TakeCounts();
 }
 
 void vtkWideFoVPass::TakeCounts()

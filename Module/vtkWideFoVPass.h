@@ -22,6 +22,8 @@
 #include <memory> // For std::unique_ptr
 
 class vtkProp;
+class vtkRenderer;
+class vtkWideFoVCamera;
 
 class VTKRENDERINGWIDEFOV_EXPORT vtkWideFoVPass : public vtkOpenGLRenderPass
 {
@@ -92,6 +94,21 @@ public:
 
   ///@{
   /**
+   * Keep to the time that the window asks for by vtkRenderWindow::SetDesiredUpdateRate, as VTK's
+   * level-of-detail props do (default off). While it asks for a frame a second or more, as an
+   * interactor does that moves, and a frame took longer than its share, the next is relaxed:
+   * triangles are clipped and drawn by their chords, to a larger tolerance. A frame that has more
+   * time is as without. GetRelaxation says by how much the last frame was relaxed: 0 not at all,
+   * 1 and 2 to a tolerance of at least one and at least four pixels.
+   */
+  vtkSetMacro(KeepUpdateRate, vtkTypeBool);
+  vtkGetMacro(KeepUpdateRate, vtkTypeBool);
+  vtkBooleanMacro(KeepUpdateRate, vtkTypeBool);
+  vtkGetMacro(Relaxation, int);
+  ///@}
+
+  ///@{
+  /**
    * The pass that draws the props; nullptr (the default) draws as a renderer without
    * passes does: opaque, translucent, volumetric, overlay.
    */
@@ -137,6 +154,8 @@ protected:
   int NumberOfExactDraws = 0;
   int NumberOfTessellateDraws = 0;
   vtkTypeBool Culling = 1;
+  vtkTypeBool KeepUpdateRate = 0;
+  int Relaxation = 0;
   int NumberOfDrawnProps = 0;
   int NumberOfCulledProps = 0;
   int NumberOfClusters = 0;
@@ -150,12 +169,18 @@ private:
   void DrawDelegate(const vtkRenderState* s);
 
   // Moves the props that are not seen behind the others; returns how many are left.
-  int Cull(vtkProp** props, int count);
+  int Cull(vtkProp** props);
 
   // Draws these props, of those of the state, with the stages that they need.
   void DrawProps(const vtkRenderState* s, vtkProp** props, int count);
 
+  // With a camera that is wide.
+  void RenderWide(const vtkRenderState* s, vtkWideFoVCamera* camera);
+
   void TakeCounts();
+
+  // How much the next frame is relaxed, from the time that the last one took.
+  void FindRelaxation(vtkRenderer* renderer);
 
   struct Internals;
   std::unique_ptr<Internals> Internal;

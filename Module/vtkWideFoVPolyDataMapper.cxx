@@ -86,13 +86,15 @@ void vtkWideFoVPolyDataMapper::RenderPiece(vtkRenderer* renderer, vtkActor* acto
     return;
   }
   vtkWideFoVStages& stages = this->Internal->Stages;
+  const double* const bounds = actor->GetBounds();
+  wfv::PropFacts facts;
   stages.Begin(renderer, camera, this->Technique, this->Tolerance);
   stages.SetDebugView(this->DebugView != 0);
-  if (stages.IsUnseen(actor))
+  if (stages.IsUnseen(actor, bounds, facts))
   {
     return;
   }
-  vtkWideFoVStage* stage = stages.Choose(actor);
+  vtkWideFoVStage* stage = stages.Choose(actor, bounds, facts);
   vtkWideFoVStages::Attach(actor, stage);
   this->Superclass::RenderPiece(renderer, actor);
   vtkWideFoVStages::Detach(actor, stage);

@@ -6,16 +6,19 @@
 #include "vtkBoundingBox.h"
 #include "vtkDataArray.h"
 #include "vtkMath.h"
+#include "vtkNew.h"
 #include "vtkOpenGLSphereMapper.h"
 #include "vtkOpenGLStickMapper.h"
 #include "vtkPointData.h"
 #include "vtkPointGaussianMapper.h"
 #include "vtkPolyData.h"
+#include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace
 {
@@ -47,6 +50,13 @@ double Largest(vtkPolyData* data, const char* name, int component, double otherw
 
 double ReachOfMapper(vtkMapper* mapper)
 {
+  // most are these, and to ask of what class something is takes long
+  const char* const name = mapper->GetClassName();
+  if (!std::strcmp(name, "vtkOpenGLPolyDataMapper") ||
+    !std::strcmp(name, "vtkWideFoVPolyDataMapper"))
+  {
+    return 0;
+  }
   if (auto* balls = vtkOpenGLSphereMapper::SafeDownCast(mapper))
   {
     return Largest(balls->GetInput(), BallAccess::Name(balls), 0, balls->GetRadius());
@@ -70,23 +80,50 @@ double ReachOfPixels(vtkProperty* property, vtkRenderer* renderer)
 {
   const double tubes = property->GetRenderLinesAsTubes() ? property->GetLineWidth() : 0;
   const double spheres = property->GetRenderPointsAsSpheres() ? property->GetPointSize() : 0;
+  if (tubes == 0 && spheres == 0)
+  {
+    return 0;
+  }
   const int* size = renderer->GetSize();
   return std::max(tubes, spheres) * vtkMath::Pi() / std::max(1, std::min(size[0], size[1]));
+}
+
+double ReachOfActor(vtkActor* actor, vtkRenderer* renderer, double farthest)
+{
+  if (!actor->GetVisibility() || !actor->GetMapper())
+  {
+    return 0;
+  }
+  const double pixels = farthest * ReachOfPixels(actor->GetProperty(), renderer);
+  return std::max(ReachOfMapper(actor->GetMapper()), pixels);
+}
+
+// Of the actors in something that is more than one.
+double ReachOfParts(vtkProp* prop, vtkRenderer* renderer, double farthest)
+{
+  double reach = 0;
+  vtkNew<vtkActorCollection> actors;
+  prop->GetActors(actors);
+  vtkCollectionSimpleIterator it;
+  actors->InitTraversal(it);
+  while (vtkActor* actor = actors->GetNextActor(it))
+  {
+    reach = std::max(reach, ReachOfActor(actor, renderer, farthest));
+  }
+  return reach;
 }
 
 double Reach(vtkRenderer* renderer, double farthest)
 {
   double reach = 0;
-  vtkActorCollection* actors = renderer->GetActors();
+  vtkPropCollection* const props = renderer->GetViewProps();
   vtkCollectionSimpleIterator it;
-  actors->InitTraversal(it);
-  while (vtkActor* actor = actors->GetNextActor(it))
+  props->InitTraversal(it);
+  while (vtkProp* prop = props->GetNextProp(it))
   {
-    if (actor->GetVisibility() && actor->GetMapper())
-    {
-      const double pixels = farthest * ReachOfPixels(actor->GetProperty(), renderer);
-      reach = std::max({ reach, ReachOfMapper(actor->GetMapper()), pixels });
-    }
+    auto* const actor = vtkActor::SafeDownCast(prop);
+    reach = std::max(reach,
+      actor ? ReachOfActor(actor, renderer, farthest) : ReachOfParts(prop, renderer, farthest));
   }
   return reach;
 }

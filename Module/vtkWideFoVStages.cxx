@@ -91,6 +91,7 @@ void vtkWideFoVStages::Begin(
   }
   this->SetPart(renderer, this->Plain->GetTile());
   this->Clusters = this->UnseenClusters = 0;
+  this->NumberView(stereo);
 }
 
 void vtkWideFoVStages::SetDebugView(bool debugView)
@@ -103,25 +104,33 @@ void vtkWideFoVStages::SetDebugView(bool debugView)
   }
 }
 
-bool vtkWideFoVStages::IsFine(vtkProp* prop, const double bounds[6])
+bool vtkWideFoVStages::IsFine(vtkProp* prop, const double bounds[6], wfv::PropFacts& facts)
 {
-  const bool everywhere = this->Technique == vtkWideFoVPass::PRECLIP;
-  return everywhere ||
-    vtkWideFoVChordError(this->View, bounds, this->WorldToView, this->Meshes.Get(prop)) *
-      this->HalfDiagonal <=
+  if (this->Technique == vtkWideFoVPass::PRECLIP)
+  {
+    return true;
+  }
+  facts.LongestEdge = facts.LongestEdge < 0 ? this->Meshes.Get(prop) : facts.LongestEdge;
+  return vtkWideFoVChordError(this->View, bounds, this->WorldToView, facts.LongestEdge) *
+    this->HalfDiagonal <=
     this->Tolerance;
 }
 
-double vtkWideFoVStages::GetPointReach(vtkProp* prop) const
+double vtkWideFoVStages::GetPointReach(const wfv::PropFacts& facts) const
 {
-  auto* actor = vtkActor::SafeDownCast(prop);
-  const double pixels = actor ? actor->GetProperty()->GetPointSize() : 1;
+  const double pixels = facts.PointSize;
   return pixels > 1 ? 0.5 * pixels * PixelSafety * this->PixelAngle : 0;
 }
 
-vtkWideFoVStage* vtkWideFoVStages::Choose(vtkProp* prop)
+vtkWideFoVStage* vtkWideFoVStages::Choose(
+  vtkProp* prop, const double* bounds, wfv::PropFacts& facts)
 {
-  this->Buffers.Prepare(prop);
+  FindFacts(prop, facts);
+  if (!facts.Prepared)
+  {
+    this->Buffers.Prepare(prop);
+    facts.Prepared = true;
+  }
   if (this->Technique == vtkWideFoVPass::VERTEX)
   {
     return this->Plain;
@@ -137,14 +146,13 @@ vtkWideFoVStage* vtkWideFoVStages::Choose(vtkProp* prop)
   {
     return this->Tessellate;
   }
-  const double* const bounds = prop->GetBounds();
   if (!bounds || !vtkMath::AreBoundsInitialized(bounds))
   {
     return this->PreClip;
   }
   const bool torn = vtkWideFoVNeedsPreClip(
-    *this->Projection, this->View, bounds, this->WorldToView, this->GetPointReach(prop));
-  if (torn || !this->IsFine(prop, bounds))
+    *this->Projection, this->View, bounds, this->WorldToView, this->GetPointReach(facts));
+  if (torn || !this->IsFine(prop, bounds, facts))
   {
     return this->PreClip;
   }

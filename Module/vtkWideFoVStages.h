@@ -6,10 +6,13 @@
 #include "vtkWideFoVBufferScale.h"
 #include "vtkWideFoVDirectionTextures.h"
 #include "vtkWideFoVMeshScale.h"
+#include "vtkWideFoVPropFacts.h"
 #include "vtkWideFoVSorter.h"
 #include "vtkWideFoVStage.h"
 
+#include <cstdint>
 #include <memory>
+#include <vector>
 
 class vtkActor;
 
@@ -38,11 +41,14 @@ public:
   void SetCulling(bool culling) { this->Culling = culling; }
 
   // The stage for a prop: the cheapest that the technique allows it. Prepares its vertex
-  // buffer, too.
-  vtkWideFoVStage* Choose(vtkProp* prop);
+  // buffer, too. bounds: the prop's, which have just been asked for; nullptr where it has none.
+  vtkWideFoVStage* Choose(vtkProp* prop, const double* bounds, wfv::PropFacts& facts);
 
   // True where nothing of the prop can be in the picture: it need not be drawn.
-  bool IsUnseen(vtkProp* prop) const;
+  bool IsUnseen(vtkProp* prop, const double* bounds, wfv::PropFacts& facts) const;
+
+  // Another one whenever what Choose and IsUnseen go by has changed, but the prop.
+  std::uint64_t GetViewNumber() const { return this->ViewNumber; }
 
   // What the triangles of an actor, drawn with this stage, are sorted by. False where they are
   // all drawn alike.
@@ -80,11 +86,14 @@ public:
 
 private:
   // True where no edge of the prop bends by more than the tolerance, seen from here.
-  bool IsFine(vtkProp* prop, const double bounds[6]);
+  bool IsFine(vtkProp* prop, const double bounds[6], wfv::PropFacts& facts);
+
+  // Fills in what is not known yet.
+  static void FindFacts(vtkProp* prop, wfv::PropFacts& facts);
 
   // Radians: how far beyond their centres the points of a prop may reach; 0 where they are no
   // larger than a pixel.
-  double GetPointReach(vtkProp* prop) const;
+  double GetPointReach(const wfv::PropFacts& facts) const;
 
   wfv::BufferScale Buffers;
   wfv::MeshScale Meshes;
@@ -109,6 +118,13 @@ private:
   bool Mono = true; // no eye beside the middle, from which bounds look otherwise
   int Clusters = 0;
   int UnseenClusters = 0;
+
+  // After the view is known.
+  void NumberView(const wfv::StereoModel* stereo);
+  std::uint64_t ViewNumber = 0;
+  std::vector<double> Numbered; // what the number stands for
+  const void* NumberedObjects[3] = { nullptr, nullptr, nullptr };
+  double NumberedMatrix[16];
 
   // The present view's, made when it is first asked for.
   std::shared_ptr<const wfv::LocalBend> GetBends();

@@ -80,14 +80,26 @@ void vtkWideFoVStages::GetToMap(vtkActor* actor, double matrix[16]) const
   }
 }
 
-bool vtkWideFoVStages::IsUnseen(vtkProp* prop) const
+void vtkWideFoVStages::FindFacts(vtkProp* prop, wfv::PropFacts& facts)
 {
   auto* const actor = vtkActor::SafeDownCast(prop);
-  if (!this->Culling || !this->Mono || !actor || !KeepsItsBounds(actor) || HasOwnShaders(actor))
+  if (actor && !facts.Known)
+  {
+    vtkProperty* const property = actor->GetProperty();
+    facts.Bounded = KeepsItsBounds(actor) && !HasOwnShaders(actor);
+    facts.PointSize = property->GetPointSize();
+    facts.Width = std::max<double>(property->GetLineWidth(), facts.PointSize);
+  }
+  facts.Known = true;
+}
+
+bool vtkWideFoVStages::IsUnseen(vtkProp* prop, const double* b, wfv::PropFacts& facts) const
+{
+  FindFacts(prop, facts);
+  if (!this->Culling || !this->Mono || !facts.Bounded)
   {
     return false;
   }
-  const double* const b = prop->GetBounds();
   if (!b || !vtkMath::AreBoundsInitialized(b))
   {
     return false;
@@ -101,8 +113,7 @@ bool vtkWideFoVStages::IsUnseen(vtkProp* prop) const
     vtkMatrix4x4::MultiplyPoint(m, p, p);
     box.Add(wfv::vec3(p[0], p[1], p[2]));
   }
-  vtkProperty* const property = actor->GetProperty();
-  const double width = std::max(property->GetLineWidth(), property->GetPointSize());
+  const double width = facts.Width;
   wfv::Window window = this->Part;
   window.Low -= 2 * width / this->Pixels;
   window.High += 2 * width / this->Pixels;
