@@ -62,7 +62,9 @@ struct Options
   bool DebugView = false;
   std::string Stereo = "mono"; // its numbers are in View
   std::string Layout = "anaglyph";
-  std::vector<std::string> StereoGiven; // stereo options on the command line
+  std::array<int, 2> AnaglyphMask{ { 4, 3 } }; // what each eye has: 4 red, 2 green, 1 blue
+  double AnaglyphSaturation = 0.65;            // 0 grey, 1 full colours
+  std::vector<std::string> StereoGiven;        // stereo options on the command line
 
   std::string Screens;               // file of flat screens; perspective
   std::string Poses;                 // file of head poses

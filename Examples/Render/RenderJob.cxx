@@ -75,6 +75,7 @@ void Fill(Stage& stage, const Scene& scene, const Options& o)
   if (o.Stereo != "mono")
   {
     stage.StereoTypes = FindStereoLayout(o.Layout).Types;
+    SetAnaglyph(stage.Window, o);
   }
   stage.Window->AddRenderer(stage.Renderer);
   const std::array<int, 2>& size = stage.Tiles ? stage.Tiles->Tile : o.Size;
@@ -146,7 +147,7 @@ void RenderFrames(Stage& stage, const Options& o, RenderStats& stats)
 }
 
 // The last frame's, or, where it took several, drawn again.
-std::vector<Picture> ReadPictures(Stage& stage, const Options& o)
+std::vector<Picture> ReadPictures(Stage& stage)
 {
   if (stage.StereoTypes.size() < 2)
   {
@@ -159,7 +160,7 @@ std::vector<Picture> ReadPictures(Stage& stage, const Options& o)
     CheckMessages();
     eyes.push_back(ReadPicture(stage.Window));
   }
-  return Arrange(FindStereoLayout(o.Layout), eyes);
+  return eyes;
 }
 
 // Makes the renderer draw into the pass, at pixel centres, what is a surface.
@@ -359,7 +360,7 @@ RenderResult Render(const Scene& scene, const Options& o, OutputFiles& files)
   Count(stage, result.Stats);
   if (!o.Outputs.empty())
   {
-    result.Colors = ReadPictures(stage, o);
+    result.Colors = ReadPictures(stage);
   }
   if (!o.Aov.empty())
   {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StereoOptions.h"
 
+#include "ImageOutput.h"
 #include "Messages.h"
 #include "Sights.h"
 #include "StereoLayout.h"
 #include "Stereo/Stereo.h"
 
 #include <vtkNew.h>
+#include <vtkRenderWindow.h>
 #include <vtkStaticCellLocator.h>
 
 #include <algorithm>
@@ -27,6 +29,47 @@ void ModelNumber(OptionGroup& group, Options& o, const std::string& name, const 
   group.Add(name, type, Text(target), text + ", " + range.Describe(),
     [&o, &target, range](const std::string& option, const std::string& value) {
       target = ParseNumber(option, value, range);
+      o.StereoGiven.push_back(option);
+    });
+}
+
+// LEFT,RIGHT: a colour each, of which no light reaches both.
+std::array<int, 2> ParseMask(const std::string& option, const std::string& value)
+{
+  const std::size_t comma = value.find(',');
+  if (comma == std::string::npos)
+  {
+    FailUsage(option + ": '" + value + "' is not of the form LEFT,RIGHT; give two colours");
+  }
+  const std::array<std::string, 2> names{ { value.substr(0, comma), value.substr(comma + 1) } };
+  std::array<int, 2> mask{ { 0, 0 } };
+  for (std::size_t i = 0; i < 2; i++)
+  {
+    const std::vector<std::string>& all = AnaglyphColors();
+    CheckChoice(option, names[i], all);
+    mask[i] = 1 + int(std::find(all.begin(), all.end(), names[i]) - all.begin());
+  }
+  if ((mask[0] & mask[1]) != 0)
+  {
+    FailUsage(option + ": both eyes would see light of " + names[0] + " and " + names[1] +
+      "; choose colours that share none, such as red,cyan");
+  }
+  return mask;
+}
+
+void DeclareAnaglyph(OptionGroup& group, Options& o)
+{
+  group.Add("--anaglyph", "LEFT,RIGHT", "red,cyan",
+    "colours of the glasses, for the layout anaglyph: " + Join(AnaglyphColors()),
+    [&o](const std::string& option, const std::string& value) {
+      o.AnaglyphMask = ParseMask(option, value);
+      o.StereoGiven.push_back(option);
+    });
+  const Range range{ 0, 1 };
+  group.Add("--anaglyph-saturation", "S", Text(o.AnaglyphSaturation),
+    "0: grey, 1: full colours, " + range.Describe(),
+    [&o, range](const std::string& option, const std::string& value) {
+      o.AnaglyphSaturation = ParseNumber(option, value, range);
       o.StereoGiven.push_back(option);
     });
 }
@@ -63,6 +106,7 @@ void DeclareStereo(CLI::App& app, Options& o)
       o.Layout = value;
       o.StereoGiven.push_back(option);
     });
+  DeclareAnaglyph(group, o);
   ModelNumber(group, o, "--ipd", "D", s.InterpupillaryDistance, { 0, Most },
     "omnidirectional, screens: distance between the eyes, scene units");
   group.Add("--pole-fade", "A,B", "off",
@@ -91,14 +135,50 @@ void CompleteStereo(Options& o)
   {
     known.emplace_back("--layout");
   }
+  if (o.Stereo != "mono" && o.Layout == "anaglyph")
+  {
+    known.emplace_back("--anaglyph");
+    known.emplace_back("--anaglyph-saturation");
+  }
   for (const std::string& given : o.StereoGiven)
   {
+    if (o.Stereo != "mono" && o.Layout != "anaglyph" && given.rfind("--anaglyph", 0) == 0)
+    {
+      FailUsage(given + " does not go with --layout " + o.Layout + "; choose --layout anaglyph");
+    }
     if (std::find(known.begin(), known.end(), given) == known.end())
     {
       FailUsage(given + " does not go with --stereo " + o.Stereo +
         (known.empty() ? "; choose a stereo model" : ", which has " + Join(known)));
     }
   }
+}
+
+namespace
+{
+// What the files and the view must be for a layout that is a format of its own.
+void CheckLayout(const Options& o)
+{
+  const StereoLayout& layout = FindStereoLayout(o.Layout);
+  const wfv::ViewOptions& v = o.View;
+  if (layout.Vr180 &&
+    (o.Projection != "equirectangular" || v.HorizontalFov != 180 || v.VerticalFov != 180))
+  {
+    FailUsage("--layout vr180 is half a sphere an eye, equirectangular; add "
+              "--projection equirectangular --hfov 180 --vfov 180");
+  }
+  for (const std::string& output : o.Outputs)
+  {
+    if (layout.MultiView && !IsMultiViewName(output))
+    {
+      FailUsage("--layout multi-view is for .exr, not for '" + output + "'; rename it");
+    }
+    if (IsVr180Photo(output) && !layout.Vr180)
+    {
+      FailUsage("'" + output + "' is the name of a VR180 photo; add --layout vr180, or rename it");
+    }
+  }
+}
 }
 
 void CheckStereo(const Options& o)
@@ -115,6 +195,7 @@ void CheckStereo(const Options& o)
   {
     FailUsage("--aov is for one eye; give --layout left or --layout right");
   }
+  CheckLayout(o);
 }
 
 void WarnOfNearness(const Options& o, const Scene& scene, const Vector3& eye)
@@ -148,6 +229,19 @@ void WarnOfNearness(const Options& o, const Scene& scene, const Vector3& eye)
   }
 }
 
+const std::vector<std::string>& AnaglyphColors()
+{
+  static const std::vector<std::string> colors{ "blue", "green", "cyan", "red", "magenta",
+    "yellow" };
+  return colors;
+}
+
+void SetAnaglyph(vtkRenderWindow* window, const Options& o)
+{
+  window->SetAnaglyphColorMask(o.AnaglyphMask[0], o.AnaglyphMask[1]);
+  window->SetAnaglyphColorSaturation(static_cast<float>(o.AnaglyphSaturation));
+}
+
 std::vector<std::string> FilesOf(const Options& o, const std::string& output)
 {
   const StereoLayout& layout = FindStereoLayout(o.Layout);
@@ -161,10 +255,14 @@ std::vector<std::string> FilesOf(const Options& o, const std::string& output)
 
 PanoramaInfo DescribePanorama(const Options& o)
 {
+  const StereoLayout& layout = FindStereoLayout(o.Layout);
+  const bool mono = o.Stereo == "mono";
   PanoramaInfo info;
-  // of two eyes in one file, or of a volume that was warped again, viewers know nothing
+  info.StereoMode = mono ? "" : layout.SphericalMode();
+  // of colours for glasses, of squeezed pictures, or of a volume that was warped again, viewers
+  // know nothing
   const bool plain =
-    o.Stereo == "mono" || (o.Stereo == "omnidirectional" && FindStereoLayout(o.Layout).IsOneEye());
+    mono || (o.Stereo == "omnidirectional" && (layout.IsOneEye() || !info.StereoMode.empty()));
   info.Equirectangular = plain && o.Projection == "equirectangular";
   info.HorizontalFov = o.View.HorizontalFov;
   info.VerticalFov = o.View.VerticalFov;

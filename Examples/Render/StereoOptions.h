@@ -8,6 +8,8 @@
 #include "Options.h"
 #include "Scene.h"
 
+class vtkRenderWindow;
+
 namespace widefov
 {
 void DeclareStereo(CLI::App& app, Options& options);
@@ -21,6 +23,12 @@ void CheckStereo(const Options& options);
 
 // Says in one line where the eyes are farther apart than the nearest surface is from them.
 void WarnOfNearness(const Options& options, const Scene& scene, const Vector3& eye);
+
+// Colours of light; a mask of vtkRenderWindow is one more than the index.
+const std::vector<std::string>& AnaglyphColors();
+
+// How the window shows the layout anaglyph.
+void SetAnaglyph(vtkRenderWindow* window, const Options& options);
 
 // The files that an output file becomes: two where each eye has its own.
 std::vector<std::string> FilesOf(const Options& options, const std::string& output);

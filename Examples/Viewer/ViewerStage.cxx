@@ -7,6 +7,7 @@
 #include "Messages.h"
 #include "Passes.h"
 #include "StereoLayout.h"
+#include "StereoOptions.h"
 
 #include <vtkPanoramicProjectionPass.h>
 #include <vtkWideFoVCamera.h>
@@ -96,6 +97,7 @@ void ViewerStage::Apply(const Options& o, const std::array<int, 2>& size)
   if (o.Stereo != "mono")
   {
     this->Window->SetStereoType(FindStereoLayout(o.Layout).Types.front());
+    SetAnaglyph(this->Window, o);
   }
   this->Window->SetStereoRender(o.Stereo != "mono");
 }

@@ -17,6 +17,10 @@ DONE, FAILED, USAGE = 0, 1, 2
 Case = namedtuple("Case", "arguments code says place env", defaults=("plain", {}))
 
 
+# Both eyes of a small scene.
+EYES = "good.vtk --stereo omnidirectional "
+
+
 def usage(arguments, says):
     return Case(arguments, USAGE, says)
 
@@ -85,6 +89,18 @@ COMMAND_LINE = [
     usage("good.vtk --range 0,nan", "--range"),
     usage("good.vtk --stereo cross-eyed", "cross-eyed"),
     usage("good.vtk --stereo omnidirectional --layout cardboard", "cardboard"),
+    usage(EYES + "--layout multi-view", ".exr"),
+    usage(EYES + "--layout vr180", "--hfov 180"),
+    usage(EYES + "--layout vr180 --hfov 180 --vfov 90", "--vfov 180"),
+    usage(EYES + "--layout vr180 --projection hammer --hfov 180 --vfov 180", "equirectangular"),
+    usage(EYES + "--output {out}/eyes.vr.jpg", "VR180"),
+    usage(EYES + "--anaglyph red", "LEFT,RIGHT"),
+    usage(EYES + "--anaglyph red,pink", "pink"),
+    usage(EYES + "--anaglyph red,magenta", "both eyes"),
+    usage(EYES + "--anaglyph-saturation 2", "--anaglyph-saturation"),
+    usage(EYES + "--anaglyph-saturation nan", "--anaglyph-saturation"),
+    usage(EYES + "--layout left --anaglyph red,cyan", "--layout anaglyph"),
+    usage("good.vtk --anaglyph red,cyan", "--anaglyph does not go with --stereo mono"),
     usage("good.vtk --layout left", "--layout does not go with --stereo mono"),
     usage("good.vtk --ipd 0.1", "--ipd"),
     usage("good.vtk --stereo omnidirectional --separation 0.1", "--separation"),
