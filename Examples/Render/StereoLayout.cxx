@@ -22,7 +22,8 @@ const std::vector<StereoLayout>& Layouts()
     { "side-by-side-half", Both, 2, 1, true }, { "top-bottom", Both, 1, 2 },
     { "top-bottom-half", Both, 1, 2, true }, { "red-blue", { VTK_STEREO_RED_BLUE } },
     { "interlaced", { VTK_STEREO_INTERLACED } }, { "checkerboard", { VTK_STEREO_CHECKERBOARD } },
-    { "split", { VTK_STEREO_SPLITVIEWPORT_HORIZONTAL } }, { "dresden", { VTK_STEREO_DRESDEN } } };
+    { "split", { VTK_STEREO_SPLITVIEWPORT_HORIZONTAL } }, { "dresden", { VTK_STEREO_DRESDEN } },
+    { "frame-sequential", Both, 1, 1, false, false, false, false, true } };
   return all;
 }
 }

@@ -21,6 +21,7 @@ struct StereoLayout
   bool Separate = false;  // a file for each eye
   bool MultiView = false; // one file that keeps the eyes apart
   bool Vr180 = false;     // half a sphere an eye
+  bool InTurn = false;    // a window's alone: one eye after the other
 
   // The picture shows what one eye sees, as it sees it.
   bool IsOneEye() const

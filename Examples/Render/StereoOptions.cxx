@@ -198,6 +198,14 @@ void CheckStereo(const Options& o)
   CheckLayout(o);
 }
 
+void CheckFiles(const Options& o)
+{
+  if (o.Stereo != "mono" && FindStereoLayout(o.Layout).InTurn)
+  {
+    FailUsage("--layout " + o.Layout + " is for a window; use widefov-viewer, or another layout");
+  }
+}
+
 void WarnOfNearness(const Options& o, const Scene& scene, const Vector3& eye)
 {
   if (o.Stereo != "omnidirectional")

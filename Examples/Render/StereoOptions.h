@@ -21,6 +21,9 @@ void CompleteStereo(Options& options);
 // After everything is known.
 void CheckStereo(const Options& options);
 
+// The same, of what is written to files.
+void CheckFiles(const Options& options);
+
 // Says in one line where the eyes are farther apart than the nearest surface is from them.
 void WarnOfNearness(const Options& options, const Scene& scene, const Vector3& eye);
 

@@ -93,6 +93,7 @@ COMMAND_LINE = [
     usage(EYES + "--layout vr180", "--hfov 180"),
     usage(EYES + "--layout vr180 --hfov 180 --vfov 90", "--vfov 180"),
     usage(EYES + "--layout vr180 --projection hammer --hfov 180 --vfov 180", "equirectangular"),
+    usage(EYES + "--layout frame-sequential", "widefov-viewer"),
     usage(EYES + "--output {out}/eyes.vr.jpg", "VR180"),
     usage(EYES + "--anaglyph red", "LEFT,RIGHT"),
     usage(EYES + "--anaglyph red,pink", "pink"),
