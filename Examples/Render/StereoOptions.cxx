@@ -9,7 +9,9 @@
 
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
 #include <vtkStaticCellLocator.h>
+#include <vtkWideFoVStereoWindow.h>
 
 #include <algorithm>
 #include <cmath>
@@ -57,6 +59,26 @@ std::array<int, 2> ParseMask(const std::string& option, const std::string& value
   return mask;
 }
 
+// The same, or "auto": from the depths of the picture.
+void DepthNumber(OptionGroup& group, Options& o, const std::string& name, double& target,
+  const Range& range, const std::string& text)
+{
+  group.Add(name, "D|auto", Text(target), text + ", " + range.Describe() + "; auto: by the picture",
+    [&o, &target, range](const std::string& option, const std::string& value) {
+      o.ConvergeOnDepth = value == "auto";
+      target = value == "auto" ? target : ParseNumber(option, value, range);
+      o.StereoGiven.push_back(option);
+    });
+}
+
+void DeclareFrame(OptionGroup& group, Options& o)
+{
+  ModelNumber(group, o, "--floating-window", "F", o.FloatingWindow, { 0, 0.25 },
+    "offaxis, warped: width of a bar that brings the border forward, of the picture's");
+  ModelNumber(group, o, "--letterbox", "F", o.Letterbox, { 0, 0.4 },
+    "height of the bars above and below, of the picture's");
+}
+
 void DeclareAnaglyph(OptionGroup& group, Options& o)
 {
   group.Add("--anaglyph", "LEFT,RIGHT", "red,cyan",
@@ -87,10 +109,11 @@ std::vector<std::string> OptionsOfModel(const std::string& model, bool screens)
   }
   if (model == "warped")
   {
-    return { "--iod", "--distance", "--offset" };
+    return { "--iod", "--distance", "--offset", "--floating-window" };
   }
-  return model == "offaxis" ? std::vector<std::string>{ "--separation", "--convergence" }
-                            : std::vector<std::string>{};
+  return model == "offaxis"
+    ? std::vector<std::string>{ "--separation", "--convergence", "--floating-window" }
+    : std::vector<std::string>{};
 }
 }
 
@@ -119,12 +142,13 @@ void DeclareStereo(CLI::App& app, Options& o)
   ModelNumber(group, o, "--iod", "D", s.Iod, { 0, 10 }, "warped: distance between the eyes, NDC");
   ModelNumber(group, o, "--distance", "D", s.Distance, { 0, Most },
     "warped: of the viewer from the plane of zero parallax, NDC");
-  ModelNumber(
-    group, o, "--offset", "D", s.Offset, { -1, 1 }, "warped: plane of zero parallax, NDC depth");
+  DepthNumber(
+    group, o, "--offset", s.Offset, { -1, 1 }, "warped: plane of zero parallax, NDC depth");
   ModelNumber(group, o, "--separation", "F", s.Separation, { 0, 0.5 },
     "offaxis: parallax far away, fraction of the width");
-  ModelNumber(group, o, "--convergence", "D", s.Convergence, { 0, Most, true },
+  DepthNumber(group, o, "--convergence", s.Convergence, { 0, Most, true },
     "offaxis: distance of zero parallax, scene units");
+  DeclareFrame(group, o);
 }
 
 void CompleteStereo(Options& o)
@@ -134,6 +158,7 @@ void CompleteStereo(Options& o)
   if (o.Stereo != "mono")
   {
     known.emplace_back("--layout");
+    known.emplace_back("--letterbox");
   }
   if (o.Stereo != "mono" && o.Layout == "anaglyph")
   {
@@ -248,6 +273,17 @@ void SetAnaglyph(vtkRenderWindow* window, const Options& o)
 {
   window->SetAnaglyphColorMask(o.AnaglyphMask[0], o.AnaglyphMask[1]);
   window->SetAnaglyphColorSaturation(static_cast<float>(o.AnaglyphSaturation));
+}
+
+void AddStereoWindow(vtkRenderer* renderer, const Options& o)
+{
+  if (o.FloatingWindow > 0 || o.Letterbox > 0)
+  {
+    vtkNew<vtkWideFoVStereoWindow> window;
+    window->SetFloating(o.FloatingWindow);
+    window->SetLetterbox(o.Letterbox);
+    renderer->AddViewProp(window);
+  }
 }
 
 std::vector<std::string> FilesOf(const Options& o, const std::string& output)

@@ -9,6 +9,7 @@
 #include "Scene.h"
 
 class vtkRenderWindow;
+class vtkRenderer;
 
 namespace widefov
 {
@@ -32,6 +33,9 @@ const std::vector<std::string>& AnaglyphColors();
 
 // How the window shows the layout anaglyph.
 void SetAnaglyph(vtkRenderWindow* window, const Options& options);
+
+// Adds the floating window and the letterbox that the options ask for.
+void AddStereoWindow(vtkRenderer* renderer, const Options& options);
 
 // The files that an output file becomes: two where each eye has its own.
 std::vector<std::string> FilesOf(const Options& options, const std::string& output);

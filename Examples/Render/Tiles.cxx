@@ -62,8 +62,10 @@ bool CanBeTiled(const Options& o)
 {
   const StereoLayout& layout = FindStereoLayout(o.Layout);
   const bool pairs = layout.Rows == 2 && layout.Half && o.Size[1] % 2 != 0;
+  // its bars, and its depths, are those of the whole
+  const bool whole = o.FloatingWindow == 0 && o.Letterbox == 0 && !o.ConvergeOnDepth;
   return o.Stereo == "mono" ||
-    (o.Layout != "split" && !pairs && !layout.MultiView && !layout.Vr180);
+    (o.Layout != "split" && !pairs && !layout.MultiView && !layout.Vr180 && whole);
 }
 
 bool OneBelowTheOther(const Options& o)
