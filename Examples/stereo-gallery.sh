@@ -19,7 +19,7 @@ picture() {
 
 warped=(--stereo warped --clip 1,30 --iod 0.4 --offset -0.6)
 exact=(--stereo omnidirectional --ipd 0.25)
-above=(--eye 0,11,0 --direction 0,-1,0 --up 0,0,-1)
+above=(--eye 0,5,0 --direction 0,-1,0 --up 0,0,-1)
 
 picture hammer-warped "${warped[@]}" --projection hammer --size 1024x512
 picture hammer-omnidirectional "${exact[@]}" --projection hammer --size 1024x512

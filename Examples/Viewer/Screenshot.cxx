@@ -3,7 +3,7 @@
 
 #include "Messages.h"
 #include "OutputFiles.h"
-#include "PictureFiles.h"
+#include "StereoOptions.h"
 
 #include <filesystem>
 
@@ -34,7 +34,7 @@ std::string WriteScreenshot(const Picture& picture, const Options& o)
 {
   const std::string name = FreeName();
   CheckWritable(name);
-  const std::vector<unsigned char> bytes = EncodePicture(picture, name, InfoOf(o));
+  const std::vector<unsigned char> bytes = EncodePicture(picture, name, DescribePanorama(o));
   OutputFiles files;
   files.Write(name, bytes.data(), bytes.size());
   files.Commit();
