@@ -265,6 +265,14 @@ public:
   ///@}
 
   /**
+   * Sets where nothing has parallax from the depths of the last frame that the renderer drew with
+   * this camera: the convergence of "offaxis" to the median of the distances, within the budget of
+   * what is seen (ConvergenceFor in Stereo/Comfort.h), the offset of "warped" to the median depth.
+   * False, and nothing changes, with another model or where nothing was drawn.
+   */
+  bool ConvergeOnDepth(vtkRenderer* renderer);
+
+  /**
    * Which eye the camera is now: -1 the left, 1 the right, 0 neither, where the window that
    * last drew with it is not in stereo mode.
    */

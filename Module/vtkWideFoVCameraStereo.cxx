@@ -5,14 +5,20 @@
 #include "Stereo/Comfort.h"
 #include "Stereo/Stereo.h"
 #include "vtkWideFoVCameraInternals.h"
+#include "vtkWideFoVTile.h"
 
+#include "vtkFloatArray.h"
 #include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace
 {
@@ -32,6 +38,27 @@ double Clamp(vtkObject* self, const char* what, double value, double low, double
                                     << high << "]; " << clamped << " is used");
   }
   return clamped;
+}
+
+// NDC depths of what the last frame shows in the renderer's viewport.
+std::vector<double> SeenDepths(vtkRenderer* renderer)
+{
+  int size[2];
+  int origin[2];
+  renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+  vtkNew<vtkFloatArray> depths;
+  renderer->GetRenderWindow()->GetZbufferData(
+    origin[0], origin[1], origin[0] + size[0] - 1, origin[1] + size[1] - 1, depths);
+  std::vector<double> seen;
+  for (vtkIdType i = 0; i < depths->GetNumberOfValues(); i++)
+  {
+    const double z = depths->GetValue(i);
+    if (z > 0 && z < 1)
+    {
+      seen.push_back(2 * z - 1);
+    }
+  }
+  return seen;
 }
 }
 
@@ -188,6 +215,34 @@ double vtkWideFoVCamera::GetParallaxAngle(double percent, double screenWidth, do
 double vtkWideFoVCamera::GetLargestSeparation(double screenWidth, double eyeDistance)
 {
   return screenWidth > 0 && eyeDistance > 0 ? wfv::LargestSeparation(screenWidth, eyeDistance) : 0;
+}
+
+bool vtkWideFoVCamera::ConvergeOnDepth(vtkRenderer* renderer)
+{
+  const wfv::StereoModel* const model = this->GetFittingModel();
+  if (!renderer || !renderer->GetRenderWindow() || !model || model->OwnRays)
+  {
+    return false;
+  }
+  std::vector<double> seen = SeenDepths(renderer);
+  if (seen.empty())
+  {
+    return false;
+  }
+  if (!model->Straight)
+  {
+    const wfv::StereoOptions& o = this->Internal->Options.Stereo;
+    this->SetWarpedStereo(o.Iod, o.Distance, wfv::Quantile(seen, 0.5));
+    return true;
+  }
+  // of a perspective: depth to distance, by its matrix
+  vtkMatrix4x4* const m = this->GetProjectionTransformMatrix(wfv::PictureAspect(renderer), -1, 1);
+  for (double& depth : seen)
+  {
+    depth = m->GetElement(2, 3) / (m->GetElement(2, 2) + depth);
+  }
+  this->SetConvergence(wfv::ConvergenceFor(std::move(seen)));
+  return true;
 }
 
 int vtkWideFoVCamera::GetCurrentEye()

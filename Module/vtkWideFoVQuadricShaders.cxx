@@ -204,9 +204,9 @@ void FinishFragment(const Request& r, std::vector<Varying> varyings, std::string
     std::string("  if (wfvHide) { discard; }\n") +
       (round ? "  if (wfvOutsideDomain()) { discard; }\n" : ""));
   vtkWideFoVShaderBuilder::Declare(fragment,
-    "#extension GL_ARB_sample_shading : enable\n" + ViewSource(r) + ray_fragment_glsl +
-      quadric_fragment_glsl + MeetSource(r.Kind) + CornerInputs(r, varyings) +
-      (round ? domain_fragment_glsl : ""));
+    "#extension GL_ARB_sample_shading : enable\n" + ViewSource(r) +
+      Define("WFV_OTHER_IS_PLACE", IsSegment(r)) + ray_fragment_glsl + quadric_fragment_glsl +
+      MeetSource(r.Kind) + CornerInputs(r, varyings) + (round ? domain_fragment_glsl : ""));
 }
 }
 

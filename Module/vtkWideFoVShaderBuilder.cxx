@@ -61,7 +61,7 @@ bool CoversTriangles(const Request& r)
 // True where an eye whose rays begin in several places is served by moving the vertices.
 bool MovesVertices(const Request& r)
 {
-  return r.Stereo && r.Stereo->OwnRays && !CoversTriangles(r);
+  return r.Stereo && r.Stereo->OwnRays && !CoversTriangles(r) && !wfv::quadric::Draws(r.Kind);
 }
 
 // What follows from the ray and the distance, where triangles are covered whatever their edges.

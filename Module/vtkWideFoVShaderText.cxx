@@ -2,6 +2,7 @@
 #include "vtkWideFoVShaderText.h"
 
 #include "WideFoVGlsl.h"
+#include "vtkWideFoVQuadricShaders.h"
 
 #include <regex>
 
@@ -87,6 +88,11 @@ bool OwnRays(const Request& r)
   return r.Stereo && r.Stereo->OwnRays && AllCovered(r);
 }
 
+bool OwnBodies(const Request& r)
+{
+  return r.Stereo && r.Stereo->OwnRays && quadric::Draws(r.Kind);
+}
+
 bool Warped(const Request& r)
 {
   return r.Stereo && !r.Stereo->Straight && AllCovered(r);
@@ -109,7 +115,8 @@ std::string ViewSource(const Request& r)
     Define("WFV_EDGE_FLAGS", r.EdgeFlags) + Define("WFV_DEBUG_VIEW", r.DebugView) +
     "#define WFV_TILTED " + (r.Tilted ? "true" : "false") + "\n" + "#define WFV_ANGLES " +
     (meridian ? "wfvMeridianAngles" : "wfvAzimuthalAngles") + "\n" +
-    Define("WFV_OWN_RAYS", OwnRays(r)) + Define("WFV_WARPED", Warped(r)) +
+    Define("WFV_OWN_RAYS", OwnRays(r)) + Define("WFV_OWN_BODIES", OwnBodies(r)) +
+    Define("WFV_WARPED", Warped(r)) +
     Define("WFV_SHIFTED", r.Stereo && !r.Stereo->Straight && !Warped(r)) + wfv::MathGlsl() +
     wfv::CommonGlsl() + wfv::DepthGlsl() + (r.Stereo ? sight_glsl + r.Stereo->Glsl : "") +
     (sampled ? directions_glsl : "") + r.Projection->Glsl + interface_glsl;

@@ -72,6 +72,9 @@ int CornerComponents(const std::vector<Varying>& varyings, int corners);
 // True for triangles of an eye whose rays begin in several places.
 bool OwnRays(const Request& r);
 
+// True for balls, sticks, tubes and splats of an eye whose rays begin in several places.
+bool OwnBodies(const Request& r);
+
 // True for triangles of an eye whose rays are no straight lines.
 bool Warped(const Request& r);
 

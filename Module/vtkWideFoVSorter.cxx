@@ -107,6 +107,7 @@ private:
     {
       box.Add(this->ToMap.Of(b[i & 1], b[2 + ((i >> 1) & 1)], b[4 + ((i >> 2) & 1)]));
     }
+    box.Grow(this->V.Reach);
     return box;
   }
 

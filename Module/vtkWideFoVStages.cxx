@@ -64,7 +64,6 @@ void vtkWideFoVStages::Begin(
   const wfv::View& view = camera->GetView(wfv::PictureAspect(renderer));
   this->Projection = &view.GetProjection();
   const wfv::StereoModel* const stereo = view.GetStereoModel();
-  this->Mono = !stereo;
   this->ByPixels = stereo && (stereo->OwnRays || !stereo->Straight);
   this->Tolerance = tolerance;
   const int* const size = renderer->GetSize();
@@ -90,6 +89,7 @@ void vtkWideFoVStages::Begin(
     stage->ResetNumberOfDraws();
   }
   this->SetPart(renderer, this->Plain->GetTile());
+  this->SetEyes(camera, stereo);
   this->Clusters = this->UnseenClusters = 0;
   this->NumberView(stereo);
 }

@@ -115,7 +115,8 @@ private:
   wfv::vec2 Pixels{ 1 }; // of the whole picture
   wfv::SampleGrid Samples;
   bool Culling = true;
-  bool Mono = true; // no eye beside the middle, from which bounds look otherwise
+  void SetEyes(vtkWideFoVCamera* camera, const wfv::StereoModel* stereo); // after SetPart
+  double Reach = 0; // of the rays' beginnings from the middle between the eyes, scene units
   int Clusters = 0;
   int UnseenClusters = 0;
 

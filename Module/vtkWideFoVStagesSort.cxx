@@ -2,6 +2,7 @@
 // vtkWideFoVStages: what a view need not draw.
 #include "vtkWideFoVStages.h"
 
+#include "vtkWideFoVCamera.h"
 #include "vtkWideFoVPass.h"
 
 #include "vtkActor.h"
@@ -68,6 +69,26 @@ void vtkWideFoVStages::SetPart(vtkRenderer* renderer, const float tile[4])
   this->Samples.SetPlace(scale, shift);
 }
 
+void vtkWideFoVStages::SetEyes(vtkWideFoVCamera* camera, const wfv::StereoModel* stereo)
+{
+  // seen from a place so near the origin, a box is one that is so much larger, seen from it
+  this->Reach = stereo && stereo->OwnRays ? camera->GetEyeReach() : 0;
+  if (!stereo || stereo->Straight)
+  {
+    return;
+  }
+  // what may be in the picture of either eye, at any depth
+  const wfv::Window part = this->Part;
+  for (int i = 0; i < 8; i++)
+  {
+    wfv::WfvView v = this->View;
+    v.stereo.x *= i & 1 ? -1 : 1;
+    const wfv::vec2 place = stereo->Unshift(i & 2 ? part.High : part.Low, i & 4 ? 1.0 : -1.0, v);
+    this->Part.Low = glm::min(this->Part.Low, place);
+    this->Part.High = glm::max(this->Part.High, place);
+  }
+}
+
 void vtkWideFoVStages::GetToMap(vtkActor* actor, double matrix[16]) const
 {
   const double c = this->View.tilt.x;
@@ -96,7 +117,7 @@ void vtkWideFoVStages::FindFacts(vtkProp* prop, wfv::PropFacts& facts)
 bool vtkWideFoVStages::IsUnseen(vtkProp* prop, const double* b, wfv::PropFacts& facts) const
 {
   FindFacts(prop, facts);
-  if (!this->Culling || !this->Mono || !facts.Bounded)
+  if (!this->Culling || !facts.Bounded)
   {
     return false;
   }
@@ -113,6 +134,7 @@ bool vtkWideFoVStages::IsUnseen(vtkProp* prop, const double* b, wfv::PropFacts& 
     vtkMatrix4x4::MultiplyPoint(m, p, p);
     box.Add(wfv::vec3(p[0], p[1], p[2]));
   }
+  box.Grow(this->Reach);
   const double width = facts.Width;
   wfv::Window window = this->Part;
   window.Low -= 2 * width / this->Pixels;
@@ -138,7 +160,7 @@ std::shared_ptr<const wfv::LocalBend> vtkWideFoVStages::GetBends()
 bool vtkWideFoVStages::GetSortView(
   const vtkWideFoVStage* stage, vtkActor* actor, wfv::SortView& view)
 {
-  if (this->Technique == vtkWideFoVPass::VERTEX || !this->Mono || HasOwnShaders(actor))
+  if (this->Technique == vtkWideFoVPass::VERTEX || HasOwnShaders(actor))
   {
     return false;
   }
@@ -147,10 +169,13 @@ bool vtkWideFoVStages::GetSortView(
   view.Part = this->Part;
   view.Pixels = this->Pixels;
   view.Culls = this->Culling;
+  view.Reach = this->Reach;
   view.Samples = this->Samples;
   view.Samples.TakeBound();
-  const bool looks = this->Technique == vtkWideFoVPass::AUTO ||
-    (this->Technique == vtkWideFoVPass::EXACT && this->Culling);
+  // of eyes whose rays are not the map's all are alike
+  const bool looks = !this->ByPixels &&
+    (this->Technique == vtkWideFoVPass::AUTO ||
+      (this->Technique == vtkWideFoVPass::EXACT && this->Culling));
   view.Bends = looks && this->Projection->Axis != wfv::Family::Sampled ? this->GetBends() : nullptr;
   // what shines through is mixed in its own order, and would be twice where it is drawn both ways
   const bool opaque = view.Bends && !actor->HasTranslucentPolygonalGeometry();

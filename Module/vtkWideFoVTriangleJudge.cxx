@@ -83,7 +83,7 @@ bool SortView::operator==(const SortView& o) const
     a.map == b.map && this->Part.Low == o.Part.Low && this->Part.High == o.Part.High &&
     this->Pixels == o.Pixels && this->Bends == o.Bends && this->Plain == o.Plain &&
     this->Calm == o.Calm && this->Culls == o.Culls && this->Rounding == o.Rounding &&
-    this->Samples == o.Samples;
+    this->Samples == o.Samples && this->Reach == o.Reach;
 }
 
 // A triangle may come nearer than its corners, by an eighth of its angle squared.

@@ -25,6 +25,7 @@ struct SortView
   bool Culls = true;                      // leaves out what is not seen
   double Rounding = 0;                    // by which the vertex buffer moves points, scene units
   SampleGrid Samples;
+  double Reach = 0; // of two eyes from the origin
 
   // Two are the same where they sort alike; the time that it took to make them apart.
   bool operator==(const SortView& other) const;

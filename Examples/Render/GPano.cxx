@@ -47,18 +47,49 @@ std::vector<GPanoField> GPanoFields(int width, int height, const PanoramaInfo& i
     { "PosePitchDegrees", "0" }, { "PoseRollDegrees", "0" } };
 }
 
-std::string GPanoXmp(int width, int height, const PanoramaInfo& info)
+std::string XmpPacket(const std::string& description)
 {
-  std::string xmp = "<?xpacket begin=\"\xEF\xBB\xBF\" id=\"W5M0MpCehiHzreSzNTczkc9d\"?>\n"
-                    "<x:xmpmeta xmlns:x=\"adobe:ns:meta/\">\n"
-                    "<rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\">\n"
-                    "<rdf:Description rdf:about=\"\"\n"
-                    " xmlns:GPano=\"http://ns.google.com/photos/1.0/panorama/\"";
+  return "<?xpacket begin=\"\xEF\xBB\xBF\" id=\"W5M0MpCehiHzreSzNTczkc9d\"?>\n"
+         "<x:xmpmeta xmlns:x=\"adobe:ns:meta/\">\n"
+         "<rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\">\n"
+         "<rdf:Description rdf:about=\"\"\n" +
+    description + "/>\n</rdf:RDF>\n</x:xmpmeta>\n<?xpacket end=\"w\"?>";
+}
+
+std::string GPanoText(int width, int height, const PanoramaInfo& info)
+{
+  std::string text = " xmlns:GPano=\"http://ns.google.com/photos/1.0/panorama/\"";
   for (const GPanoField& field : GPanoFields(width, height, info))
   {
-    xmp += "\n GPano:" + field.Name + "=\"" + field.Value + "\"";
+    text += "\n GPano:" + field.Name + "=\"" + field.Value + "\"";
   }
-  return xmp + "/>\n</rdf:RDF>\n</x:xmpmeta>\n<?xpacket end=\"w\"?>";
+  return text;
+}
+
+std::string GPanoXmp(int width, int height, const PanoramaInfo& info)
+{
+  return XmpPacket(GPanoText(width, height, info));
+}
+
+std::string SphericalXmp(int width, int height, const PanoramaInfo& info)
+{
+  const bool beside = info.StereoMode == "left-right";
+  std::string text = " xmlns:GSpherical=\"http://ns.google.com/videos/1.0/spherical/\""
+                     "\n GSpherical:Spherical=\"true\"\n GSpherical:Stitched=\"true\""
+                     "\n GSpherical:StitchingSoftware=\"VTKWideFoV\""
+                     "\n GSpherical:ProjectionType=\"equirectangular\""
+                     "\n GSpherical:StereoMode=\"" +
+    info.StereoMode + "\"";
+  for (const GPanoField& field :
+    GPanoFields(beside ? width / 2 : width, beside ? height : height / 2, info))
+  {
+    // those that both name spaces have
+    if (field.Name.rfind("Cropped", 0) == 0 || field.Name.rfind("FullPano", 0) == 0)
+    {
+      text += "\n GSpherical:" + field.Name + "=\"" + field.Value + "\"";
+    }
+  }
+  return XmpPacket(text);
 }
 
 std::vector<unsigned char> PngXmpChunk(const std::string& xmp)

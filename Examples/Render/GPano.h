@@ -21,6 +21,12 @@ struct GPanoField
 // of the whole sphere at the same density.
 std::vector<GPanoField> GPanoFields(int width, int height, const PanoramaInfo& info);
 
+// An XMP packet of one description: name spaces and attributes.
+std::string XmpPacket(const std::string& description);
+
+// The fields as such attributes, with their name space.
+std::string GPanoText(int width, int height, const PanoramaInfo& info);
+
 // The same as an XMP packet.
 std::string GPanoXmp(int width, int height, const PanoramaInfo& info);
 
@@ -33,6 +39,10 @@ constexpr std::size_t PngHeaderEnd = 8 + 4 + 4 + 13 + 4;
 // Inserts a chunk, where it is not empty, into the bytes of a PNG file, behind the header. Throws
 // a Failure with ExitFailed where these are no PNG.
 void InsertInPng(std::vector<unsigned char>& png, const std::vector<unsigned char>& chunk);
+
+// The metadata of spherical video (version 1, http://ns.google.com/videos/1.0/spherical/) as an
+// XMP packet, for a picture of two eyes: of that many pixels, both together.
+std::string SphericalXmp(int width, int height, const PanoramaInfo& info);
 }
 
 #endif

@@ -30,17 +30,34 @@ struct PanoramaInfo
   bool Equirectangular = false;
   double HorizontalFov = 360; // degrees
   double VerticalFov = 180;   // degrees
+  std::string StereoMode;     // "left-right", "top-bottom": two pictures in one; empty: one
 };
 
 // Throw a Failure with ExitUsage where the ending is none that can be written.
 void CheckPictureName(const std::string& path);
 void CheckAovName(const std::string& path);
 
+// True where a file of this name can keep several views.
+bool IsMultiViewName(const std::string& path);
+
+// True where the name is that of a VR180 photo, NAME.vr.jpg.
+bool IsVr180Photo(const std::string& path);
+
 // The bytes of the file that the ending of `path` asks for. Equirectangular JPEG, TIFF
 // and PNG carry GPano metadata, EXR of the whole sphere the attribute envmap. EXR holds
-// the displayed values over 255, not linear light. Throw a Failure with ExitFailed.
+// the displayed values over 255, not linear light. JPEG and PNG of two eyes carry the
+// metadata of spherical video. Throw a Failure with ExitFailed.
 std::vector<unsigned char> EncodePicture(
   const Picture& picture, const std::string& path, const PanoramaInfo& info);
+
+// An EXR file of two parts with the names, and views, "left" and "right".
+std::vector<unsigned char> EncodeMultiView(
+  const std::vector<Picture>& eyes, const PanoramaInfo& info);
+
+// A VR180 photo: the picture of the left eye with that of the right one in its metadata.
+std::vector<unsigned char> EncodeVr180Photo(
+  const std::vector<Picture>& eyes, const PanoramaInfo& info);
+
 std::vector<unsigned char> EncodeFloats(const FloatPicture& picture, const PanoramaInfo& info);
 }
 

@@ -27,7 +27,8 @@ void AddEnvironment(OIIO::ImageSpec& spec, const PanoramaInfo& info)
 {
   spec.attribute("compression", "zip");
   // a latitude-longitude environment is the whole sphere by definition
-  if (info.Equirectangular && info.HorizontalFov == 360 && info.VerticalFov == 180)
+  if (info.Equirectangular && info.StereoMode.empty() && info.HorizontalFov == 360 &&
+    info.VerticalFov == 180)
   {
     spec.attribute("textureformat", "LatLong Environment");
   }
@@ -63,7 +64,7 @@ OIIO::ImageSpec PictureSpec(
   {
     AddEnvironment(spec, info);
   }
-  else if (info.Equirectangular && writer != "png")
+  else if (info.Equirectangular && writer != "png" && info.StereoMode.empty())
   {
     AddGPano(spec, info);
   }
@@ -91,8 +92,11 @@ OIIO::ImageSpec FloatSpec(
 std::vector<unsigned char> PngPanorama(
   int width, int height, const std::string& path, const PanoramaInfo& info)
 {
-  return WriterFor(path) == "png" && info.Equirectangular
-    ? PngXmpChunk(GPanoXmp(width, height, info))
-    : std::vector<unsigned char>();
+  if (WriterFor(path) != "png" || !info.Equirectangular)
+  {
+    return {};
+  }
+  return PngXmpChunk(
+    info.StereoMode.empty() ? GPanoXmp(width, height, info) : SphericalXmp(width, height, info));
 }
 }

@@ -295,6 +295,7 @@ void CheckTogether(Options& o, const FieldsOfView& fov)
   CheckScene(o, fov);
   if (!OnlyLists(o))
   {
+    CheckFiles(o);
     CheckOutput(o);
   }
 }

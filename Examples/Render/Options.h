@@ -62,7 +62,12 @@ struct Options
   bool DebugView = false;
   std::string Stereo = "mono"; // its numbers are in View
   std::string Layout = "anaglyph";
-  std::vector<std::string> StereoGiven; // stereo options on the command line
+  std::array<int, 2> AnaglyphMask{ { 4, 3 } }; // what each eye has: 4 red, 2 green, 1 blue
+  double AnaglyphSaturation = 0.65;            // 0 grey, 1 full colours
+  bool ConvergeOnDepth = false;                // --convergence auto, --offset auto
+  double FloatingWindow = 0;                   // width of a bar, fraction of the picture's width
+  double Letterbox = 0;                        // height of a bar, fraction of the picture's height
+  std::vector<std::string> StereoGiven;        // stereo options on the command line
 
   std::string Screens;               // file of flat screens; perspective
   std::string Poses;                 // file of head poses

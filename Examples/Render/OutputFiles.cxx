@@ -7,7 +7,10 @@
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -72,6 +75,37 @@ void CheckWritable(const std::string& path)
   {
     FailWriting(path, errno);
   }
+}
+
+TemporaryFolder::TemporaryFolder()
+{
+  std::error_code error;
+  const std::filesystem::path place = std::filesystem::temp_directory_path(error);
+  this->Path = (place / "widefov-XXXXXX").string();
+  if (error || mkdtemp(&this->Path[0]) == nullptr)
+  {
+    Fail("no temporary folder can be made: " +
+      (error ? error.message() : std::string(std::strerror(errno))) +
+      "; set TMPDIR to a folder that can be written to");
+  }
+}
+
+TemporaryFolder::~TemporaryFolder()
+{
+  std::error_code error;
+  std::filesystem::remove_all(this->Path, error);
+}
+
+std::vector<unsigned char> ReadBytes(const std::string& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  const std::vector<char> bytes{ std::istreambuf_iterator<char>(file),
+    std::istreambuf_iterator<char>() };
+  if (!file)
+  {
+    Fail(path + " cannot be read again; make room, or set TMPDIR to another folder");
+  }
+  return { bytes.begin(), bytes.end() };
 }
 
 OutputFiles::~OutputFiles()

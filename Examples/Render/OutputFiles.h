@@ -12,6 +12,25 @@ namespace widefov
 // is missing or closed, or the name is that of a folder.
 void CheckWritable(const std::string& path);
 
+// A folder among the temporary ones that goes with the object. Throws a Failure with ExitFailed
+// where there can be none.
+class TemporaryFolder
+{
+public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const std::string& GetPath() const { return this->Path; }
+
+private:
+  std::string Path;
+};
+
+// All bytes of a file that this program wrote. Throws a Failure with ExitFailed.
+std::vector<unsigned char> ReadBytes(const std::string& path);
+
 // Several files that appear together. Each is written under a name of its own beside
 // its target; Commit renames them. Without Commit nothing on disk changes.
 class OutputFiles

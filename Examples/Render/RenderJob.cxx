@@ -75,6 +75,8 @@ void Fill(Stage& stage, const Scene& scene, const Options& o)
   if (o.Stereo != "mono")
   {
     stage.StereoTypes = FindStereoLayout(o.Layout).Types;
+    SetAnaglyph(stage.Window, o);
+    AddStereoWindow(stage.Renderer, o);
   }
   stage.Window->AddRenderer(stage.Renderer);
   const std::array<int, 2>& size = stage.Tiles ? stage.Tiles->Tile : o.Size;
@@ -90,6 +92,23 @@ void Draw(Stage& stage, std::size_t i)
     stage.Window->StereoRenderOn();
   }
   stage.Window->Render();
+}
+
+// Draws what there is to see once, with neither eye.
+void Converge(Stage& stage, const Options& o)
+{
+  if (!o.ConvergeOnDepth)
+  {
+    return;
+  }
+  stage.Window->StereoRenderOff();
+  stage.Window->Render();
+  CheckMessages();
+  auto* const camera = vtkWideFoVCamera::SafeDownCast(stage.Renderer->GetActiveCamera());
+  if (!camera->ConvergeOnDepth(stage.Renderer))
+  {
+    Say("warning: nothing is seen to converge on; the usual number is kept");
+  }
 }
 
 std::size_t CountEyes(const Stage& stage)
@@ -146,7 +165,7 @@ void RenderFrames(Stage& stage, const Options& o, RenderStats& stats)
 }
 
 // The last frame's, or, where it took several, drawn again.
-std::vector<Picture> ReadPictures(Stage& stage, const Options& o)
+std::vector<Picture> ReadPictures(Stage& stage)
 {
   if (stage.StereoTypes.size() < 2)
   {
@@ -159,7 +178,7 @@ std::vector<Picture> ReadPictures(Stage& stage, const Options& o)
     CheckMessages();
     eyes.push_back(ReadPicture(stage.Window));
   }
-  return Arrange(FindStereoLayout(o.Layout), eyes);
+  return eyes;
 }
 
 // Makes the renderer draw into the pass, at pixel centres, what is a surface.
@@ -192,14 +211,14 @@ FloatPicture RenderAov(Stage& stage, const Scene& scene)
   return picture;
 }
 
-void Count(Stage& stage, RenderStats& stats)
+void Count(Stage& stage, const Options& o, RenderStats& stats)
 {
   stats.Gl = QueryStrings(stage.Window);
   stats.PropsTotal = static_cast<int>(stage.Actors.size());
   auto* const camera = vtkWideFoVCamera::SafeDownCast(stage.Renderer->GetActiveCamera());
   if (camera != nullptr && camera->IsWide()) // otherwise stock VTK draws, and does not count
   {
-    const int others = stage.Bar ? 1 : 0; // it is no prop of the scene
+    const int others = (stage.Bar ? 1 : 0) + (o.FloatingWindow > 0 || o.Letterbox > 0 ? 1 : 0);
     stats.PropsDrawn = stage.WidePass->GetNumberOfDrawnProps() - others;
     stats.PropsCulled = stage.WidePass->GetNumberOfCulledProps();
     stats.Clusters = stage.WidePass->GetNumberOfClusters();
@@ -355,11 +374,12 @@ RenderResult Render(const Scene& scene, const Options& o, OutputFiles& files)
     return RenderTiled(stage, scene, o, files);
   }
   RenderResult result;
+  Converge(stage, o);
   RenderFrames(stage, o, result.Stats);
-  Count(stage, result.Stats);
+  Count(stage, o, result.Stats);
   if (!o.Outputs.empty())
   {
-    result.Colors = ReadPictures(stage, o);
+    result.Colors = ReadPictures(stage);
   }
   if (!o.Aov.empty())
   {

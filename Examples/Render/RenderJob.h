@@ -34,7 +34,7 @@ struct RenderStats
 
 struct RenderResult
 {
-  std::vector<Picture> Colors;     // where a picture was asked for: one a file of its name
+  std::vector<Picture> Colors;     // where a picture was asked for: one, or one of each eye
   std::optional<FloatPicture> Aov; // where channels were asked for
   RenderStats Stats;
 };

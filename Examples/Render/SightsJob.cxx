@@ -5,6 +5,7 @@
 #include "Frame.h"
 #include "Messages.h"
 #include "Passes.h"
+#include "PictureFiles.h"
 #include "Progress.h"
 #include "StereoLayout.h"
 #include "StereoOptions.h"
@@ -81,6 +82,7 @@ void SightsStage::Draw(const Options& sight, std::size_t type)
   if (sight.Stereo != "mono")
   {
     this->Window->SetStereoType(FindStereoLayout(sight.Layout).Types[type]);
+    SetAnaglyph(this->Window, sight);
     this->Window->StereoRenderOn();
   }
   this->Window->Render();
@@ -95,7 +97,7 @@ std::vector<Picture> SightsStage::Take(const Options& sight)
     this->Draw(sight, i);
     pictures.push_back(ReadPicture(this->Window));
   }
-  return sight.Stereo == "mono" ? pictures : Arrange(FindStereoLayout(sight.Layout), pictures);
+  return pictures;
 }
 
 void Time(SightsStage& stage, const std::vector<Options>& sights, int frames, RenderStats& stats)
@@ -121,15 +123,12 @@ void Time(SightsStage& stage, const std::vector<Options>& sights, int frames, Re
 
 void Write(const Options& sight, const std::vector<Picture>& pictures, OutputFiles& files)
 {
-  const PanoramaInfo info = DescribePanorama(sight);
   for (const std::string& output : sight.Outputs)
   {
-    const std::vector<std::string> names = FilesOf(sight, output);
-    for (std::size_t i = 0; i < names.size(); i++)
+    for (const auto& [name, bytes] : EncodeFiles(sight, output, pictures))
     {
-      CheckWritable(names[i]);
-      const std::vector<unsigned char> bytes = EncodePicture(pictures[i], names[i], info);
-      files.Write(names[i], bytes.data(), bytes.size());
+      CheckWritable(name);
+      files.Write(name, bytes.data(), bytes.size());
     }
   }
 }

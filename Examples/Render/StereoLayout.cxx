@@ -17,11 +17,13 @@ const std::vector<StereoLayout>& Layouts()
 {
   static const std::vector<StereoLayout> all{ { "anaglyph", { VTK_STEREO_ANAGLYPH } },
     { "left", { VTK_STEREO_LEFT } }, { "right", { VTK_STEREO_RIGHT } },
-    { "separate", Both, 1, 1, false, true }, { "side-by-side", Both, 2 },
+    { "separate", Both, 1, 1, false, true }, { "multi-view", Both, 1, 1, false, false, true },
+    { "vr180", Both, 2, 1, false, false, false, true }, { "side-by-side", Both, 2 },
     { "side-by-side-half", Both, 2, 1, true }, { "top-bottom", Both, 1, 2 },
     { "top-bottom-half", Both, 1, 2, true }, { "red-blue", { VTK_STEREO_RED_BLUE } },
     { "interlaced", { VTK_STEREO_INTERLACED } }, { "checkerboard", { VTK_STEREO_CHECKERBOARD } },
-    { "split", { VTK_STEREO_SPLITVIEWPORT_HORIZONTAL } }, { "dresden", { VTK_STEREO_DRESDEN } } };
+    { "split", { VTK_STEREO_SPLITVIEWPORT_HORIZONTAL } }, { "dresden", { VTK_STEREO_DRESDEN } },
+    { "frame-sequential", Both, 1, 1, false, false, false, false, true } };
   return all;
 }
 }

@@ -19,9 +19,22 @@ struct StereoLayout
   int Rows = 1;           // eyes one above the other, the left on top
   bool Half = false;      // squeezed into a picture of one eye's size
   bool Separate = false;  // a file for each eye
+  bool MultiView = false; // one file that keeps the eyes apart
+  bool Vr180 = false;     // half a sphere an eye
+  bool InTurn = false;    // a window's alone: one eye after the other
 
   // The picture shows what one eye sees, as it sees it.
-  bool IsOneEye() const { return this->Separate || this->Name == "left" || this->Name == "right"; }
+  bool IsOneEye() const
+  {
+    return this->Separate || this->MultiView || this->Name == "left" || this->Name == "right";
+  }
+
+  // How readers of panoramas call two pictures of full size in one; empty: no such layout.
+  std::string SphericalMode() const
+  {
+    const bool two = this->Columns * this->Rows == 2 && !this->Half;
+    return !two ? "" : (this->Columns == 2 ? "left-right" : "top-bottom");
+  }
 };
 
 std::vector<std::string> StereoLayoutNames();
@@ -29,7 +42,7 @@ std::vector<std::string> StereoLayoutNames();
 // The layout of that name; it must be one of them.
 const StereoLayout& FindStereoLayout(const std::string& name);
 
-// The pictures of the files to write, from those drawn with each of the types.
+// The pictures to write, from those drawn with each of the types.
 std::vector<Picture> Arrange(const StereoLayout& layout, const std::vector<Picture>& eyes);
 
 // Name of the file of picture number i: picture-left.png, picture-right.png where each eye has

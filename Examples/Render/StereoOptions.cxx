@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StereoOptions.h"
 
+#include "ImageOutput.h"
 #include "Messages.h"
 #include "Sights.h"
 #include "StereoLayout.h"
 #include "Stereo/Stereo.h"
 
 #include <vtkNew.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
 #include <vtkStaticCellLocator.h>
+#include <vtkWideFoVStereoWindow.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,6 +35,67 @@ void ModelNumber(OptionGroup& group, Options& o, const std::string& name, const 
     });
 }
 
+// LEFT,RIGHT: a colour each, of which no light reaches both.
+std::array<int, 2> ParseMask(const std::string& option, const std::string& value)
+{
+  const std::size_t comma = value.find(',');
+  if (comma == std::string::npos)
+  {
+    FailUsage(option + ": '" + value + "' is not of the form LEFT,RIGHT; give two colours");
+  }
+  const std::array<std::string, 2> names{ { value.substr(0, comma), value.substr(comma + 1) } };
+  std::array<int, 2> mask{ { 0, 0 } };
+  for (std::size_t i = 0; i < 2; i++)
+  {
+    const std::vector<std::string>& all = AnaglyphColors();
+    CheckChoice(option, names[i], all);
+    mask[i] = 1 + int(std::find(all.begin(), all.end(), names[i]) - all.begin());
+  }
+  if ((mask[0] & mask[1]) != 0)
+  {
+    FailUsage(option + ": both eyes would see light of " + names[0] + " and " + names[1] +
+      "; choose colours that share none, such as red,cyan");
+  }
+  return mask;
+}
+
+// The same, or "auto": from the depths of the picture.
+void DepthNumber(OptionGroup& group, Options& o, const std::string& name, double& target,
+  const Range& range, const std::string& text)
+{
+  group.Add(name, "D|auto", Text(target), text + ", " + range.Describe() + "; auto: by the picture",
+    [&o, &target, range](const std::string& option, const std::string& value) {
+      o.ConvergeOnDepth = value == "auto";
+      target = value == "auto" ? target : ParseNumber(option, value, range);
+      o.StereoGiven.push_back(option);
+    });
+}
+
+void DeclareFrame(OptionGroup& group, Options& o)
+{
+  ModelNumber(group, o, "--floating-window", "F", o.FloatingWindow, { 0, 0.25 },
+    "offaxis, warped: width of a bar that brings the border forward, of the picture's");
+  ModelNumber(group, o, "--letterbox", "F", o.Letterbox, { 0, 0.4 },
+    "height of the bars above and below, of the picture's");
+}
+
+void DeclareAnaglyph(OptionGroup& group, Options& o)
+{
+  group.Add("--anaglyph", "LEFT,RIGHT", "red,cyan",
+    "colours of the glasses, for the layout anaglyph: " + Join(AnaglyphColors()),
+    [&o](const std::string& option, const std::string& value) {
+      o.AnaglyphMask = ParseMask(option, value);
+      o.StereoGiven.push_back(option);
+    });
+  const Range range{ 0, 1 };
+  group.Add("--anaglyph-saturation", "S", Text(o.AnaglyphSaturation),
+    "0: grey, 1: full colours, " + range.Describe(),
+    [&o, range](const std::string& option, const std::string& value) {
+      o.AnaglyphSaturation = ParseNumber(option, value, range);
+      o.StereoGiven.push_back(option);
+    });
+}
+
 // The options that a model has.
 std::vector<std::string> OptionsOfModel(const std::string& model, bool screens)
 {
@@ -46,10 +111,11 @@ std::vector<std::string> OptionsOfModel(const std::string& model, bool screens)
   }
   if (model == "warped")
   {
-    return { "--iod", "--distance", "--offset" };
+    return { "--iod", "--distance", "--offset", "--floating-window" };
   }
-  return model == "offaxis" ? std::vector<std::string>{ "--separation", "--convergence" }
-                            : std::vector<std::string>{};
+  return model == "offaxis"
+    ? std::vector<std::string>{ "--separation", "--convergence", "--floating-window" }
+    : std::vector<std::string>{};
 }
 }
 
@@ -65,6 +131,7 @@ void DeclareStereo(CLI::App& app, Options& o)
       o.Layout = value;
       o.StereoGiven.push_back(option);
     });
+  DeclareAnaglyph(group, o);
   ModelNumber(group, o, "--ipd", "D", s.InterpupillaryDistance, { 0, Most },
     "omnidirectional, screens: distance between the eyes, scene units");
   group.Add("--pole-fade", "A,B", "off",
@@ -77,12 +144,13 @@ void DeclareStereo(CLI::App& app, Options& o)
   ModelNumber(group, o, "--iod", "D", s.Iod, { 0, 10 }, "warped: distance between the eyes, NDC");
   ModelNumber(group, o, "--distance", "D", s.Distance, { 0, Most },
     "warped: of the viewer from the plane of zero parallax, NDC");
-  ModelNumber(
-    group, o, "--offset", "D", s.Offset, { -1, 1 }, "warped: plane of zero parallax, NDC depth");
+  DepthNumber(
+    group, o, "--offset", s.Offset, { -1, 1 }, "warped: plane of zero parallax, NDC depth");
   ModelNumber(group, o, "--separation", "F", s.Separation, { 0, 0.5 },
     "offaxis: parallax far away, fraction of the width");
-  ModelNumber(group, o, "--convergence", "D", s.Convergence, { 0, Most, true },
+  DepthNumber(group, o, "--convergence", s.Convergence, { 0, Most, true },
     "offaxis: distance of zero parallax, scene units");
+  DeclareFrame(group, o);
 }
 
 void CompleteStereo(Options& o)
@@ -92,15 +160,52 @@ void CompleteStereo(Options& o)
   if (o.Stereo != "mono")
   {
     known.emplace_back("--layout");
+    known.emplace_back("--letterbox");
+  }
+  if (o.Stereo != "mono" && o.Layout == "anaglyph")
+  {
+    known.emplace_back("--anaglyph");
+    known.emplace_back("--anaglyph-saturation");
   }
   for (const std::string& given : o.StereoGiven)
   {
+    if (o.Stereo != "mono" && o.Layout != "anaglyph" && given.rfind("--anaglyph", 0) == 0)
+    {
+      FailUsage(given + " does not go with --layout " + o.Layout + "; choose --layout anaglyph");
+    }
     if (std::find(known.begin(), known.end(), given) == known.end())
     {
       FailUsage(given + " does not go with --stereo " + o.Stereo +
         (known.empty() ? "; choose a stereo model" : ", which has " + Join(known)));
     }
   }
+}
+
+namespace
+{
+// What the files and the view must be for a layout that is a format of its own.
+void CheckLayout(const Options& o)
+{
+  const StereoLayout& layout = FindStereoLayout(o.Layout);
+  const wfv::ViewOptions& v = o.View;
+  if (layout.Vr180 &&
+    (o.Projection != "equirectangular" || v.HorizontalFov != 180 || v.VerticalFov != 180))
+  {
+    FailUsage("--layout vr180 is half a sphere an eye, equirectangular; add "
+              "--projection equirectangular --hfov 180 --vfov 180");
+  }
+  for (const std::string& output : o.Outputs)
+  {
+    if (layout.MultiView && !IsMultiViewName(output))
+    {
+      FailUsage("--layout multi-view is for .exr, not for '" + output + "'; rename it");
+    }
+    if (IsVr180Photo(output) && !layout.Vr180)
+    {
+      FailUsage("'" + output + "' is the name of a VR180 photo; add --layout vr180, or rename it");
+    }
+  }
+}
 }
 
 void CheckStereo(const Options& o)
@@ -116,6 +221,15 @@ void CheckStereo(const Options& o)
   if (!o.Aov.empty() && o.Layout != "left" && o.Layout != "right")
   {
     FailUsage("--aov is for one eye; give --layout left or --layout right");
+  }
+  CheckLayout(o);
+}
+
+void CheckFiles(const Options& o)
+{
+  if (o.Stereo != "mono" && FindStereoLayout(o.Layout).InTurn)
+  {
+    FailUsage("--layout " + o.Layout + " is for a window; use widefov-viewer, or another layout");
   }
 }
 
@@ -150,6 +264,30 @@ void WarnOfNearness(const Options& o, const Scene& scene, const Vector3& eye)
   }
 }
 
+const std::vector<std::string>& AnaglyphColors()
+{
+  static const std::vector<std::string> colors{ "blue", "green", "cyan", "red", "magenta",
+    "yellow" };
+  return colors;
+}
+
+void SetAnaglyph(vtkRenderWindow* window, const Options& o)
+{
+  window->SetAnaglyphColorMask(o.AnaglyphMask[0], o.AnaglyphMask[1]);
+  window->SetAnaglyphColorSaturation(static_cast<float>(o.AnaglyphSaturation));
+}
+
+void AddStereoWindow(vtkRenderer* renderer, const Options& o)
+{
+  if (o.FloatingWindow > 0 || o.Letterbox > 0)
+  {
+    vtkNew<vtkWideFoVStereoWindow> window;
+    window->SetFloating(o.FloatingWindow);
+    window->SetLetterbox(o.Letterbox);
+    renderer->AddViewProp(window);
+  }
+}
+
 std::vector<std::string> FilesOf(const Options& o, const std::string& output)
 {
   const StereoLayout& layout = FindStereoLayout(o.Layout);
@@ -163,10 +301,14 @@ std::vector<std::string> FilesOf(const Options& o, const std::string& output)
 
 PanoramaInfo DescribePanorama(const Options& o)
 {
+  const StereoLayout& layout = FindStereoLayout(o.Layout);
+  const bool mono = o.Stereo == "mono";
   PanoramaInfo info;
-  // of two eyes in one file, or of a volume that was warped again, viewers know nothing
+  info.StereoMode = mono ? "" : layout.SphericalMode();
+  // of colours for glasses, of squeezed pictures, or of a volume that was warped again, viewers
+  // know nothing
   const bool plain =
-    o.Stereo == "mono" || (o.Stereo == "omnidirectional" && FindStereoLayout(o.Layout).IsOneEye());
+    mono || (o.Stereo == "omnidirectional" && (layout.IsOneEye() || !info.StereoMode.empty()));
   info.Equirectangular = plain && o.Projection == "equirectangular";
   info.HorizontalFov = o.View.HorizontalFov;
   info.VerticalFov = o.View.VerticalFov;

@@ -8,6 +8,9 @@
 #include "Options.h"
 #include "Scene.h"
 
+class vtkRenderWindow;
+class vtkRenderer;
+
 namespace widefov
 {
 void DeclareStereo(CLI::App& app, Options& options);
@@ -19,8 +22,20 @@ void CompleteStereo(Options& options);
 // After everything is known.
 void CheckStereo(const Options& options);
 
+// The same, of what is written to files.
+void CheckFiles(const Options& options);
+
 // Says in one line where the eyes are farther apart than the nearest surface is from them.
 void WarnOfNearness(const Options& options, const Scene& scene, const Vector3& eye);
+
+// Colours of light; a mask of vtkRenderWindow is one more than the index.
+const std::vector<std::string>& AnaglyphColors();
+
+// How the window shows the layout anaglyph.
+void SetAnaglyph(vtkRenderWindow* window, const Options& options);
+
+// Adds the floating window and the letterbox that the options ask for.
+void AddStereoWindow(vtkRenderer* renderer, const Options& options);
 
 // The files that an output file becomes: two where each eye has its own.
 std::vector<std::string> FilesOf(const Options& options, const std::string& output);

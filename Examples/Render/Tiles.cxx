@@ -56,13 +56,16 @@ int FitTile(int wanted, int picture)
   return wanted >= picture ? picture : std::max(2, wanted / 2 * 2);
 }
 
-// Not where each eye has half of the window, nor where pairs of rows become one and the topmost
-// tiles have an odd number of them.
+// Not where each eye has half of the window, or both go into one file apart, nor where pairs of
+// rows become one and the topmost tiles have an odd number of them.
 bool CanBeTiled(const Options& o)
 {
   const StereoLayout& layout = FindStereoLayout(o.Layout);
   const bool pairs = layout.Rows == 2 && layout.Half && o.Size[1] % 2 != 0;
-  return o.Stereo == "mono" || (o.Layout != "split" && !pairs);
+  // its bars, and its depths, are those of the whole
+  const bool whole = o.FloatingWindow == 0 && o.Letterbox == 0 && !o.ConvergeOnDepth;
+  return o.Stereo == "mono" ||
+    (o.Layout != "split" && !pairs && !layout.MultiView && !layout.Vr180 && whole);
 }
 
 bool OneBelowTheOther(const Options& o)

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // widefov-render: pictures of VTK data in wide and non-planar projections.
 #include "CameraSetup.h"
-#include "ImageOutput.h"
 #include "DirectionMapFile.h"
 #include "Listing.h"
 #include "LoadScene.h"
 #include "Messages.h"
 #include "Options.h"
 #include "OutputFiles.h"
+#include "PictureFiles.h"
 #include "Program.h"
 #include "Progress.h"
 #include "RenderJob.h"
@@ -15,7 +15,6 @@
 #include "StereoLayout.h"
 #include "StereoOptions.h"
 
-#include <algorithm>
 #include <iostream>
 
 namespace
@@ -44,19 +43,16 @@ void WriteAll(
   const Options& options, const Scene& scene, const RenderResult& result, OutputFiles& files)
 {
   const Progress progress("writing");
-  const PanoramaInfo info = DescribePanorama(options);
   for (const std::string& output : options.Outputs)
   {
-    const std::vector<std::string> names = FilesOf(options, output);
-    for (std::size_t i = 0; i < std::min(names.size(), result.Colors.size()); i++)
+    for (const auto& [name, bytes] : EncodeFiles(options, output, result.Colors))
     {
-      const std::vector<unsigned char> bytes = EncodePicture(result.Colors[i], names[i], info);
-      files.Write(names[i], bytes.data(), bytes.size());
+      files.Write(name, bytes.data(), bytes.size());
     }
   }
   if (result.Aov)
   {
-    const std::vector<unsigned char> bytes = EncodeFloats(*result.Aov, info);
+    const std::vector<unsigned char> bytes = EncodeFloats(*result.Aov, DescribePanorama(options));
     files.Write(options.Aov, bytes.data(), bytes.size());
   }
   if (!options.Stats.empty())

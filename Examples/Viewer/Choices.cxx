@@ -149,7 +149,13 @@ bool StepStereo(Options& o, int step, bool tiled)
 
 bool FitsWindow(const Options& options)
 {
-  return options.Stereo == "mono" || FindStereoLayout(options.Layout).Types.size() == 1;
+  const StereoLayout& layout = FindStereoLayout(options.Layout);
+  return options.Stereo == "mono" || layout.Types.size() == 1 || layout.InTurn;
+}
+
+bool ShowsEyesInTurn(const Options& options)
+{
+  return options.Stereo != "mono" && FindStereoLayout(options.Layout).InTurn;
 }
 
 bool StepLayout(Options& o, int step)

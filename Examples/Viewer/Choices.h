@@ -32,6 +32,9 @@ bool StepLayout(Options& options, int step);
 // True where a window can show the eyes so: several pictures are for files.
 bool FitsWindow(const Options& options);
 
+// True where a window shows one eye after the other.
+bool ShowsEyesInTurn(const Options& options);
+
 // False, and nothing changes, where the view cannot be drawn so.
 bool SetDebugView(Options& options, bool on);
 

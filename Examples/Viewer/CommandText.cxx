@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CommandText.h"
 
+#include "StereoOptions.h"
+
 #include <cstdio>
 
 namespace widefov
@@ -76,6 +78,18 @@ std::string LookText(const Look& look)
   return text;
 }
 
+std::string GlassesText(const Options& o)
+{
+  static const Options standard;
+  const bool usual = o.AnaglyphMask == standard.AnaglyphMask;
+  const std::string colors =
+    AnaglyphColors()[o.AnaglyphMask[0] - 1] + "," + AnaglyphColors()[o.AnaglyphMask[1] - 1];
+  return (usual ? "" : " --anaglyph " + colors) +
+    (o.AnaglyphSaturation == standard.AnaglyphSaturation
+        ? ""
+        : " --anaglyph-saturation " + Exactly(o.AnaglyphSaturation));
+}
+
 std::string StereoText(const Options& o)
 {
   const wfv::StereoOptions& s = o.View.Stereo;
@@ -83,7 +97,8 @@ std::string StereoText(const Options& o)
   {
     return "";
   }
-  const std::string text = " --stereo " + o.Stereo + " --layout " + o.Layout;
+  const std::string text = " --stereo " + o.Stereo + " --layout " + o.Layout +
+    (o.Layout == "anaglyph" ? GlassesText(o) : "");
   if (o.Stereo == "omnidirectional")
   {
     const bool fades = s.PoleFade[0] < s.PoleFade[1];

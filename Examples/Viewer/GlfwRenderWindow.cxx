@@ -2,6 +2,8 @@
 #include "GlfwRenderWindow.h"
 
 #include <vtkObjectFactory.h>
+#include <vtkOpenGLState.h>
+#include <vtk_glew.h>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -10,8 +12,16 @@ namespace widefov
 {
 vtkStandardNewMacro(GlfwRenderWindow);
 
-void GlfwRenderWindow::SetWindow(GLFWwindow* window)
+void GlfwRenderWindow::SetWindow(GLFWwindow* window, bool stereo)
 {
+  // VTK keeps a picture of each eye; without two back buffers they are shown by ShowEye
+  this->SetStereoCapableWindow(1);
+  this->TwoBuffers = stereo;
+  if (stereo)
+  {
+    this->SetFrameBlitModeToBlitToHardware();
+  }
+
   this->Handle = window;
   this->MakeCurrent();
 #if __has_include(<vtk_glad.h>)
@@ -23,6 +33,19 @@ void GlfwRenderWindow::SetWindow(GLFWwindow* window)
     nullptr);
 #endif
   this->OpenGLInit();
+}
+
+void GlfwRenderWindow::ShowEye(int eye)
+{
+  this->MakeCurrent();
+  vtkOpenGLState* const state = this->GetState();
+  const int* const size = this->GetActualSize();
+  state->PushFramebufferBindings();
+  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  state->vtkglDrawBuffer(GL_BACK);
+  this->BlitDisplayFramebuffer(
+    eye, 0, 0, size[0], size[1], 0, 0, size[0], size[1], GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  state->PopFramebufferBindings();
 }
 
 void GlfwRenderWindow::MakeCurrent()

@@ -17,7 +17,15 @@ public:
   vtkTypeMacro(GlfwRenderWindow, vtkGenericOpenGLRenderWindow);
 
   // Not owned; must outlive this. Its context becomes current, and OpenGL is initialized.
-  void SetWindow(GLFWwindow* window);
+  // stereo: it has a back buffer for each eye.
+  void SetWindow(GLFWwindow* window, bool stereo);
+
+  // True where the window has a back buffer for each eye.
+  bool HasBuffersForBoth() const { return this->TwoBuffers; }
+
+  // Puts what the last frame drew for an eye (0 left, 1 right) of the type crystal eyes into the
+  // window's one back buffer.
+  void ShowEye(int eye);
 
   void MakeCurrent() override;
   bool IsCurrent() override;
@@ -33,6 +41,7 @@ private:
   void operator=(const GlfwRenderWindow&) = delete;
 
   GLFWwindow* Handle = nullptr;
+  bool TwoBuffers = false;
 };
 }
 

@@ -60,7 +60,8 @@ void Initialize()
   }
 }
 
-GLFWwindow* Create(const std::string& title, const std::array<int, 2>& size)
+// stereo: on return, whether the window has two back buffers.
+GLFWwindow* Create(const std::string& title, const std::array<int, 2>& size, bool& stereo)
 {
   const std::string tooOld = "OpenGL 3.2 with geometry shaders is needed";
   const std::string remedy = "; update the graphics driver, or use Mesa's software rendering";
@@ -73,7 +74,15 @@ GLFWwindow* Create(const std::string& title, const std::array<int, 2>& size)
   // the limits of OpenGL, which are narrower, can be asked for when there is a window
   const int width = std::min(size[0], LargestWindow);
   const int height = std::min(size[1], LargestWindow);
-  GLFWwindow* const window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+  glfwWindowHint(GLFW_STEREO, stereo ? GLFW_TRUE : GLFW_FALSE);
+  GLFWwindow* window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+  if (window == nullptr && stereo)
+  {
+    stereo = false;
+    TakeError();
+    glfwWindowHint(GLFW_STEREO, GLFW_FALSE);
+    window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+  }
   if (window == nullptr)
   {
     const std::string error = TakeError();
@@ -132,8 +141,9 @@ struct GlfwCallbacks
   static void Damage(GLFWwindow* handle) { Of(handle).Damaged = true; }
 };
 
-GlfwWindow::GlfwWindow(
-  const std::string& title, const std::array<int, 2>& size, bool fullScreen, int monitor)
+GlfwWindow::GlfwWindow(const std::string& title, const std::array<int, 2>& size, bool fullScreen,
+  int monitor, bool stereo)
+  : Stereo(stereo)
 {
   Initialize();
   const int count = static_cast<int>(Monitors().size());
@@ -143,7 +153,7 @@ GlfwWindow::GlfwWindow(
     Fail("there is no monitor " + std::to_string(monitor) + ", only " + std::to_string(count) +
       "; choose another --monitor, or windows for a --wall without --full-screen");
   }
-  this->Handle = Create(title, size);
+  this->Handle = Create(title, size, this->Stereo);
   WindowCount++;
   this->Monitor = monitor > 0 ? monitor - 1 : 0;
   glfwSetWindowUserPointer(this->Handle, this);
@@ -204,6 +214,14 @@ bool GlfwWindow::TakeDamage()
   const bool damaged = this->Damaged;
   this->Damaged = false;
   return damaged;
+}
+
+int GlfwWindow::GetRefreshRate()
+{
+  constexpr int Usual = 60;
+  GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
+  const GLFWvidmode* const mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
+  return mode != nullptr && mode->refreshRate > 0 ? mode->refreshRate : Usual;
 }
 
 bool GlfwWindow::IsClosing() const

@@ -40,9 +40,10 @@ class GlfwWindow
 {
 public:
   // Throws a Failure with ExitFailed: no OpenGL 3.2, no such monitor (from 1; 0 is the
-  // primary one; asked for full screens alone).
-  GlfwWindow(
-    const std::string& title, const std::array<int, 2>& size, bool fullScreen, int monitor);
+  // primary one; asked for full screens alone). stereo: with a back buffer for each eye, where
+  // the display has such windows.
+  GlfwWindow(const std::string& title, const std::array<int, 2>& size, bool fullScreen, int monitor,
+    bool stereo = false);
   ~GlfwWindow();
   GlfwWindow(const GlfwWindow&) = delete;
   GlfwWindow& operator=(const GlfwWindow&) = delete;
@@ -62,6 +63,12 @@ public:
 
   // True once after what is shown was damaged or changed its size.
   bool TakeDamage();
+
+  // True where there is a back buffer for each eye.
+  bool IsStereo() const { return this->Stereo; }
+
+  // Pictures that the monitor shows in a second.
+  static int GetRefreshRate();
 
   bool IsClosing() const;
   void Close();
@@ -89,6 +96,7 @@ private:
   GLFWwindow* Handle = nullptr;
   std::vector<WindowEvent> Events;
   bool Damaged = true;
+  bool Stereo = false;
   int Monitor = 0;                             // index
   std::array<int, 4> Before{ { 0, 0, 0, 0 } }; // place and size outside the full screen
 };

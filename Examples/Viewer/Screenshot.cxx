@@ -3,6 +3,7 @@
 
 #include "Messages.h"
 #include "OutputFiles.h"
+#include "StereoOptions.h"
 
 #include <filesystem>
 
@@ -31,13 +32,9 @@ std::string FreeName()
 
 std::string WriteScreenshot(const Picture& picture, const Options& o)
 {
-  PanoramaInfo info;
-  info.Equirectangular = o.Projection == "equirectangular";
-  info.HorizontalFov = o.View.HorizontalFov;
-  info.VerticalFov = o.View.VerticalFov;
   const std::string name = FreeName();
   CheckWritable(name);
-  const std::vector<unsigned char> bytes = EncodePicture(picture, name, info);
+  const std::vector<unsigned char> bytes = EncodePicture(picture, name, DescribePanorama(o));
   OutputFiles files;
   files.Write(name, bytes.data(), bytes.size());
   files.Commit();

@@ -76,6 +76,28 @@ void Viewer::Run()
     {
       this->DrawFrame();
     }
+    else if (this->FlipsEyes())
+    {
+      this->Flip();
+    }
+  }
+}
+
+// One eye after the other, in windows that do not do it themselves.
+bool Viewer::FlipsEyes() const
+{
+  const std::array<int, 2> size = this->Windows.GetSize();
+  return ShowsEyesInTurn(this->Now) && !this->Windows.HasBuffersForBoth() && size == this->Now.Size;
+}
+
+void Viewer::Flip()
+{
+  const std::chrono::duration<double> period(1.0 / GlfwWindow::GetRefreshRate());
+  const auto now = std::chrono::steady_clock::now();
+  if (now - this->LastFlip >= period)
+  {
+    this->LastFlip = now;
+    this->Windows.Flip();
   }
 }
 
@@ -92,6 +114,10 @@ void Viewer::Wait()
   else if (busy)
   {
     this->Windows.Poll();
+  }
+  else if (this->FlipsEyes())
+  {
+    this->Windows.Wait(1.0 / GlfwWindow::GetRefreshRate());
   }
   else
   {

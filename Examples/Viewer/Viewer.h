@@ -36,6 +36,8 @@ private:
 
   // The loop.
   void Wait();
+  bool FlipsEyes() const;
+  void Flip();
   void Advance();
   bool Fit();
   void DrawFrame();
@@ -88,6 +90,7 @@ private:
   std::set<int> Held; // keys that move the eye
   bool Fast = false;
   std::chrono::steady_clock::time_point LastMove;
+  std::chrono::steady_clock::time_point LastFlip;
 };
 }
 

@@ -13,6 +13,13 @@ namespace widefov
 namespace
 {
 constexpr double TurnStep = 5; // degrees, an arrow key
+
+// What a file can show of what a window shows in turn: both eyes in one picture.
+Options OnePicture(Options o)
+{
+  o.Layout = ShowsEyesInTurn(o) ? Options().Layout : o.Layout;
+  return o;
+}
 }
 
 void Viewer::Do(Action action)
@@ -28,7 +35,7 @@ void Viewer::Do(Action action)
       this->TakeScreenshot();
       break;
     case Action::PrintCommand:
-      std::cout << CommandText(this->Given.Picture, this->Now) << std::endl;
+      std::cout << CommandText(this->Given.Picture, OnePicture(this->Now)) << std::endl;
       this->Say("the command is on standard output");
       break;
     case Action::ToggleFullScreen:
@@ -99,6 +106,10 @@ bool Viewer::StepEyes(Action action)
   {
     const bool other = StepLayout(this->Now, step);
     this->Message = other ? "layout: " + this->Now.Layout : "without stereo there is no layout";
+    if (ShowsEyesInTurn(this->Now) && !this->Windows.HasBuffersForBoth())
+    {
+      this->Message += ", in turn by software";
+    }
     return true;
   }
   return false;
@@ -158,7 +169,8 @@ void Viewer::TakeScreenshot()
 {
   try
   {
-    const std::string file = WriteScreenshot(this->Windows.Take(this->Now), this->Now);
+    const Options shown = OnePicture(this->Now);
+    const std::string file = WriteScreenshot(this->Windows.Take(shown), shown);
     this->Say("written: " + file);
   }
   catch (const Failure& failure)

@@ -7,8 +7,10 @@
 #include "Messages.h"
 #include "Passes.h"
 #include "StereoLayout.h"
+#include "StereoOptions.h"
 
 #include <vtkPanoramicProjectionPass.h>
+#include <vtkRenderWindow.h>
 #include <vtkWideFoVCamera.h>
 
 namespace widefov
@@ -30,10 +32,11 @@ FrameCost operator+(const FrameCost& a, const FrameCost& b)
   return sum;
 }
 
-ViewerStage::ViewerStage(GLFWwindow* window, const Scene& scene, const Options& o, const Tile& tile)
+ViewerStage::ViewerStage(
+  GLFWwindow* window, bool stereo, const Scene& scene, const Options& o, const Tile& tile)
   : What(scene)
 {
-  this->Window->SetWindow(window);
+  this->Window->SetWindow(window, stereo);
   CheckMessages();
   const GlLimits limits = QueryLimits(this->Window);
   this->Limits = { { limits.Width, limits.Height } };
@@ -93,9 +96,13 @@ void ViewerStage::Apply(const Options& o, const std::array<int, 2>& size)
     this->Renderer->SetPass(this->WidePass);
   }
   SetCamera(this->Renderer, this->What, o);
+  this->InTurn = false;
   if (o.Stereo != "mono")
   {
-    this->Window->SetStereoType(FindStereoLayout(o.Layout).Types.front());
+    const StereoLayout& layout = FindStereoLayout(o.Layout);
+    this->InTurn = layout.InTurn;
+    this->Window->SetStereoType(layout.InTurn ? VTK_STEREO_CRYSTAL_EYES : layout.Types.front());
+    SetAnaglyph(this->Window, o);
   }
   this->Window->SetStereoRender(o.Stereo != "mono");
 }
@@ -106,11 +113,25 @@ bool ViewerStage::HasRoom()
   return size[0] >= TextRoom[0] && size[1] >= TextRoom[1];
 }
 
+void ViewerStage::SetText()
+{
+  this->Texts.SetText(this->TextOf && this->HasRoom() ? this->TextOf(this->Cost) : "");
+}
+
 // After the scene and before the text, which is to tell of this very frame.
 void ViewerStage::AfterScene()
 {
   this->Cost = this->Measure();
-  this->Texts.SetText(this->TextOf && this->HasRoom() ? this->TextOf(this->Cost) : "");
+  if (!this->InTurn)
+  {
+    this->SetText();
+  }
+}
+
+void ViewerStage::Flip()
+{
+  this->EyeShown = 1 - this->EyeShown;
+  this->Window->ShowEye(this->EyeShown);
 }
 
 FrameCost ViewerStage::Measure()
@@ -137,6 +158,11 @@ FrameCost ViewerStage::Draw(const Options& o, const std::array<int, 2>& size,
   this->Apply(o, size);
   this->Texts.SetHelp(this->HasRoom() ? help : "", size[0], size[1]);
   this->Start = std::chrono::steady_clock::now();
+  if (this->InTurn)
+  {
+    this->SetText(); // the same for both eyes: what the frame before took
+  }
+  this->EyeShown = 0;
   this->Window->Render();
   CheckMessages();
   return this->Cost;

@@ -56,7 +56,9 @@ class ViewerStage
 {
 public:
   // The window's context becomes current and stays so. The scene must outlive this.
-  ViewerStage(GLFWwindow* window, const Scene& scene, const Options& options, const Tile& tile);
+  // stereo: the window has a back buffer for each eye.
+  ViewerStage(
+    GLFWwindow* window, bool stereo, const Scene& scene, const Options& options, const Tile& tile);
   ~ViewerStage();
   ViewerStage(const ViewerStage&) = delete;
   ViewerStage& operator=(const ViewerStage&) = delete;
@@ -69,6 +71,13 @@ public:
   FrameCost Draw(const Options& options, const std::array<int, 2>& size,
     const std::function<std::string(const FrameCost&)>& text, const std::string& help);
 
+  // True where the last frame is to be shown by turns, with Flip: of a layout that shows the
+  // eyes so, in a window that does not do it itself.
+  bool IsFlipping() const { return this->InTurn && !this->Window->HasBuffersForBoth(); }
+
+  // Puts the other eye's picture of the last frame into the window, not shown yet.
+  void Flip();
+
   // The same part, without text, not shown.
   Picture Take(const Options& options, const std::array<int, 2>& size);
 
@@ -77,6 +86,7 @@ private:
   void ApplyCubeMap(const Options& options);
   FrameCost Measure();
   bool HasRoom();
+  void SetText();
   void AfterScene();
 
   const Scene& What;
@@ -91,6 +101,8 @@ private:
 
   std::chrono::steady_clock::time_point Start;
   FrameCost Cost;
+  bool InTurn = false; // one eye after the other
+  int EyeShown = 0;    // 0 left, 1 right
   std::function<std::string(const FrameCost&)> TextOf;
 };
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Wall.h"
 
+#include "Choices.h"
+
 #include <algorithm>
 
 namespace widefov
@@ -15,14 +17,15 @@ Wall::Wall(const ViewerOptions& o, const Scene& scene, const std::string& title)
     Pane pane;
     pane.Where = { this->Columns, this->Rows, i % this->Columns, i / this->Columns };
     const int monitor = this->Columns * this->Rows > 1 ? i + 1 : o.Monitor;
-    pane.Window = std::make_unique<GlfwWindow>(title, size, o.FullScreen, monitor);
+    pane.Window =
+      std::make_unique<GlfwWindow>(title, size, o.FullScreen, monitor, ShowsEyesInTurn(o.Picture));
     if (i > 0 && !o.FullScreen)
     {
       pane.Window->PlaceBeside(
         *this->Panes[0].Window, pane.Where.Column * size[0], pane.Where.Row * size[1]);
     }
-    pane.Stage =
-      std::make_unique<ViewerStage>(pane.Window->GetHandle(), scene, o.Picture, pane.Where);
+    pane.Stage = std::make_unique<ViewerStage>(
+      pane.Window->GetHandle(), pane.Window->IsStereo(), scene, o.Picture, pane.Where);
     this->Panes.push_back(std::move(pane));
   }
 }
@@ -166,6 +169,33 @@ FrameCost Wall::Draw(const Options& o, const std::function<std::string(const Fra
     pane.Window->Show();
   }
   return sum;
+}
+
+bool Wall::Flip()
+{
+  bool flipped = false;
+  for (const Pane& pane : this->Panes)
+  {
+    if (pane.Stage->IsFlipping())
+    {
+      pane.Stage->Flip();
+      flipped = true;
+    }
+  }
+  for (const Pane& pane : this->Panes)
+  {
+    if (flipped)
+    {
+      pane.Window->Show();
+    }
+  }
+  return flipped;
+}
+
+bool Wall::HasBuffersForBoth() const
+{
+  return std::all_of(this->Panes.begin(), this->Panes.end(),
+    [](const Pane& pane) { return pane.Window->IsStereo(); });
 }
 
 Picture Wall::Take(const Options& o)

@@ -47,6 +47,13 @@ public:
   FrameCost Draw(const Options& options, const std::function<std::string(const FrameCost&)>& text,
     const std::string& help);
 
+  // Shows the other eye, where a layout shows one after the other and the windows do not do it
+  // themselves; false where there is nothing to flip.
+  bool Flip();
+
+  // True where such a layout is shown by windows with a back buffer for each eye.
+  bool HasBuffersForBoth() const;
+
   // The whole picture without text, not shown.
   Picture Take(const Options& options);
 

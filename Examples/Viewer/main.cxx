@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // widefov-viewer: a window into VTK data in wide and non-planar projections.
 #include "CameraSetup.h"
+#include "Choices.h"
 #include "DirectionMapFile.h"
 #include "Display.h"
 #include "Listing.h"
@@ -49,6 +50,11 @@ int Run(int argc, char** argv)
   StateLog log(options.Log);
   const QuietStandardError quiet;
   Wall windows(options, scene, TitleOf(options.Picture));
+  if (ShowsEyesInTurn(options.Picture) && !windows.HasBuffersForBoth())
+  {
+    Say("warning: there is no window with a buffer for each eye here; their pictures are shown in "
+        "turn by software, which shutter glasses may not keep in step with");
+  }
   Viewer(options, scene, windows, log).Run();
   return ExitDone;
 }

@@ -18,6 +18,13 @@ struct Box
     this->Low = glm::min(this->Low, p);
     this->High = glm::max(this->High, p);
   }
+
+  // The same as seen from any place no farther from the origin.
+  void Grow(double reach)
+  {
+    this->Low -= reach;
+    this->High += reach;
+  }
 };
 
 // The part of the picture that is drawn, NDC, with a margin for what is drawn larger than it is.

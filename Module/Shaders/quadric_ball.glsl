@@ -3,5 +3,5 @@
 
 WfvCrossing wfvMeet(vec3 u)
 {
-  return wfvMeetBall(u, wfvBall.xyz, wfvBall.w);
+  return wfvMeetBall(u, wfvBallSeen.xyz, wfvBallSeen.w);
 }

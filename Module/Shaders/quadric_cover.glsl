@@ -23,6 +23,32 @@ const float WFV_CAP_PAD = 2e-6;
 // Relative slack of a cap's reach in azimuth, whose arc sine is steep at its end.
 const float WFV_CAP_SLACK = 1e-5;
 
+#if WFV_OWN_BODIES
+// Radius of the circle on which the rays begin, the stage's own units, rounded up.
+float wfvEyeReach()
+{
+  return 1.0001 * abs(wfvView.stereo.x) / wfvScale();
+}
+
+// Radians: how far from where the origin sees a point an eye on the circle may see it, whose
+// distance from the origin is at least so much; half a turn for what is as near as the circle.
+float wfvGrowOf(float nearest)
+{
+  float s = wfvEyeReach() / max(nearest, 1e-30);
+  return nearest > 0.0 && s < 1.0 ? wfvAtan2(s, sqrt((1.0 - s) * (1.0 + s))) : WFV_PI;
+}
+#else
+float wfvEyeReach()
+{
+  return 0.0;
+}
+
+float wfvGrowOf(float nearest)
+{
+  return 0.0;
+}
+#endif
+
 void wfvEmitCorner(vec2 ndc)
 {
   gl_Position = vec4(ndc * wfvTile.xy + wfvTile.zw, 0.0, 1.0);
@@ -145,11 +171,12 @@ void wfvCoverCap(vec3 centre, float angle, bool front)
 }
 #endif
 
-// Angular radius of a ball seen from the eye; half a turn from inside.
+// Angular radius of the cap that holds a ball seen from the eye; half a turn from inside.
 float wfvBallAngle(vec4 ball)
 {
   float d = wfvLength(ball.xyz);
-  return d > ball.w ? wfvAtan2(ball.w, sqrt((d - ball.w) * (d + ball.w))) : WFV_PI;
+  float angle = d > ball.w ? wfvAtan2(ball.w, sqrt((d - ball.w) * (d + ball.w))) : WFV_PI;
+  return angle + wfvGrowOf(d - ball.w);
 }
 
 // Surely nothing to see: wholly inside the near or outside the far sphere, or no number.
@@ -157,5 +184,5 @@ bool wfvBallHidden(vec4 ball)
 {
   float d = wfvLength(ball.xyz);
   return !(ball.w > 0.0) || !(d + ball.w >= wfvView.radii.x / wfvScale()) ||
-    !(d - ball.w <= wfvView.radii.y / wfvScale());
+    !(d - ball.w - wfvEyeReach() <= wfvView.radii.y / wfvScale());
 }

@@ -14,6 +14,25 @@ vec3 wfvNormal;   // towards the eye, view coordinates
 vec3 wfvSurface;  // the point itself, view coordinates
 float wfvAlong;   // where on the length, 0 to 1
 
+#if WFV_OWN_BODIES
+// Each ray begins at a place of its own, and sees the body from there.
+vec4 wfvBallSeen;
+vec4 wfvOtherSeen;
+vec3 wfvSight;      // of the ray that is shown, view coordinates
+float wfvDistanceSeen;
+#define WFV_FROM_EYE wfvSight
+#define WFV_DISTANCE wfvDistanceSeen
+
+void wfvStandAt(vec3 start)
+{
+  wfvBallSeen = vec4(wfvBall.xyz - start, wfvBall.w);
+  wfvOtherSeen = vec4(wfvOther.xyz - float(WFV_OTHER_IS_PLACE) * start, wfvOther.w);
+}
+#else
+#define wfvBallSeen wfvBall
+#define wfvOtherSeen wfvOther
+#endif
+
 void wfvInterpolate(); // generated: sets the stock shader's inputs from wfvAlong
 
 // A line through a convex body: where it enters and where it leaves.
@@ -74,6 +93,9 @@ bool wfvOwns(float along)
 // side: 1 its front only, -1 its back only, 0 whichever comes first
 WfvSeen wfvLook(vec3 u, int side)
 {
+#if WFV_OWN_BODIES
+  wfvStandAt(wfvEyeAt(u, wfvView) / wfvScale());
+#endif
   WfvCrossing x = wfvMeet(u);
   bool front = side >= 0 && wfvBetweenClips(x.distance.x);
   bool back = side <= 0 && !front && wfvBetweenClips(x.distance.y);
@@ -134,6 +156,11 @@ void wfvPrepare(int side)
   wfvDepth = clamp(wfvWindowDepth(s.distance), 0.0, 1.0);
   wfvAlong = clamp(s.along, 0.0, 1.0);
   wfvSurface = wfvUntilt(direction, wfvView) * (s.distance * wfvScale());
+#if WFV_OWN_BODIES
+  wfvSight = wfvUntilt(direction, wfvView);
+  wfvDistanceSeen = s.distance * wfvScale();
+  wfvSurface += wfvUntilt(wfvEyeAt(direction, wfvView), wfvView);
+#endif
   wfvNormal = normalize(wfvUntilt(s.front ? s.normal : -s.normal, wfvView));
   wfvInterpolate();
 }

@@ -20,7 +20,7 @@ float wfvAngleBetween(vec3 p, vec3 q)
   return wfvAtan2(wfvLength(cross(p, q)), dot(p, q));
 }
 
-// Angular radius of the balls along p, q; half a turn where one holds the eye.
+// Angular radius of the balls along p, q, each with its cap; half a turn where one holds the eye.
 float wfvSpanAngle(vec3 p, vec3 q, float radius)
 {
   return wfvBallAngle(vec4(wfvNearest(p, q), 0.0, 0.0, radius));
@@ -45,7 +45,7 @@ void wfvCoverSpan(vec4 first, vec4 last)
   float far = max(lf + first.w, ll + last.w);
   float near = wfvNearest(first.xyz, last.xyz) - width;
   if (!(width > 0.0) || !(far >= wfvView.radii.x / wfvScale()) ||
-    !(near <= wfvView.radii.y / wfvScale()))
+    !(near - wfvEyeReach() <= wfvView.radii.y / wfvScale()))
   {
     return;
   }

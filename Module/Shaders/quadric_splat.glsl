@@ -10,10 +10,16 @@ WfvCrossing wfvMeet(vec3 u)
   float d = length(wfvBall.xyz);
   vec3 ahead = wfvBall.xyz / d;
   float c = dot(u, ahead);
-  float t = d / c;
   WfvCrossing x;
   // from a cross product, so that nothing cancels far away
+#if WFV_OWN_BODIES
+  // both eyes see the same disc
+  float t = dot(wfvBallSeen.xyz, ahead) / c;
+  x.met = c > 0.0 && length(cross(ahead, cross(u, wfvBallSeen.xyz))) <= c * wfvBall.w;
+#else
+  float t = d / c;
   x.met = c > 0.0 && t * length(cross(u, ahead)) <= wfvBall.w;
+#endif
   x.distance = vec2(t);
   x.along = vec2(0.0);
   x.entry = -ahead;

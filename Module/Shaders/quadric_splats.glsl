@@ -13,6 +13,8 @@ void main()
   wfvShareHere = vec2(0.0, 1.0);
   if (!wfvBallHidden(wfvBallHere))
   {
-    wfvCoverCap(centre, wfvAtan2(wfvBallHere.w, wfvLength(centre)), true);
+    // nothing of the disc is nearer than its centre
+    float d = wfvLength(centre);
+    wfvCoverCap(centre, wfvAtan2(wfvBallHere.w, d) + wfvGrowOf(d), true);
   }
 }

@@ -6,7 +6,7 @@
 
 vec4 wfvBallAlong(float v)
 {
-  return mix(wfvBall, wfvOther, v);
+  return mix(wfvBallSeen, wfvOtherSeen, v);
 }
 
 WfvCrossing wfvNothing()
@@ -54,14 +54,14 @@ WfvCrossing wfvMeetBetween(vec3 u, float first, float last, float deepest)
 // e: from the first centre to the second; dr: the difference of the radii.
 WfvCrossing wfvMeetHull(vec3 u, vec3 e, float dr)
 {
-  vec3 w0 = cross(wfvBall.xyz, u);
+  vec3 w0 = cross(wfvBallSeen.xyz, u);
   vec3 w1 = cross(e, u);
   float m2 = dot(w1, w1);
   float n2 = m2 - dr * dr;
   float m = sqrt(m2);
   float v0 = -dot(w0, w1) / m2;
   float d = abs(dot(cross(w0, w1), u)) / m;
-  float r = wfvBall.w + dr * v0;
+  float r = wfvBallSeen.w + dr * v0;
   float top = r * m / sqrt(abs(n2));
   float room = n2 > 0.0 ? (top - d) * (top + d) : -(top * top + d * d);
   float stride = dot(e, u) * sqrt(max(room / (n2 * (dot(e, e) - dr * dr)), 0.0));
@@ -79,9 +79,9 @@ WfvCrossing wfvMeetHull(vec3 u, vec3 e, float dr)
 
 WfvCrossing wfvMeet(vec3 u)
 {
-  vec3 e = wfvOther.xyz - wfvBall.xyz;
+  vec3 e = wfvOtherSeen.xyz - wfvBallSeen.xyz;
   vec3 across = cross(e, u);
-  float dr = wfvOther.w - wfvBall.w;
+  float dr = wfvOtherSeen.w - wfvBallSeen.w;
   if (dot(e, e) > dr * dr && dot(across, across) > 0.0 && dot(across, across) != dr * dr)
   {
     return wfvMeetHull(u, e, dr);

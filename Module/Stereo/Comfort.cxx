@@ -14,6 +14,9 @@ const double Degree = WFV_PI / 180;
 constexpr double NearestContent = 0.5;
 constexpr double FarthestContent = 100;
 
+// Of the picture, at either end of its distances: a leaf before the lens decides nothing.
+constexpr double LeftOut = 0.01;
+
 // Fraction of the width: the largest that the camera takes.
 constexpr double MostSeparation = 0.5;
 }
@@ -37,6 +40,27 @@ double ParallaxAngle(double percent, double screenWidth, double viewerDistance)
 std::array<double, 2> DepthBudget(double convergence)
 {
   return { { NearestContent * convergence, FarthestContent * convergence } };
+}
+
+double Quantile(std::vector<double>& values, double part)
+{
+  if (values.empty())
+  {
+    return 0;
+  }
+  const auto last = static_cast<double>(values.size() - 1);
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(std::lround(part * last));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+double ConvergenceFor(std::vector<double> distances)
+{
+  const double nearest = Quantile(distances, LeftOut);
+  const double farthest = Quantile(distances, 1 - LeftOut);
+  const double least = farthest / FarthestContent;
+  const double most = nearest / NearestContent;
+  return std::min(most, std::max(least, Quantile(distances, 0.5)));
 }
 
 double LargestSeparation(double screenWidth, double eyeDistance)

@@ -9,6 +9,7 @@
 #include "Projections/Projection.h"
 
 #include <array>
+#include <vector>
 
 namespace wfv
 {
@@ -25,6 +26,14 @@ WFV_EXPORT double ParallaxAngle(double percent, double screenWidth, double viewe
 
 // Distances between which content belongs: half the convergence and a hundred times it.
 WFV_EXPORT std::array<double, 2> DepthBudget(double convergence);
+
+// The convergence for a picture of such distances: their median, within the budget of what is
+// seen: at most twice the nearest, and at least a hundredth of the farthest; where both cannot be
+// the nearest counts. A hundredth of the picture at either end does not. 0 where there are none.
+WFV_EXPORT double ConvergenceFor(std::vector<double> distances);
+
+// The value that so large a part of the others is below, 0 to 1; 0 where there are none.
+WFV_EXPORT double Quantile(std::vector<double>& values, double part);
 
 // The largest separation (fraction of the width) with which nobody's eyes have to diverge on a
 // screen of this width: the distance between the eyes over the width, at most 0.5.

@@ -17,6 +17,10 @@ DONE, FAILED, USAGE = 0, 1, 2
 Case = namedtuple("Case", "arguments code says place env", defaults=("plain", {}))
 
 
+# Both eyes of a small scene.
+EYES = "good.vtk --stereo omnidirectional "
+
+
 def usage(arguments, says):
     return Case(arguments, USAGE, says)
 
@@ -85,6 +89,24 @@ COMMAND_LINE = [
     usage("good.vtk --range 0,nan", "--range"),
     usage("good.vtk --stereo cross-eyed", "cross-eyed"),
     usage("good.vtk --stereo omnidirectional --layout cardboard", "cardboard"),
+    usage(EYES + "--layout multi-view", ".exr"),
+    usage(EYES + "--layout vr180", "--hfov 180"),
+    usage(EYES + "--layout vr180 --hfov 180 --vfov 90", "--vfov 180"),
+    usage(EYES + "--layout vr180 --projection hammer --hfov 180 --vfov 180", "equirectangular"),
+    usage(EYES + "--layout frame-sequential", "widefov-viewer"),
+    usage(EYES + "--letterbox 0.5", "--letterbox"),
+    usage(EYES + "--floating-window 0.1", "--floating-window"),
+    usage("good.vtk --stereo warped --floating-window nan", "--floating-window"),
+    usage("good.vtk --stereo warped --offset automatic", "--offset"),
+    usage("good.vtk --stereo warped --convergence auto", "--convergence"),
+    usage(EYES + "--output {out}/eyes.vr.jpg", "VR180"),
+    usage(EYES + "--anaglyph red", "LEFT,RIGHT"),
+    usage(EYES + "--anaglyph red,pink", "pink"),
+    usage(EYES + "--anaglyph red,magenta", "both eyes"),
+    usage(EYES + "--anaglyph-saturation 2", "--anaglyph-saturation"),
+    usage(EYES + "--anaglyph-saturation nan", "--anaglyph-saturation"),
+    usage(EYES + "--layout left --anaglyph red,cyan", "--layout anaglyph"),
+    usage("good.vtk --anaglyph red,cyan", "--anaglyph does not go with --stereo mono"),
     usage("good.vtk --layout left", "--layout does not go with --stereo mono"),
     usage("good.vtk --ipd 0.1", "--ipd"),
     usage("good.vtk --stereo omnidirectional --separation 0.1", "--separation"),
@@ -240,6 +262,9 @@ VIEWER = [
     failed("good.vtk --log {out}", "--log"),
     failed("good.vtk --log /dev/full", "/dev/full"),
     failed("good.vtk --monitor 9 --full-screen", "no monitor 9"),
+    Case(EYES + "--layout frame-sequential", DONE, "in turn by software"),
+    usage(EYES + "--layout vr180 --hfov 180 --vfov 180", "--layout vr180 is for files"),
+    usage(EYES + "--layout multi-view", "--layout multi-view is for files"),
     failed("good.vtk --wall 9x1 --full-screen", "no monitor"),
     failed("good.vtk --size 40000x16 --technique cubemap", "40000"),
     failed("good.vtk", "display", env={"DISPLAY": None}),

@@ -79,6 +79,15 @@ public:
     PlaceCamera(this->Camera, shot);
   }
 
+  // Both eyes in one picture.
+  void SetStereo(const std::string& model)
+  {
+    this->Camera->SetStereoModel(model.c_str());
+    this->Camera->SetInterpupillaryDistance(0.4);
+    this->Window->SetStereoType(VTK_STEREO_RED_BLUE);
+    this->Window->StereoRenderOn();
+  }
+
   vtkSmartPointer<vtkUnsignedCharArray> Draw(bool culling)
   {
     this->Pass->SetCulling(culling);
@@ -162,6 +171,25 @@ TEST(Culling, ChangesNoPicture)
   std::cout << "props left out " << all.Props << ", clusters " << all.Clusters << std::endl;
   EXPECT_GT(all.Props, 100);
   EXPECT_GT(all.Clusters, 1000);
+}
+
+TEST(Culling, ChangesNoPictureOfTwoEyes)
+{
+  Crowd crowd(0);
+  for (const char* const model : { "omnidirectional", "warped" })
+  {
+    crowd.SetStereo(model);
+    LeftOut all;
+    for (const char* name : { "equirectangular", "hammer", "azimuthal-equidistant", "mercator" })
+    {
+      const LeftOut left = Compare(crowd, *FindProjection(name));
+      all.Props += left.Props;
+      all.Clusters += left.Clusters;
+    }
+    std::cout << model << ": props left out " << all.Props << ", clusters " << all.Clusters << "\n";
+    EXPECT_GT(all.Props, 20) << model;
+    EXPECT_GT(all.Clusters, 50) << model;
+  }
 }
 
 TEST(Culling, ChangesNoPictureOfManySamples)

@@ -5,6 +5,7 @@
 #include "DrawingTest.h"
 #include "Poses.h"
 #include "QuadricCaster.h"
+#include "Stereo.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
@@ -121,6 +122,16 @@ class CompareQuadrics : public DrawingTest
 protected:
   static inline long Compared = 0; // pixels of all shots of a scene
 
+  // What bodies of a size in pixels are measured by: both eyes see the same ones.
+  static View Mono(const Shot& shot, const View& view)
+  {
+    ViewOptions options = shot.Options;
+    options.Stereo = StereoOptions();
+    options.Aspect = double(shot.Width) / shot.Height;
+    options.Radii = { { view.GetParameters().radii.x, view.GetParameters().radii.y } };
+    return View(view.GetProjection(), options);
+  }
+
   static void Check(
     const Shot& shot, const std::string& scene, const BodyList& bodies, double pixels)
   {
@@ -128,7 +139,7 @@ protected:
     ASSERT_EQ(picture.Width, shot.Width) << "nothing was drawn: " << Describe(shot);
     const View& view = Picture->GetView();
     const reference::QuadricCaster caster(
-      InView(bodies, Picture->GetPose(), view, pixels, shot.Width, shot.Height), view);
+      InView(bodies, Picture->GetPose(), Mono(shot, view), pixels, shot.Width, shot.Height), view);
     const reference::HitPicture truth = caster.Render(shot.Width, shot.Height);
     const reference::Metrics m = reference::Compare(picture, caster, truth, Tolerance);
     const Errors errors = Measure(Picture->GetData(), caster, truth, pixels > 0);
@@ -165,6 +176,60 @@ protected:
     EXPECT_GT(Compared, 10000) << scene;
   }
 };
+
+// What each eye's own rays see.
+class CompareStereoQuadrics : public CompareQuadrics
+{
+protected:
+  void CheckBoth(vtkActor* actor, const std::string& scene, const BodyList& bodies, double pixels)
+  {
+    const Projection& p = *FindProjection(this->GetParam());
+    Picture->SetActor(actor);
+    Compared = 0;
+    for (double ipd : { 0.02, 0.2 })
+    {
+      for (Eye eye : { Eye::Left, Eye::Right })
+      {
+        Shot shot = MakeShot(p.Name, 360, PlainPoses().back());
+        shot.Options.Stereo.Model = FindStereoModel("omnidirectional");
+        shot.Options.Stereo.Eye = eye;
+        shot.Options.Stereo.InterpupillaryDistance = ipd;
+        Check(shot, scene + (eye == Eye::Left ? ", left" : ", right"), bodies, pixels);
+      }
+    }
+    EXPECT_GT(Compared, 10000) << scene;
+  }
+};
+
+TEST_P(CompareStereoQuadrics, Balls)
+{
+  const BodyList balls = BallsRoundTheEye(false);
+  this->CheckBoth(BallActor(balls), "balls", balls, 0);
+}
+
+TEST_P(CompareStereoQuadrics, BallsInsideABall)
+{
+  const BodyList balls = BallsRoundTheEye(true);
+  this->CheckBoth(BallActor(balls), "balls inside a ball", balls, 0);
+}
+
+TEST_P(CompareStereoQuadrics, Sticks)
+{
+  const BodyList sticks = SticksRoundTheEye();
+  this->CheckBoth(StickActor(sticks), "sticks", sticks, 0);
+}
+
+TEST_P(CompareStereoQuadrics, Tubes)
+{
+  const BodyList segments = SegmentsRoundTheEye();
+  this->CheckBoth(TubeActor(segments, TubePixels), "tubes", segments, TubePixels);
+}
+
+TEST_P(CompareStereoQuadrics, Points)
+{
+  const BodyList points = PointsRoundTheEye();
+  this->CheckBoth(PointActor(points, PointPixels), "points", points, PointPixels);
+}
 
 TEST_P(CompareQuadrics, Balls)
 {
@@ -213,5 +278,7 @@ std::vector<std::string> WideNames()
 }
 }
 
+INSTANTIATE_TEST_SUITE_P(
+  All, CompareStereoQuadrics, ::testing::ValuesIn(WideNames()), DrawingTest::NameOf);
 INSTANTIATE_TEST_SUITE_P(
   All, CompareQuadrics, ::testing::ValuesIn(WideNames()), DrawingTest::NameOf);

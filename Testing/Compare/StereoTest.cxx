@@ -21,6 +21,10 @@ constexpr double Tolerance = 0.02;
 // Relative error of the distance along the pixel's ray.
 constexpr double DepthTolerance = 1e-5;
 
+// The same beside the rim of a round map, seen along a curve, where a shift of the pixel by
+// Tolerance explains it.
+constexpr double RimDepth = 1e-3;
+
 // One eye of a model.
 Shot EyeOf(Shot shot, const StereoOptions& stereo, Eye eye)
 {
@@ -61,7 +65,11 @@ protected:
       std::cout << Row(shot, name, m) << std::endl;
       EXPECT_EQ(m.UnexplainedPixels, 0) << name << "\n  " << Describe(shot) << "\n"
                                         << Details(shot, Picture->GetView(), m);
-      EXPECT_LE(m.MaxDepthRel, DepthTolerance) << name << "\n  " << Describe(shot);
+      // at the rim of a round map the ray turns without bound: a distance is as right as the place
+      const bool rim = !stereo.Model->Straight &&
+        FindProjection(shot.Projection)->Axis == Family::Azimuthal && m.DepthPx <= Tolerance;
+      EXPECT_LE(m.MaxDepthRel, rim ? RimDepth : DepthTolerance)
+        << name << ", " << m.DepthPx << " px\n  " << Describe(shot);
     }
   }
 };

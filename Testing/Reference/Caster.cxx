@@ -3,6 +3,8 @@
 
 #include <vtkSMPTools.h>
 
+#include <algorithm>
+
 namespace wfv
 {
 namespace reference
@@ -46,6 +48,48 @@ CurvePoint BorderBetween(const View& view, vec2 ndc, CurvePoint in, CurvePoint o
   }
   return in;
 }
+
+// The points of a piece of the curve between which it is straight enough, in order. Beside a
+// border it may turn as the square root of the depth from there: short steps first, even ones
+// in that root.
+std::vector<CurvePoint> PointsOf(const View& view, vec2 ndc, CurvePoint from, CurvePoint to)
+{
+  if (from.Inside && to.Inside)
+  {
+    return { from, to };
+  }
+  const CurvePoint border =
+    from.Inside ? BorderBetween(view, ndc, from, to) : BorderBetween(view, ndc, to, from);
+  const CurvePoint other = from.Inside ? from : to;
+  std::vector<CurvePoint> points{ border };
+  for (int i = 1; i <= FinePieces; ++i)
+  {
+    const double t = double(i) / FinePieces;
+    points.push_back(PointAt(view, ndc, border.Depth + (other.Depth - border.Depth) * t * t));
+  }
+  if (from.Inside)
+  {
+    std::reverse(points.begin(), points.end());
+  }
+  return points;
+}
+}
+
+Hit Caster::CastPoints(const std::vector<vec3>& places) const
+{
+  for (std::size_t i = 0; i + 1 < places.size(); ++i)
+  {
+    Hit hit = this->CastSegment(places[i], places[i + 1]);
+    if (hit.Cell >= 0)
+    {
+      // the eye of the map is the origin
+      const vec3 along = glm::normalize(places[i + 1] - places[i]);
+      hit.Distance = glm::length(places[i] + along * hit.Distance);
+      hit.InDomain = true;
+      return hit;
+    }
+  }
+  return {};
 }
 
 Hit Caster::CastCurve(vec2 ndc, double near, double far, int pieces) const
@@ -58,16 +102,16 @@ Hit Caster::CastCurve(vec2 ndc, double near, double far, int pieces) const
     nothing.InDomain = nothing.InDomain || from.Inside || to.Inside;
     if (from.Inside || to.Inside)
     {
-      const CurvePoint a = from.Inside ? from : BorderBetween(this->TheView, ndc, to, from);
-      const CurvePoint b = to.Inside ? to : BorderBetween(this->TheView, ndc, from, to);
-      Hit hit = this->CastSegment(a.Place, b.Place);
+      std::vector<vec3> places;
+      for (const CurvePoint& point : PointsOf(this->TheView, ndc, from, to))
+      {
+        places.push_back(point.Place);
+      }
+      const Hit hit = this->CastPoints(places);
       if (hit.Cell >= 0)
       {
         const Hit finer =
           pieces == CurvePieces ? this->CastCurve(ndc, from.Depth, to.Depth, FinePieces) : Hit();
-        // the eye of the map is the origin
-        hit.Distance = glm::length(a.Place + glm::normalize(b.Place - a.Place) * hit.Distance);
-        hit.InDomain = true;
         return finer.Cell >= 0 ? finer : hit;
       }
     }

@@ -76,6 +76,9 @@ protected:
 private:
   // Between two depths, in so many straight pieces.
   Hit CastCurve(vec2 ndc, double near, double far, int pieces) const;
+
+  // The first hit on the way along these places.
+  Hit CastPoints(const std::vector<vec3>& places) const;
 };
 }
 }

@@ -303,6 +303,22 @@ TEST(Stereo, ComfortIsThatOfTheModels)
   EXPECT_DOUBLE_EQ(LargestSeparation(0.05, 0.065), 0.5);
 }
 
+TEST(Stereo, ConvergenceKeepsWhatIsSeenInTheBudget)
+{
+  std::vector<double> even(1001);
+  std::generate(even.begin(), even.end(), [d = 2 - 0.006]() mutable { return d += 0.006; });
+  EXPECT_NEAR(ConvergenceFor(even), 4.12, 1e-9); // twice the nearest of 99 per cent
+  std::vector<double> far = even;
+  std::fill(far.begin(), far.begin() + 300, 5000); // a hundredth of the farthest
+  EXPECT_NEAR(ConvergenceFor(far), 2 * 3.86, 0.1);
+  std::vector<double> close(1000, 50);
+  close[3] = 0.01; // a leaf before the lens
+  EXPECT_DOUBLE_EQ(ConvergenceFor(close), 50);
+  EXPECT_DOUBLE_EQ(ConvergenceFor({}), 0);
+  std::fill_n(std::fill_n(close.begin(), 600, 1), 400, 1000);
+  EXPECT_DOUBLE_EQ(ConvergenceFor(close), 2); // both cannot be: the nearest counts
+}
+
 TEST(Stereo, BothEyesOfNoDistanceAreMono)
 {
   for (const char* name : { "warped", "omnidirectional" })
