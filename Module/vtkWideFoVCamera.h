@@ -286,15 +286,11 @@ public:
   void GetPerspectiveEye(double aspect, float eye[3]);
 #endif
 
-  /**
-   * How far the eyes of the stereo model are from the camera's position, scene units: 0 where
-   * they are there.
-   */
+  /// How far the eyes of the stereo model are from the camera's position, scene units: 0 where
+  /// they are there.
   virtual double GetEyeReach();
 
-  /**
-   * True unless the projection is "perspective", for which stock VTK serves.
-   */
+  /// True unless the projection is "perspective", for which stock VTK serves.
   bool IsWide();
 
   ///@{
@@ -326,10 +322,8 @@ public:
   }
 #endif
 
-  /**
-   * Before a frame is drawn: updates the automatic clip spheres from the visible props.
-   * Render and the pass call it.
-   */
+  /// Before a frame is drawn: updates the automatic clip spheres from the visible props.
+  /// Render and the pass call it.
   virtual void PrepareFrame(vtkRenderer* renderer);
 
   // Of the pass: the same, with the bounds of the visible props where they are known, else
@@ -337,13 +331,9 @@ public:
   void BeginFrame(vtkRenderer* renderer, const double* bounds);
   void EndFrame();
 
-  ///@{
-  /**
-   * As vtkCamera's, and the wide view with them where the source has one.
-   */
+  /// As vtkCamera's, and the wide view with them where the source has one.
   void ShallowCopy(vtkCamera* source);
   void DeepCopy(vtkCamera* source);
-  ///@}
 
   // What the stock pipeline asks for.
   void Render(vtkRenderer* renderer) override;

@@ -140,14 +140,39 @@ bool vtkWideFoVCamera::NDCToRay(
   return ray.Inside;
 }
 
+void vtkWideFoVCamera::BeginFrame(vtkRenderer* renderer, const double* bounds)
+{
+  this->Internal->InFrame = false;
+  this->Internal->Bounds = bounds;
+  this->PrepareFrame(renderer);
+  this->Internal->Bounds = nullptr;
+  this->Internal->InFrame = true;
+}
+
+void vtkWideFoVCamera::EndFrame()
+{
+  this->Internal->InFrame = false;
+}
+
 void vtkWideFoVCamera::PrepareFrame(vtkRenderer* renderer)
 {
+  if (this->Internal->InFrame)
+  {
+    return;
+  }
   this->FindEye(renderer);
   this->FindPart(renderer);
   if (this->AutomaticClipRadii)
   {
     double bounds[6];
-    renderer->ComputeVisiblePropBounds(bounds);
+    if (const double* const known = this->Internal->Bounds)
+    {
+      std::copy_n(known, 6, bounds);
+    }
+    else
+    {
+      renderer->ComputeVisiblePropBounds(bounds);
+    }
     wfv::InflateForQuadrics(renderer, this->Position, bounds);
     this->ResetClipRadii(bounds);
   }
