@@ -35,17 +35,6 @@ def check_eye(options, view, mesh):
     scene.require(answer["unexplained"] == 0 and answer["hits"] > 3000, "the right eye")
 
 
-def check_extract(options, view):
-    """A picture that the client has drawn and the server writes, with what it says of itself."""
-    simple.GetAnimationScene().NumberOfFrames = 1
-    extractor = simple.CreateExtractor("WideFoVPicture", view)
-    extractor.Writer.Size = scene.SIZE
-    extractor.Writer.FileName = "extract.png"
-    simple.SaveExtracts(ExtractsOutputDirectory=options.output)
-    with open(os.path.join(options.output, "extract.png"), "rb") as file:
-        scene.require(b"GPano:ProjectionType" in file.read(), "no metadata")
-
-
 def draw_and_select(options):
     scene.load_plugin(options, remote=True)
     mesh = os.path.join(options.output, "mesh.vtp")
@@ -58,7 +47,6 @@ def draw_and_select(options):
     for projection in ("equirectangular", "azimuthal-equidistant"):
         check(options, view, source, mesh, projection, dice)
     check_eye(options, view, mesh)
-    check_extract(options, view)
 
 
 def main(options):
