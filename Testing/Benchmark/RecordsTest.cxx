@@ -51,7 +51,7 @@ const BenchRun& Find(const std::vector<BenchRun>& plan, const std::string& name)
 }
 }
 
-TEST(BenchPlan, QuickHasEveryMethodAndOneCubeMap)
+TEST(BenchPlan, QuickHasEveryMethodOfOneEyeAndOneCubeMap)
 {
   std::set<std::string> methods;
   int cubemaps = 0;
@@ -61,8 +61,15 @@ TEST(BenchPlan, QuickHasEveryMethodAndOneCubeMap)
     cubemaps += run.Method == "cubemap";
     EXPECT_EQ(run.Options.Samples, 0);
   }
-  const std::vector<std::string> all = MethodNames();
-  EXPECT_EQ(methods, std::set<std::string>(all.begin(), all.end()));
+  std::set<std::string> all;
+  for (const std::string& name : MethodNames())
+  {
+    if (name.rfind("stereo-", 0) != 0)
+    {
+      all.insert(name);
+    }
+  }
+  EXPECT_EQ(methods, all);
   EXPECT_EQ(cubemaps, 1);
   EXPECT_EQ(Find(PlanOf(true), "cubemap_326").Options.CubeMapResolution, 326);
 }
