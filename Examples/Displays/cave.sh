@@ -6,16 +6,7 @@
 #
 # Options of widefov-render may name other data; the scene "atrium" without any.
 # See Documentation/displays/cave.md.
-set -euo pipefail
-cd "$(dirname "${BASH_SOURCE[0]}")/../.."
-mkdir -p output
-
-data=(--scene atrium)
-[ "$#" -eq 0 ] || data=("$@")
-
-render() {
-  bash Utilities/with-display.sh build/bin/widefov-render "${data[@]}" "$@"
-}
+source "$(dirname "${BASH_SOURCE[0]}")/render.bash"
 
 render --screens Examples/Displays/cave.pvx --pose Examples/Displays/steps.txt \
   --stereo offaxis --layout separate --size 512x512 --output output/cave.png

@@ -6,16 +6,7 @@
 #
 # Options of widefov-render may name other data; the scene "atrium" without any.
 # See Documentation/displays/cylinder.md.
-set -euo pipefail
-cd "$(dirname "${BASH_SOURCE[0]}")/../.."
-mkdir -p output
-
-data=(--scene atrium)
-[ "$#" -eq 0 ] || data=("$@")
-
-render() {
-  bash Utilities/with-display.sh build/bin/widefov-render "${data[@]}" "$@"
-}
+source "$(dirname "${BASH_SOURCE[0]}")/render.bash"
 
 cylinder=(--projection central-cylindrical --hfov 240 --vfov 50 --size 1796x400)
 render "${cylinder[@]}" --output output/cylinder.png

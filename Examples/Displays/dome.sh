@@ -6,16 +6,7 @@
 #
 # Options of widefov-render may name other data; the scene "atrium" without any.
 # See Documentation/displays/dome.md.
-set -euo pipefail
-cd "$(dirname "${BASH_SOURCE[0]}")/../.."
-mkdir -p output
-
-data=(--scene atrium)
-[ "$#" -eq 0 ] || data=("$@")
-
-render() {
-  bash Utilities/with-display.sh build/bin/widefov-render "${data[@]}" "$@"
-}
+source "$(dirname "${BASH_SOURCE[0]}")/render.bash"
 
 dome=(--projection azimuthal-equidistant --fov 180 --tilt 75 --size 1024x1024)
 render "${dome[@]}" --output output/dome.png

@@ -6,16 +6,7 @@
 #
 # Options of widefov-render may name other data; the scene "atrium" without any.
 # See Documentation/displays/headset.md.
-set -euo pipefail
-cd "$(dirname "${BASH_SOURCE[0]}")/../.."
-mkdir -p output
-
-data=(--scene atrium)
-[ "$#" -eq 0 ] || data=("$@")
-
-render() {
-  bash Utilities/with-display.sh build/bin/widefov-render "${data[@]}" "$@"
-}
+source "$(dirname "${BASH_SOURCE[0]}")/render.bash"
 
 render --screens Examples/Displays/headset.pvx --pose Examples/Displays/turns.txt \
   --stereo offaxis --layout side-by-side --output output/headset.png
