@@ -7,6 +7,8 @@
 
 #include <vtkPolyData.h>
 
+#include <algorithm>
+#include <cmath>
 #include <iostream>
 
 using namespace wfv;
@@ -59,6 +61,17 @@ double WidestFov(const Projection& p)
                                   : p.MaxHorizontalFov;
 }
 
+// Pixels that none of the 48 points of the tolerance explains, nor those of a finer one down to
+// a 64th of it: what is explained within a smaller tolerance is so within this.
+long UnexplainedAtAnyFiner(
+  const reference::Caster& caster, const Shot& shot, const reference::Metrics& m)
+{
+  return std::count_if(m.Worst.begin(), m.Worst.end(), [&](const reference::WorstPixel& pixel) {
+    return !std::isfinite(
+      reference::NearestAgreement(caster, shot.Width, shot.Height, pixel, Tolerance));
+  });
+}
+
 // Asserts one shot and prints its row.
 void Check(Drawing& drawing, const Shot& shot, const std::string& scene, double depthTolerance)
 {
@@ -67,6 +80,9 @@ void Check(Drawing& drawing, const Shot& shot, const std::string& scene, double 
   const reference::RayCaster caster(drawing.GetMesh(), drawing.GetView(), drawing.GetPose());
   const reference::Metrics m = reference::Compare(picture, caster, Tolerance);
   std::cout << Row(shot, scene, m) << std::endl;
+  ASSERT_LE(m.UnexplainedPixels, long(reference::Metrics::MaxWorst));
+  EXPECT_EQ(UnexplainedAtAnyFiner(caster, shot, m), 0) << scene << "\n  " << Describe(shot) << "\n"
+                                                       << Details(shot, drawing.GetView(), m);
   EXPECT_LE(m.MaxPx, Tolerance) << scene << "\n  " << Describe(shot) << "\n"
                                 << Details(shot, drawing.GetView(), m);
   EXPECT_LE(m.MaxDepthRel, AllowedDepth(shot, depthTolerance)) << scene << "\n  " << Describe(shot);
