@@ -101,9 +101,17 @@ bool SampleGrid::Misses(const vec2 corners[3], double grow) const
   return true;
 }
 
+vec2 SampleGrid::SampleAt(unsigned int number) const
+{
+  const unsigned int pixel = number / this->Count;
+  const unsigned int width = static_cast<unsigned int>(this->Size.x);
+  return vec2(pixel % width, pixel / width) + this->Offsets[number % this->Count];
+}
+
 bool SampleGrid::operator==(const SampleGrid& o) const
 {
   return this->Count == o.Count && this->Scale == o.Scale && this->Shift == o.Shift &&
+    this->Size == o.Size &&
     std::equal(this->Offsets.begin(), this->Offsets.begin() + this->Count, o.Offsets.begin());
 }
 }

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVSorter.h"
 
+#include "vtkWideFoVSortScene.h"
+
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkPoints.h"
+#include "vtkSMPThreadLocal.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -19,9 +22,14 @@ enum Kind : unsigned char
   Plain = 1,
   Cover = 2, // both: 3
   Aside = 4, // and drawn nevertheless: what is seen does not depend on it
-  Front = 8, // the side that the eye sees; nearly edge-on, both
-  Back = 16,
-  Calm = 32, // easy to cover
+  Calm = 8,  // easy to cover
+};
+
+// The side that the eye sees; nearly edge-on, both.
+enum Side : unsigned char
+{
+  Front = 1,
+  Back = 2,
   BothSides = Front | Back
 };
 
@@ -54,21 +62,42 @@ private:
   std::array<Entry, Kept> Entries;
 };
 
-// An affine map.
-struct Affine
+// Where front meets back, or the mesh ends, or goes on where it is not looked at.
+bool IsOutline(const std::vector<unsigned char>& sides, const std::vector<unsigned int>& neighbours,
+  unsigned int edge)
 {
-  vec3 Columns[3];
-  vec3 Shift;
+  const unsigned int other = neighbours[edge];
+  const int beside = other == Clusters::NoTriangle ? 0 : sides[other];
+  return beside == 0 || (beside | sides[edge / 3]) == BothSides;
+}
 
-  explicit Affine(const double m[16])
-    : Columns{ vec3(m[0], m[4], m[8]), vec3(m[1], m[5], m[9]), vec3(m[2], m[6], m[10]) }
-    , Shift(m[3], m[7], m[11])
+using Doubts = vtkSMPThreadLocal<std::vector<EdgeDoubts::Doubt>>;
+
+// Finds which sides of triangles are seen, 0 where nothing is: before their edges are looked at. A
+// functor for threads.
+template <typename Real>
+struct FindSides
+{
+  const Scene<Real>& In;
+  std::vector<unsigned char>& Sides;
+
+  void operator()(vtkIdType from, vtkIdType to) const
   {
+    for (int c = static_cast<int>(from); c < to; c++)
+    {
+      const bool unseen = this->In.IsUnseen(c);
+      for (vtkIdType i = this->In.GetFirst(c); i < this->In.GetEnd(c); i++)
+      {
+        this->Sides[i] = unseen ? 0 : this->SidesOf(3 * i);
+      }
+    }
   }
 
-  vec3 Of(double x, double y, double z) const
+  unsigned char SidesOf(vtkIdType corner) const
   {
-    return this->Columns[0] * x + this->Columns[1] * y + this->Columns[2] * z + this->Shift;
+    const int side = TriangleJudge::GetSide(
+      this->In.PlaceOf(corner), this->In.PlaceOf(corner + 1), this->In.PlaceOf(corner + 2));
+    return side == 0 ? BothSides : side < 0 ? Front : Back;
   }
 };
 
@@ -77,14 +106,16 @@ template <typename Real>
 class Work
 {
 public:
-  Work(const Clusters& clusters, const Real* points, const double toMap[16], const SortView& view,
-    unsigned char* kinds, float* bends)
-    : All(clusters)
-    , Points(points)
-    , ToMap(toMap)
-    , V(view)
+  Work(const Scene<Real>& scene, const std::vector<unsigned char>& sides,
+    const std::vector<unsigned int>& neighbours, unsigned char* kinds, float* bends, Doubts& doubts)
+    : In(scene)
+    , All(scene.All)
+    , V(scene.V)
+    , Sides(sides)
+    , Neighbours(neighbours)
     , Kinds(kinds)
     , Bends(bends)
+    , InDoubt(doubts)
   {
   }
 
@@ -99,24 +130,11 @@ public:
   }
 
 private:
-  Box BoxOf(int cluster) const
-  {
-    const std::array<double, 6>& b = this->All.GetBounds(cluster);
-    Box box;
-    for (int i = 0; i < 8; i++)
-    {
-      box.Add(this->ToMap.Of(b[i & 1], b[2 + ((i >> 1) & 1)], b[4 + ((i >> 2) & 1)]));
-    }
-    box.Grow(this->V.Reach);
-    return box;
-  }
-
   void Sort(int cluster, const TriangleJudge& judge, LastSeen& seen) const
   {
-    const vtkIdType first = static_cast<vtkIdType>(cluster) * Clusters::Size;
-    const vtkIdType end =
-      std::min<vtkIdType>(first + Clusters::Size, this->All.GetNumberOfTriangles());
-    const bool unseen = IsUnseen(*this->V.Map, this->V.View, this->BoxOf(cluster), this->V.Part);
+    const vtkIdType first = this->In.GetFirst(cluster);
+    const vtkIdType end = this->In.GetEnd(cluster);
+    const bool unseen = this->In.IsUnseen(cluster);
     const int aside = unseen ? Aside : 0;
     const bool left = unseen && this->V.Culls;
     this->Bends[cluster] = 0;
@@ -143,38 +161,101 @@ private:
     for (int j = 0; j < 3; j++)
     {
       const unsigned int point = this->All.GetCorners()[corner + j];
-      const Real* p = this->Points + 3 * static_cast<std::size_t>(point);
-      corners[j] = seen.Get(point, [&] { return judge.See(this->ToMap.Of(p[0], p[1], p[2])); });
+      corners[j] = seen.Get(point, [&] { return judge.See(this->In.PlaceOf(corner + j)); });
       c[j] = &corners[j];
     }
-    const int side = TriangleJudge::GetSide(c);
-    const int sides = aside ? 0 : side == 0 ? BothSides : side < 0 ? Front : Back;
     verdict = judge.Judge(c);
-    const bool plain = verdict.Plain && sides != BothSides;
+    const bool plain = verdict.Plain && this->Sides[corner / 3] != BothSides;
     const int empty = this->V.Culls ? 0 : Cover | Aside;
     const int drawn = verdict.Empty ? empty : plain ? Plain : Cover;
-    return drawn | sides | (verdict.Calm ? Calm : 0);
+    if (this->V.Plain && !aside && !verdict.Empty)
+    {
+      this->Doubt(corner, c, judge, verdict);
+    }
+    return drawn | (verdict.Calm ? Calm : 0);
   }
 
+  // Collects the samples that are in doubt at the edges.
+  void Doubt(vtkIdType corner, const TriangleJudge::Corner* const c[3], const TriangleJudge& judge,
+    const TriangleJudge::Verdict& verdict) const
+  {
+    std::vector<EdgeDoubts::Doubt>& doubts = this->InDoubt.Local();
+    for (int j = 0; j < 3; j++)
+    {
+      const auto edge = static_cast<unsigned int>(corner + j);
+      const double beyond = IsOutline(this->Sides, this->Neighbours, edge)
+        ? this->V.GetPlainError() + verdict.Sure
+        : EdgeDoubts::OutlineWidth;
+      const auto look = [&](const vec2& from, const vec2& to, double width, double sure) {
+        this->V.Samples.ForEachNear(
+          from, to, width + beyond, [&](unsigned int sample, double beside) {
+            doubts.push_back({ sample, edge, static_cast<float>(beside), static_cast<float>(width),
+              static_cast<float>(sure) });
+          });
+      };
+      const TriangleJudge::Corner& next = *c[(j + 1) % 3];
+      if (verdict.Known)
+      {
+        look(c[j]->At, next.At, verdict.Widths[j], verdict.Sure);
+      }
+      else
+      {
+        judge.ForEachPiece(*c[j], next, look);
+      }
+    }
+  }
+
+  const Scene<Real>& In;
   const Clusters& All;
-  const Real* Points;
-  Affine ToMap;
   const SortView& V;
+  const std::vector<unsigned char>& Sides; // with Plain
+  const std::vector<unsigned int>& Neighbours;
   unsigned char* Kinds;
   float* Bends;
+  Doubts& InDoubt;
 };
-
-template <typename Real>
-void SortAll(const Clusters& clusters, const Real* points, const double toMap[16],
-  const SortView& view, unsigned char* kinds, float* bends)
-{
-  Work<Real> work(clusters, points, toMap, view, kinds, bends);
-  vtkSMPTools::For(0, clusters.GetNumberOfClusters(), Grain, work);
-}
 }
 
 namespace wfv
 {
+template <typename Real>
+void Sorter::SortPoints(
+  Clusters& clusters, const Real* points, const double toMap[16], const SortView& view)
+{
+  const Scene<Real> scene{ clusters, points, Affine(toMap), view };
+  const int n = clusters.GetNumberOfClusters();
+  this->Sides.resize(view.Plain ? this->Kinds.size() : 0);
+  const std::vector<unsigned int>& neighbours = view.Plain ? clusters.GetNeighbours() : this->Order;
+  if (view.Plain)
+  {
+    FindSides<Real> sides{ scene, this->Sides };
+    vtkSMPTools::For(0, n, Grain, sides);
+  }
+  Doubts doubts;
+  Work<Real> work(scene, this->Sides, neighbours, this->Kinds.data(), this->Bends.data(), doubts);
+  vtkSMPTools::For(0, n, Grain, work);
+  if (!view.Plain)
+  {
+    return;
+  }
+  EdgeDoubts::Lists lists;
+  for (std::vector<EdgeDoubts::Doubt>& some : doubts)
+  {
+    lists.push_back(std::move(some));
+  }
+  const TriangleJudge judge(view);
+  const EdgeDoubts::Mesh mesh{ clusters,
+    [this](unsigned int triangle) { return (this->Kinds[triangle] & Plain) != 0; },
+    [&](unsigned int edge) { return IsOutline(this->Sides, neighbours, edge); },
+    [&](unsigned int corner) { return judge.See(scene.PlaceOf(corner)).At; },
+    [&](unsigned int sample) { return view.Samples.SampleAt(sample); },
+    [&](unsigned int sample, unsigned int edge) { return scene.IsInside(sample, edge); },
+    [this](unsigned int triangle) { this->CoverTriangle(triangle); }, view.Tolerance };
+  EdgeDoubts::Settle(lists, mesh);
+  this->SpreadCovered(lists, mesh);
+  this->SpreadOverOutlines(lists, mesh);
+}
+
 bool Sorter::Sort(
   Clusters& clusters, vtkPoints* points, const double toMap[16], const SortView& view)
 {
@@ -183,11 +264,11 @@ bool Sorter::Sort(
   this->Bends.resize(static_cast<std::size_t>(clusters.GetNumberOfClusters()));
   if (auto* singles = vtkFloatArray::SafeDownCast(points->GetData()))
   {
-    SortAll(clusters, singles->GetPointer(0), toMap, view, this->Kinds.data(), this->Bends.data());
+    this->SortPoints(clusters, singles->GetPointer(0), toMap, view);
   }
   else if (auto* doubles = vtkDoubleArray::SafeDownCast(points->GetData()))
   {
-    SortAll(clusters, doubles->GetPointer(0), toMap, view, this->Kinds.data(), this->Bends.data());
+    this->SortPoints(clusters, doubles->GetPointer(0), toMap, view);
   }
   else
   {
@@ -198,58 +279,71 @@ bool Sorter::Sort(
   {
     this->Unseen += this->Kinds[i] == ::Unseen;
   }
-  if (view.Plain)
-  {
-    this->CoverOutlines(clusters);
-    this->SpreadCovered(clusters.GetNeighbours());
-  }
   this->MakeOrder();
   return true;
 }
 
-// What is in front of what is decided at the outlines of surfaces: where front meets back, or the
-// mesh ends. There a hidden face shows beside an edge that is off by however little, which is
-// wrong by more than any tolerance. So all that touches an outline is covered.
-void Sorter::CoverOutlines(Clusters& clusters)
+void Sorter::CoverTriangle(unsigned int triangle)
 {
-  const std::vector<unsigned int>& neighbours = clusters.GetNeighbours();
-  const std::vector<unsigned int>& places = clusters.GetPlaces();
-  const std::vector<unsigned int>& corners = clusters.GetCorners();
-  const auto mark = [&](
-                      std::size_t i) -> unsigned char& { return this->Marks[places[corners[i]]]; };
-  this->Marks.assign(places.size(), 0);
-  for (std::size_t i = 0; i < corners.size(); i++)
+  unsigned char& kind = this->Kinds[triangle];
+  kind = static_cast<unsigned char>((kind & ~Plain) | Cover);
+}
+
+template <typename Take>
+void Sorter::VisitPlain(const EdgeDoubts::Lists& lists, const Take& take) const
+{
+  for (const std::vector<EdgeDoubts::Doubt>& doubts : lists)
   {
-    mark(i) |= this->Kinds[i / 3] & BothSides;
-    if (neighbours[i] == Clusters::NoTriangle)
+    for (const EdgeDoubts::Doubt& d : doubts)
     {
-      mark(i) |= BothSides;
-      mark(i % 3 == 2 ? i - 2 : i + 1) |= BothSides;
-    }
-  }
-  for (std::size_t i = 0; i < corners.size(); i++)
-  {
-    unsigned char& kind = this->Kinds[i / 3];
-    if ((kind & Plain) && (mark(i) & BothSides) == BothSides)
-    {
-      kind = static_cast<unsigned char>((kind & ~Plain) | Cover);
+      if (d.Beside <= d.Width && (this->Kinds[d.Edge / 3] & Plain))
+      {
+        take(d);
+      }
     }
   }
 }
 
-// Plain triangles beside a covered one are drawn both ways.
-void Sorter::SpreadCovered(const std::vector<unsigned int>& neighbours)
+// Plain triangles are drawn both ways where a sample is in doubt between one of them and a covered
+// one: all that are in doubt there, for the one beside may be thinner than its edges are off.
+void Sorter::SpreadCovered(const EdgeDoubts::Lists& lists, const EdgeDoubts::Mesh& mesh)
 {
-  for (std::size_t i = 0; i < this->Kinds.size(); i++)
-  {
-    for (int j = 0; j < 3 && (this->Kinds[i] & Plain); j++)
+  const std::vector<unsigned int>& neighbours = mesh.Triangles.GetNeighbours();
+  std::vector<bool> marked;
+  this->VisitPlain(lists, [&](const EdgeDoubts::Doubt& d) {
+    const unsigned int other = neighbours[d.Edge];
+    if (other != Clusters::NoTriangle && (this->Kinds[other] & (Cover | Plain | Aside)) == Cover &&
+      EdgeDoubts::MayBeWrong(d, mesh))
     {
-      const unsigned int other = neighbours[3 * i + j];
-      if (other != Clusters::NoTriangle && (this->Kinds[other] & (Cover | Plain | Aside)) == Cover)
-      {
-        this->Kinds[i] |= Cover;
-      }
+      marked.resize(std::max(marked.size(), std::size_t(d.Sample) + 1));
+      marked[d.Sample] = true;
     }
+  });
+  this->VisitPlain(lists, [&](const EdgeDoubts::Doubt& d) {
+    if (d.Sample < marked.size() && marked[d.Sample])
+    {
+      this->Kinds[d.Edge / 3] |= Cover;
+    }
+  });
+}
+
+// A face that is drawn both ways shows beyond the outline of one that is drawn by its chords alone,
+// from behind perhaps: where a sample is in doubt that one is drawn both ways too.
+void Sorter::SpreadOverOutlines(const EdgeDoubts::Lists& lists, const EdgeDoubts::Mesh& mesh)
+{
+  const std::vector<unsigned int>& neighbours = mesh.Triangles.GetNeighbours();
+  for (bool changed = true; changed;)
+  {
+    changed = false;
+    this->VisitPlain(lists, [&](const EdgeDoubts::Doubt& d) {
+      const unsigned int other = neighbours[d.Edge];
+      if ((this->Kinds[d.Edge / 3] & Cover) && other != Clusters::NoTriangle &&
+        (this->Kinds[other] & (Plain | Cover)) == Plain && mesh.IsOutline(d.Edge))
+      {
+        this->Kinds[other] |= Cover;
+        changed = true;
+      }
+    });
   }
 }
 

@@ -4,6 +4,7 @@
 #define vtkWideFoVSorter_h
 
 #include "vtkWideFoVClusters.h"
+#include "vtkWideFoVEdgeDoubts.h"
 #include "vtkWideFoVTriangleJudge.h"
 
 #include <vector>
@@ -12,11 +13,10 @@ class vtkPoints;
 
 namespace wfv
 {
-// Every triangle is unseen (outside the picture, or between its samples), plain (its chords are as
-// near to its edges as a rasterizer can tell, it meets no discontinuity and touches no outline) or
-// has to be covered. Plain ones beside a
-// covered one are drawn both ways: so every edge is drawn by both its neighbours as a chord, or by
-// both as it is, and no sample between the two is left out.
+// Every triangle is unseen (outside the picture, or between its samples), plain (its chords are
+// near enough to its edges, it meets no discontinuity, and no hidden face shows beside it,
+// vtkWideFoVEdgeDoubts.h) or has to be covered. Plain ones beside a covered one are drawn both ways
+// where a sample is in doubt between the two: so none is left out.
 class Sorter
 {
 public:
@@ -37,13 +37,19 @@ public:
   int GetNumberOfUnseen() const { return this->Unseen; }
 
 private:
-  void CoverOutlines(Clusters& clusters);
-  void SpreadCovered(const std::vector<unsigned int>& neighbours);
+  template <typename Real>
+  void SortPoints(
+    Clusters& clusters, const Real* points, const double toMap[16], const SortView& view);
+  void CoverTriangle(unsigned int triangle);
+  template <typename Take>
+  void VisitPlain(const EdgeDoubts::Lists& doubts, const Take& take) const;
+  void SpreadCovered(const EdgeDoubts::Lists& doubts, const EdgeDoubts::Mesh& mesh);
+  void SpreadOverOutlines(const EdgeDoubts::Lists& doubts, const EdgeDoubts::Mesh& mesh);
   void MakeOrder();
 
   std::vector<unsigned char> Kinds; // one a triangle
+  std::vector<unsigned char> Sides; // one a triangle, while some may be plain
   std::vector<float> Bends;         // of the calm triangles of a cluster, the largest
-  std::vector<unsigned char> Marks; // one a point: which sides of triangles are seen round it
   std::vector<unsigned int> Order;
   std::size_t Covered = 0; // not calm
   std::size_t Calm = 0;

@@ -66,7 +66,7 @@ void vtkWideFoVStages::SetPart(vtkRenderer* renderer, const float tile[4])
     this->Part.Low[i] = (-1.0 - tile[i + 2]) / tile[i] - 2 * Margin / pixels;
     this->Part.High[i] = (1.0 - tile[i + 2]) / tile[i] + 2 * Margin / pixels;
   }
-  this->Samples.SetPlace(scale, shift);
+  this->Samples.SetPlace(scale, shift, wfv::vec2(size[0], size[1]));
 }
 
 void vtkWideFoVStages::SetEyes(vtkWideFoVCamera* camera, const wfv::StereoModel* stereo)
@@ -179,7 +179,9 @@ bool vtkWideFoVStages::GetSortView(
   view.Bends = looks && this->Projection->Axis != wfv::Family::Sampled ? this->GetBends() : nullptr;
   // what shines through is mixed in its own order, and would be twice where it is drawn both ways
   const bool opaque = view.Bends && !actor->HasTranslucentPolygonalGeometry();
-  view.Plain = opaque && this->Technique == vtkWideFoVPass::AUTO && stage == this->PreClip;
+  view.Plain = opaque && view.Samples.AreKnown() && this->Technique == vtkWideFoVPass::AUTO &&
+    stage == this->PreClip;
+  view.Tolerance = this->Tolerance;
   view.Calm = opaque && !this->DebugView && (stage == this->PreClip || stage == this->Exact);
   return true;
 }

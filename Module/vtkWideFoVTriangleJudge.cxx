@@ -83,7 +83,7 @@ bool SortView::operator==(const SortView& o) const
     a.map == b.map && this->Part.Low == o.Part.Low && this->Part.High == o.Part.High &&
     this->Pixels == o.Pixels && this->Bends == o.Bends && this->Plain == o.Plain &&
     this->Calm == o.Calm && this->Culls == o.Culls && this->Rounding == o.Rounding &&
-    this->Samples == o.Samples && this->Reach == o.Reach;
+    this->Samples == o.Samples && this->Reach == o.Reach && this->Tolerance == o.Tolerance;
 }
 
 // A triangle may come nearer than its corners, by an eighth of its angle squared.
@@ -107,10 +107,9 @@ TriangleJudge::Corner TriangleJudge::See(const vec3& place) const
   return c;
 }
 
-int TriangleJudge::GetSide(const Corner* const c[3])
+int TriangleJudge::GetSide(const vec3& p, const vec3& q, const vec3& r)
 {
-  const vec3& p = c[0]->Place;
-  const vec3 n = glm::cross(c[1]->Place - p, c[2]->Place - p);
+  const vec3 n = glm::cross(q - p, r - p);
   const double s = glm::dot(n, p);
   const bool clear = s * s > EdgeOn * EdgeOn * glm::dot(n, n) * glm::dot(p, p);
   return !clear ? 0 : s < 0 ? -1 : 1;
@@ -120,8 +119,6 @@ TriangleJudge::Verdict TriangleJudge::Judge(const Corner* const c[3]) const
 {
   Verdict verdict;
   const vec3 d[3] = { c[0]->Direction, c[1]->Direction, c[2]->Direction };
-  const double nearest = std::min({ c[0]->Distance, c[1]->Distance, c[2]->Distance });
-  const double farthest = std::max({ c[0]->Distance, c[1]->Distance, c[2]->Distance });
   const double angle2 = Longest2(d);
   const vec2 sum = c[0]->At + c[1]->At + c[2]->At;
   const bool known = std::isfinite(sum.x + sum.y); // comparisons would pass over a corner
@@ -129,22 +126,65 @@ TriangleJudge::Verdict TriangleJudge::Judge(const Corner* const c[3]) const
   {
     return verdict;
   }
-  bool fine = false;
+  const double nearest = std::min({ c[0]->Distance, c[1]->Distance, c[2]->Distance });
+  double off[3];
+  double worst = std::numeric_limits<double>::infinity();
+  double moved = this->GetMoved(nearest, worst);
   if (angle2 <= Square(LocalBend::LongestEdge))
   {
     const Local local = this->LookAt(d, angle2);
-    verdict.Empty = this->IsEmpty(c, nearest, local);
-    if (verdict.Empty)
+    worst = std::sqrt(local.Bound2);
+    moved = this->GetMoved(nearest, local.Stretch);
+    verdict.Empty = this->IsEmpty(c, worst + moved + this->Pad);
+    for (int i = 0; i < 3; i++)
     {
-      return verdict;
+      const vec3 edge = d[(i + 1) % 3] - d[i];
+      off[i] = angle2 > 0 ? worst * (glm::dot(edge, edge) / angle2) : 0;
     }
-    fine = local.Bound2 <= Square(PlainError);
-    verdict.Calm = this->V.Calm && angle2 > 0 && local.Bound2 <= Square(CalmError);
-    verdict.Bend = verdict.Calm ? std::sqrt(local.Bound2) / angle2 : 0;
   }
-  verdict.Plain = this->V.Plain && nearest > this->Near && farthest < this->Far &&
-    (fine || this->MeasuresFine(c, angle2));
+  if (!verdict.Empty)
+  {
+    this->JudgeEdges(c, angle2, worst, moved, off, verdict);
+  }
   return verdict;
+}
+
+// Pixels that the edges of a plain triangle may be off their chords.
+double TriangleJudge::GetAllowed(const Corner* const c[3]) const
+{
+  const vec3& p = c[0]->Place;
+  const vec3 normal = glm::cross(c[1]->Place - p, c[2]->Place - p);
+  const double along = std::abs(glm::dot(normal, c[0]->Direction));
+  const double across = glm::length(glm::cross(normal, c[0]->Direction));
+  return std::min(
+    this->V.GetPlainError(), SortView::DepthShare * this->V.Tolerance * along / across);
+}
+
+// worst, off: pixels of the edges from their chords, so far as known.
+void TriangleJudge::JudgeEdges(const Corner* const c[3], double angle2, double worst, double moved,
+  double off[3], Verdict& verdict) const
+{
+  const double nearest = std::min({ c[0]->Distance, c[1]->Distance, c[2]->Distance });
+  const double farthest = std::max({ c[0]->Distance, c[1]->Distance, c[2]->Distance });
+  const bool looks = this->V.Plain && nearest > this->Near && farthest < this->Far;
+  const double allowed = this->GetAllowed(c);
+  if (looks && worst > allowed && this->Measure(c, angle2, off))
+  {
+    worst = std::max({ off[0], off[1], off[2] });
+  }
+  verdict.Calm = this->V.Calm && angle2 > 0 && worst <= CalmError;
+  verdict.Bend = verdict.Calm ? worst / angle2 : 0;
+  if (!looks)
+  {
+    return;
+  }
+  verdict.Plain = worst <= allowed && !IsTurned(c);
+  verdict.Known = worst <= MostKnown && moved <= MostKnown;
+  verdict.Sure = moved + this->Pad;
+  for (int i = 0; i < 3; i++)
+  {
+    verdict.Widths[i] = off[i] + verdict.Sure;
+  }
 }
 
 TriangleJudge::Local TriangleJudge::LookAt(const vec3 d[3], double angle2) const
@@ -164,15 +204,23 @@ TriangleJudge::Local TriangleJudge::LookAt(const vec3 d[3], double angle2) const
 }
 
 // No sample is between the chords, nor as near to them as the edges and rounding reach.
-bool TriangleJudge::IsEmpty(const Corner* const c[3], double nearest, const Local& local) const
+bool TriangleJudge::IsEmpty(const Corner* const c[3], double reach) const
 {
   const vec2 at[3] = { c[0]->At, c[1]->At, c[2]->At };
-  const double moved = this->V.Rounding > 0 ? this->V.Rounding / nearest * local.Stretch : 0;
-  return this->V.Samples.Misses(at, std::sqrt(local.Bound2) + moved + this->Pad);
+  return this->V.Samples.Misses(at, reach);
 }
 
-// The bound of a cell of directions is coarse near poles, and knows no directions of edges.
-bool TriangleJudge::MeasuresFine(const Corner* const c[3], double angle2) const
+// Seen from the other side by its chords than by its edges.
+bool TriangleJudge::IsTurned(const Corner* const c[3])
+{
+  const vec2 a = c[1]->At - c[0]->At;
+  const vec2 b = c[2]->At - c[0]->At;
+  return (a.x * b.y - a.y * b.x) * GetSide(c[0]->Place, c[1]->Place, c[2]->Place) > 0;
+}
+
+// The bound of a cell of directions is coarse near poles, and knows no directions of edges. False
+// where the quarters of the edges say too little.
+bool TriangleJudge::Measure(const Corner* const c[3], double angle2, double off[3]) const
 {
   const Projection& p = *this->V.Map;
   for (int i = 0; i < 3; i++)
@@ -185,20 +233,47 @@ bool TriangleJudge::MeasuresFine(const Corner* const c[3], double angle2) const
   }
   for (int i = 0; i < 3; i++)
   {
-    const Corner& a = *c[i];
-    const Corner& b = *c[(i + 1) % 3];
-    for (const double t : { 0.25, 0.5, 0.75 })
+    off[i] = this->MeasureEdge(*c[i], *c[(i + 1) % 3]);
+    if (!(off[i] < MostKnown))
     {
-      const vec3 place = glm::normalize(a.Direction * (1 - t) + b.Direction * t);
-      const vec2 off = this->V.Samples.At(p.Project(place, this->V.View)) - a.At;
-      const vec2 along = b.At - a.At;
-      const double beside = std::abs(along.x * off.y - along.y * off.x);
-      if (!(BetweenQuarters * beside <= PlainError * glm::length(along)))
-      {
-        return false;
-      }
+      return false;
     }
   }
   return true;
+}
+
+// Pixels between an edge and its chord, by the quarters of its angle; MostKnown for all that is
+// more.
+double TriangleJudge::MeasureEdge(const Corner& a, const Corner& b) const
+{
+  const vec2 along = b.At - a.At;
+  const double length = glm::length(along);
+  double off = 0;
+  for (const double t : { 0.5, 0.25, 0.75 })
+  {
+    const vec3 place = glm::normalize(a.Direction * (1 - t) + b.Direction * t);
+    const vec2 at = this->V.Samples.At(this->V.Map->Project(place, this->V.View)) - a.At;
+    const double beside =
+      length > 0 ? std::abs(along.x * at.y - along.y * at.x) / length : glm::length(at);
+    off = std::max(off, BetweenQuarters * beside);
+    if (!(off < MostKnown))
+    {
+      return MostKnown;
+    }
+  }
+  return off;
+}
+
+bool TriangleJudge::MayTearBetween(const Corner& a, const Corner& b) const
+{
+  const vec3 d[3] = { a.Direction, b.Direction, b.Direction };
+  return MayTear(this->V.Map->Axis, d);
+}
+
+// Pixels by which the vertex buffer may move a corner, where the map stretches so much (pixels a
+// radian).
+double TriangleJudge::GetMoved(double nearest, double stretch) const
+{
+  return this->V.Rounding > 0 ? this->V.Rounding / nearest * stretch : 0;
 }
 }

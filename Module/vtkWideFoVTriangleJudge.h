@@ -8,6 +8,7 @@
 #include "Projections/LocalBend.h"
 #include "Projections/Visibility.h"
 
+#include <algorithm>
 #include <memory>
 
 namespace wfv
@@ -15,6 +16,14 @@ namespace wfv
 // What a frame is drawn with, for the sorting of triangles.
 struct SortView
 {
+  // Of the tolerance, as two edges may err towards each other and what is rounded comes on top; of
+  // the tolerance, times the slope at which the surface runs away from the eye, as two surfaces
+  // that cross each other do so elsewhere by that; and pixels, as samples are not looked for
+  // beyond.
+  static constexpr double PlainShare = 0.2;
+  static constexpr double DepthShare = 0.16;
+  static constexpr double MostPlainError = 0.12;
+
   const Projection* Map = nullptr;
   WfvView View;
   Window Part;                            // of the picture
@@ -25,7 +34,11 @@ struct SortView
   bool Culls = true;                      // leaves out what is not seen
   double Rounding = 0;                    // by which the vertex buffer moves points, scene units
   SampleGrid Samples;
-  double Reach = 0; // of two eyes from the origin
+  double Reach = 0;        // of two eyes from the origin
+  double Tolerance = 0.25; // pixels
+
+  // Pixels: how far a chord of a plain triangle may be from its edge.
+  double GetPlainError() const { return std::min(PlainShare * this->Tolerance, MostPlainError); }
 
   // Two are the same where they sort alike; the time that it took to make them apart.
   bool operator==(const SortView& other) const;
@@ -35,10 +48,6 @@ struct SortView
 class TriangleJudge
 {
 public:
-  // Pixels: how far a chord of a plain triangle may be from its edge. As much as `exact` may err;
-  // a rasterizer snaps the ends of chords by up to 1/128 of a pixel as well.
-  static constexpr double PlainError = 0.02;
-
   // The view outlives the judge, and has bends.
   explicit TriangleJudge(const SortView& view);
 
@@ -55,17 +64,34 @@ public:
   // Pixels: how far a chord of a calm triangle may be from its edge.
   static constexpr double CalmError = 0.25;
 
+  // Pixels: chords that are farther from their edges are not looked at for samples; radians: edges
+  // that are longer are cut, as long as they are longer than this.
+  static constexpr double MostKnown = 0.25;
+  static constexpr double LongestPiece = 0.1;
+  static constexpr double ShortestPiece = 1e-3;
+
   struct Verdict
   {
     bool Empty = false; // surely covers no sample, drawn in whatever way
-    bool Plain = false; // no discontinuity, between the clip spheres, chords within PlainError
+    bool Plain = false; // no discontinuity, between the clip spheres, chords within GetPlainError
     bool Calm = false;  // small, no discontinuity, chords within CalmError
     double Bend = 0;    // of a calm one, pixels that its chords may be off, over its angle squared
+    bool Known = false; // Widths are known: the edges are chords, more or less
+    double Sure = 0;    // pixels, by which a rasterizer and float32 move chords
+    double Widths[3] = { 0, 0,
+      0 }; // pixels, of the edge from each corner: samples so near its chord may lie
+           // on the other side of the edge, or of the chord as it is drawn
   };
   Verdict Judge(const Corner* const corners[3]) const;
 
+  // Calls visit(from, to, width, sure) for the pieces of an edge of which is not known how far it
+  // is off its chord: places in pixels, between which samples so near are in doubt, pixels; Sure of
+  // the verdict. What is torn, or runs to where the map stretches without bound, is left out.
+  template <typename Visit>
+  void ForEachPiece(const Corner& from, const Corner& to, const Visit& visit) const;
+
   // -1, 1: which side is seen. 0: nearly edge-on.
-  static int GetSide(const Corner* const corners[3]);
+  static int GetSide(const vec3& a, const vec3& b, const vec3& c);
 
 private:
   // Of the map beside the corners of a triangle.
@@ -75,8 +101,15 @@ private:
     double Stretch; // pixels a radian
   };
   Local LookAt(const vec3 d[3], double angle2) const;
-  bool IsEmpty(const Corner* const c[3], double nearest, const Local& local) const;
-  bool MeasuresFine(const Corner* const c[3], double angle2) const;
+  double GetAllowed(const Corner* const c[3]) const;
+  void JudgeEdges(const Corner* const c[3], double angle2, double worst, double moved,
+    double off[3], Verdict& verdict) const;
+  bool IsEmpty(const Corner* const c[3], double reach) const;
+  bool Measure(const Corner* const c[3], double angle2, double off[3]) const;
+  double MeasureEdge(const Corner& a, const Corner& b) const;
+  bool MayTearBetween(const Corner& a, const Corner& b) const;
+  double GetMoved(double nearest, double stretch) const;
+  static bool IsTurned(const Corner* const c[3]);
 
   const SortView& V;
   double Near;
@@ -84,6 +117,32 @@ private:
   vec2 Scale;
   double Pad; // pixels, round what is drawn
 };
+
+template <typename Visit>
+void TriangleJudge::ForEachPiece(const Corner& from, const Corner& to, const Visit& visit) const
+{
+  const vec3 chord = to.Direction - from.Direction;
+  const double angle2 = glm::dot(chord, chord);
+  const bool small = angle2 <= LongestPiece * LongestPiece;
+  const bool whole = small && !this->MayTearBetween(from, to);
+  const double off = whole ? this->MeasureEdge(from, to) : MostKnown;
+  if (off < MostKnown)
+  {
+    const double stretch = 2 * glm::length(to.At - from.At) / std::sqrt(std::max(angle2, 1e-300));
+    const double nearest = std::min(from.Distance, to.Distance);
+    const double sure = this->Pad + this->GetMoved(nearest, stretch);
+    visit(from.At, to.At, off + sure, sure);
+    return;
+  }
+  if (!(angle2 > ShortestPiece * ShortestPiece) || !(angle2 < 4 - 1e-6))
+  {
+    return;
+  }
+  Corner middle = this->See(from.Direction + to.Direction);
+  middle.Distance = std::min(from.Distance, to.Distance);
+  this->ForEachPiece(from, middle, visit);
+  this->ForEachPiece(middle, to, visit);
+}
 }
 
 #endif

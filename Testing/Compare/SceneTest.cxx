@@ -22,7 +22,7 @@ namespace
 {
 const double Tolerances[] = { 0.05, 0.25, 1 }; // pixels
 
-// Pixels: behind the geometry stage both techniques decide by rays, as `exact` does.
+// Pixels: tessellate decides by rays behind the geometry stage, as `exact` does.
 constexpr double ByRays = 0.02;
 
 class SceneDrawing
@@ -89,8 +89,9 @@ TEST_P(Scenes, KeepTheTolerance)
         (technique == vtkWideFoVPass::AUTO ? ", auto" : ", tessellate") + ", t " +
         std::to_string(tolerance);
       std::cout << Row(drawing.View, name, m) << std::endl;
-      EXPECT_LE(m.MaxPx, ByRays) << name << "\n"
-                                 << Details(drawing.View, drawing.Picture.GetView(), m);
+      const double allowed = technique == vtkWideFoVPass::AUTO ? tolerance : ByRays;
+      EXPECT_LE(m.MaxPx, allowed) << name << "\n"
+                                  << Details(drawing.View, drawing.Picture.GetView(), m);
       EXPECT_GT(m.DomainPixels, 0);
     }
   }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <random>
 
 using namespace wfv;
@@ -101,7 +102,46 @@ TEST(SampleGrid, SaysNothingOfWhatItCannotKnow)
 TEST(SampleGrid, CountsFromTheCornerOfTheViewport)
 {
   SampleGrid grid;
-  grid.SetPlace(vec2(512, 256), vec2(512, 256));
+  grid.SetPlace(vec2(512, 256), vec2(512, 256), vec2(1024, 512));
   EXPECT_EQ(grid.At(vec2(-1, -1)), vec2(0, 0));
   EXPECT_EQ(grid.At(vec2(1, 1)), vec2(1024, 512));
+}
+
+// All samples so near a way, each once, and no other.
+TEST(SampleGrid, VisitsWhatIsNearAWay)
+{
+  constexpr int Width = 13;
+  constexpr int Height = 11;
+  SampleGrid grid;
+  grid.SetPlace(vec2(1), vec2(0), vec2(Width, Height));
+  std::mt19937_64 engine(7);
+  std::uniform_real_distribution<double> unit(0, 1);
+  long visited = 0;
+  for (int trial = 0; trial < 20000; ++trial)
+  {
+    const vec2 a(14 * unit(engine) - 0.5, 12 * unit(engine) - 0.5);
+    const double length = trial % 7 == 0 ? 0 : 6 * unit(engine);
+    const double angle = 7 * unit(engine);
+    const vec2 b = a + length * vec2(std::cos(angle), std::sin(angle));
+    const double near = SampleGrid::NearestRow * 0.999 * unit(engine);
+    std::map<unsigned int, double> found;
+    grid.ForEachNear(a, b, near, [&](unsigned int sample, double distance) {
+      EXPECT_TRUE(found.emplace(sample, distance).second) << "twice";
+    });
+    for (unsigned int n = 0; n < Width * Height; ++n)
+    {
+      const vec2 centre(n % Width + 0.5, n / Width + 0.5);
+      ASSERT_EQ(grid.SampleAt(n), centre);
+      const double distance = DistanceToSide(centre, a, b);
+      const auto it = found.find(n);
+      ASSERT_EQ(it != found.end(), distance <= near)
+        << a.x << " " << a.y << ", " << b.x << " " << b.y;
+      if (it != found.end())
+      {
+        EXPECT_NEAR(it->second, distance, 1e-12);
+      }
+    }
+    visited += long(found.size());
+  }
+  EXPECT_GT(visited, 10000);
 }
