@@ -78,7 +78,13 @@ void vtkWideFoVPass::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "NumberOfDrawnProps: " << this->NumberOfDrawnProps << "\n"
      << indent << "NumberOfCulledProps: " << this->NumberOfCulledProps << "\n"
      << indent << "NumberOfClusters: " << this->NumberOfClusters << "\n"
-     << indent << "NumberOfCulledClusters: " << this->NumberOfCulledClusters << "\n";
+     << indent << "NumberOfCulledClusters: " << this->NumberOfCulledClusters << "\n"
+     << indent << "NumberOfTriangles: " << this->NumberOfTriangles << "\n"
+     << indent << "NumberOfCulledTriangles: " << this->NumberOfCulledTriangles << "\n"
+     << indent << "NumberOfChosenProps: " << this->NumberOfChosenProps << "\n"
+     << indent << "NumberOfSortedMeshes: " << this->NumberOfSortedMeshes << "\n"
+     << indent << "NumberOfMadePrograms: " << this->NumberOfMadePrograms << "\n"
+     << indent << "ShaderTime: " << this->ShaderTime << "\n";
 }
 
 void vtkWideFoVPass::SetDelegatePass(vtkRenderPass* pass)
@@ -162,12 +168,7 @@ void vtkWideFoVPass::Render(const vtkRenderState* s)
   Internals& in = *this->Internal;
   vtkRenderer* renderer = s->GetRenderer();
   auto* camera = vtkWideFoVCamera::SafeDownCast(renderer->GetActiveCamera());
-  const int count = s->GetPropArrayCount();
-  this->NumberOfPlainDraws = this->NumberOfPreClipDraws = 0;
-  this->NumberOfExactDraws = this->NumberOfTessellateDraws = 0;
-  this->NumberOfClusters = this->NumberOfCulledClusters = 0;
-  this->NumberOfCulledProps = 0;
-  this->NumberOfDrawnProps = count;
+  this->ResetCounts(s->GetPropArrayCount());
   if (vtkWideFoVScreenCamera::SafeDownCast(camera))
   {
     in.Headlights->Begin(s);
@@ -201,8 +202,12 @@ void vtkWideFoVPass::RenderWide(const vtkRenderState* s, vtkWideFoVCamera* camer
   in.Stages.SetDebugView(this->DebugView != 0);
   in.Props.Choose(in.Stages, in.Stages.GetViewNumber());
   const int seen = this->Cull(props);
+  this->NumberOfDrawnProps = seen;
+  this->NumberOfCulledProps = count - seen;
   RendererAccess::SetCount(renderer, props, seen);
+  this->Draws = true;
   this->DrawProps(s, props, seen);
+  this->Draws = false;
   RendererAccess::SetCount(renderer, props, count);
   for (int i = 0; i < count; i++)
   {
@@ -210,8 +215,17 @@ void vtkWideFoVPass::RenderWide(const vtkRenderState* s, vtkWideFoVCamera* camer
   }
   in.Stages.End();
   camera->EndFrame();
-  this->NumberOfDrawnProps = seen;
-  this->NumberOfCulledProps = count - seen;
+}
+
+void vtkWideFoVPass::ResetCounts(int props)
+{
+  this->NumberOfPlainDraws = this->NumberOfPreClipDraws = 0;
+  this->NumberOfExactDraws = this->NumberOfTessellateDraws = 0;
+  this->NumberOfClusters = this->NumberOfCulledClusters = 0;
+  this->NumberOfTriangles = this->NumberOfCulledTriangles = 0;
+  this->NumberOfChosenProps = this->NumberOfSortedMeshes = 0;
+  this->NumberOfCulledProps = 0;
+  this->NumberOfDrawnProps = props;
 }
 
 void vtkWideFoVPass::TakeCounts()
@@ -227,8 +241,14 @@ void vtkWideFoVPass::TakeCounts()
     stages.Tessellate->GetNumberOfDraws() - patches + (exact ? 0 : calm);
   this->NumberOfTessellateDraws = patches;
   this->NumberOfExactDraws = stages.Exact->GetNumberOfDraws() + (exact ? calm : 0);
-  this->NumberOfClusters = stages.GetNumberOfClusters();
-  this->NumberOfCulledClusters = stages.GetNumberOfUnseenClusters();
+  this->NumberOfClusters = stages.Counts.Clusters;
+  this->NumberOfCulledClusters = stages.Counts.UnseenClusters;
+  this->NumberOfTriangles = stages.Counts.Triangles;
+  this->NumberOfCulledTriangles = stages.Counts.UnseenTriangles;
+  this->NumberOfChosenProps = stages.Counts.JudgedProps;
+  this->NumberOfSortedMeshes = stages.Counts.SortedMeshes;
+  this->NumberOfMadePrograms = stages.Shaders.GetNumberOfPrograms();
+  this->ShaderTime = stages.Shaders.GetSeconds();
 }
 
 void vtkWideFoVPass::ReleaseGraphicsResources(vtkWindow* window)

@@ -20,6 +20,7 @@
 #include "vtkRenderingWideFoVModule.h" // For export macro
 
 #include <memory> // For std::unique_ptr
+#include <string> // For GetStatistics
 
 class vtkProp;
 class vtkRenderer;
@@ -139,6 +140,41 @@ public:
   vtkGetMacro(NumberOfCulledClusters, int);
   ///@}
 
+  ///@{
+  /**
+   * The same by triangles: those of the meshes that have runs, and those of them that were not
+   * drawn, for their run is outside the view or they lie between the samples of the picture. What
+   * a geometry stage lets fall is not known here.
+   */
+  vtkGetMacro(NumberOfTriangles, vtkIdType);
+  vtkGetMacro(NumberOfCulledTriangles, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * What the last frame had to do that could not be kept from the one before: actors whose stage
+   * was chosen, meshes whose triangles were sorted. 0 where nothing has changed.
+   */
+  vtkGetMacro(NumberOfChosenProps, int);
+  vtkGetMacro(NumberOfSortedMeshes, int);
+  ///@}
+
+  ///@{
+  /**
+   * Shader programs that were made so far, in all frames, and the seconds that it took to write
+   * their text and to make them: each when it is first needed. Some drivers finish a program only
+   * when it is first drawn with; that is not in ShaderTime.
+   */
+  vtkGetMacro(NumberOfMadePrograms, int);
+  vtkGetMacro(ShaderTime, double);
+  ///@}
+
+  /**
+   * These figures in words, a line each: of the last frame, or, while one is drawn, of what it
+   * drew so far. vtkWideFoVStatisticsActor puts them on the picture.
+   */
+  std::string GetStatistics();
+
   void Render(const vtkRenderState* s) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
@@ -160,6 +196,13 @@ protected:
   int NumberOfCulledProps = 0;
   int NumberOfClusters = 0;
   int NumberOfCulledClusters = 0;
+  vtkIdType NumberOfTriangles = 0;
+  vtkIdType NumberOfCulledTriangles = 0;
+  int NumberOfChosenProps = 0;
+  int NumberOfSortedMeshes = 0;
+  int NumberOfMadePrograms = 0;
+  double ShaderTime = 0;
+  bool Draws = false; // a wide frame, just now
 
 private:
   vtkWideFoVPass(const vtkWideFoVPass&) = delete;
@@ -177,6 +220,7 @@ private:
   // With a camera that is wide.
   void RenderWide(const vtkRenderState* s, vtkWideFoVCamera* camera);
 
+  void ResetCounts(int props);
   void TakeCounts();
 
   // How much the next frame is relaxed, from the time that the last one took.

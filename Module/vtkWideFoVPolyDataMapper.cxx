@@ -112,11 +112,11 @@ void vtkWideFoVPolyDataMapper::ReleaseGraphicsResources(vtkWindow* window)
 void vtkWideFoVPolyDataMapper::SetCustomUniforms(vtkOpenGLHelper& cellBO, vtkActor* actor)
 {
   vtkWideFoVStage* stage = vtkWideFoVStages::FindAttached(actor);
-  if (stage && stage->GetVariant() == vtkWideFoVShaderBuilder::Variant::Tessellate)
+  if (stage && stage->GetVariant() == vtkWideFoVShaderBuilder::Variant::Tessellate &&
+    !vtkWideFoVTessellation::IsIn(cellBO.Program))
   {
     const vtkWideFoVShaderBuilder::Request request = stage->MakeRequest(this, actor);
-    if (request.Stage == vtkWideFoVShaderBuilder::Variant::Tessellate &&
-      !vtkWideFoVTessellation::IsIn(cellBO.Program))
+    if (request.Stage == vtkWideFoVShaderBuilder::Variant::Tessellate)
     {
       const std::string log = vtkWideFoVTessellation::AddTo(cellBO.Program, request);
       if (!log.empty())

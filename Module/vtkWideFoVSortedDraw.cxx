@@ -55,8 +55,7 @@ struct SortedDraw::Entry
   std::size_t All = 0;
   std::size_t Counts[NumberOfLots] = { 0 }; // one lot follows the other
   float Bend = 0;
-  int Clusters = 0;
-  int Unseen = 0;
+  FrameCounts Found;
   std::vector<unsigned int> Order; // kept for programs that ask for numbers
   vtkNew<vtkOpenGLIndexBufferObject> Indices;
 
@@ -118,9 +117,10 @@ bool SortedDraw::Prepare(
     !(e.View == view))
   {
     this->Sort(e, data, toMap, view);
+    stages->Counts.SortedMeshes++;
   }
   this->Current = &e;
-  stages->CountClusters(e.Clusters, e.Unseen);
+  stages->Counts.Add(e.Found);
   return e.All > 0 && e.Counts[Covered] != e.All;
 }
 
@@ -131,14 +131,17 @@ void SortedDraw::Sort(Entry& e, vtkPolyData* data, const double toMap[16], const
   e.Time = data->GetMTime();
   std::copy_n(toMap, 16, e.ToMap);
   e.View = view;
-  e.Clusters = this->Mesh.GetNumberOfClusters();
-  e.All = static_cast<std::size_t>(this->Mesh.GetNumberOfTriangles());
+  e.Found = FrameCounts();
+  e.Found.Clusters = this->Mesh.GetNumberOfClusters();
+  e.Found.Triangles = this->Mesh.GetNumberOfTriangles();
+  e.All = static_cast<std::size_t>(e.Found.Triangles);
   if (!this->Triangles.Sort(this->Mesh, data->GetPoints(), toMap, view))
   {
     e.All = 0;
     return;
   }
-  e.Unseen = this->Triangles.GetNumberOfUnseen();
+  e.Found.UnseenClusters = this->Triangles.GetNumberOfUnseen();
+  e.Found.UnseenTriangles = this->Triangles.GetNumberOfLeftOut();
   e.Order = this->Triangles.GetOrder();
   e.Counts[Covered] = this->Triangles.GetNumberOfCovered();
   e.Counts[Calm] = this->Triangles.GetNumberOfCalm();

@@ -280,6 +280,7 @@ bool Sorter::Sort(
     this->Unseen += this->Kinds[i] == ::Unseen;
   }
   this->MakeOrder();
+  this->LeftOut = std::count(this->Kinds.begin(), this->Kinds.end(), ::Unseen);
   return true;
 }
 

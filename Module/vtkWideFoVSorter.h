@@ -36,6 +36,9 @@ public:
   // Of clusters, those that nothing is drawn of.
   int GetNumberOfUnseen() const { return this->Unseen; }
 
+  // Of triangles.
+  vtkIdType GetNumberOfLeftOut() const { return this->LeftOut; }
+
 private:
   template <typename Real>
   void SortPoints(
@@ -55,6 +58,7 @@ private:
   std::size_t Calm = 0;
   double Bend = 0;
   int Unseen = 0;
+  vtkIdType LeftOut = 0;
 };
 }
 

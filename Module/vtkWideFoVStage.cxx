@@ -11,6 +11,7 @@
 #include "vtkWideFoVQuadricKind.h"
 #include "vtkWideFoVQuadricShaders.h"
 #include "vtkWideFoVSortedDraw.h"
+#include "vtkWideFoVStages.h"
 #include "vtkWideFoVPolyDataMapper.h"
 #include "vtkWideFoVTessellation.h"
 #include "vtkWideFoVTile.h"
@@ -32,7 +33,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <cstring>
+#include <iterator>
 #include <string>
 
 vtkStandardNewMacro(vtkWideFoVStage);
@@ -73,12 +75,15 @@ private:
   static vtkWideFoVShaderBuilder::Material DescribeMaterial(vtkOpenGLPolyDataMapper* mapper,
     vtkRenderer* renderer, vtkActor* actor, const vtkOpenGLHelper* buffer)
   {
-    static const std::set<std::string> simple{ "vtkOpenGLPolyDataMapper",
-      "vtkWideFoVPolyDataMapper", "vtkOpenGLGlyph3DHelper" };
+    const char* const kind = mapper->GetClassName();
+    const char* const simple[] = { "vtkOpenGLPolyDataMapper", "vtkWideFoVPolyDataMapper",
+      "vtkOpenGLGlyph3DHelper" };
+    const bool known = std::any_of(std::begin(simple), std::end(simple),
+      [kind](const char* name) { return std::strcmp(name, kind) == 0; });
     const vtkOpenGLHelper* own = mapper->*(&MapperAccess::Primitives);
     const bool surface = buffer == own + PrimitiveTris || buffer == own + PrimitiveTriStrips;
     vtkWideFoVShaderBuilder::Material material;
-    if (surface && !renderer->GetSelector() && simple.count(mapper->GetClassName()) > 0)
+    if (surface && !renderer->GetSelector() && known)
     {
       vtkProperty* property = actor->GetProperty();
       material.NoAmbient = property->GetAmbient() == 0;
@@ -266,6 +271,10 @@ bool vtkWideFoVStage::PreReplaceShaderValues(std::string&, std::string& geometry
   std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop)
 {
   this->NoteSamples(); // a mapper with passes that are new to it does not ask for the time
+  if (this->Stages)
+  {
+    this->Stages->Shaders.Begin();
+  }
   vtkWideFoVShaderBuilder::Prepare(this->MakeRequest(mapper, prop), geometryShader, fragmentShader);
   return true;
 }
@@ -287,6 +296,10 @@ bool vtkWideFoVStage::PostReplaceShaderValues(std::string& vertexShader,
 bool vtkWideFoVStage::SetShaderParameters(
   vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop, vtkOpenGLVertexArrayObject*)
 {
+  if (this->Stages)
+  {
+    this->Stages->Shaders.End(program);
+  }
   SetViewParameters(program, this->View);
   program->SetUniformf("wfvTolerance", this->Tolerance);
   program->SetUniformi("wfvHeadlights", this->Headlights);

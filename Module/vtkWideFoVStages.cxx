@@ -8,6 +8,7 @@
 #include "vtkWideFoVTile.h"
 
 #include "vtkActor.h"
+#include "vtkActor2D.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkMath.h"
@@ -90,7 +91,7 @@ void vtkWideFoVStages::Begin(
   }
   this->SetPart(renderer, this->Plain->GetTile());
   this->SetEyes(camera, stereo);
-  this->Clusters = this->UnseenClusters = 0;
+  this->Counts = wfv::FrameCounts();
   this->NumberView(stereo);
 }
 
@@ -177,13 +178,18 @@ void vtkWideFoVStages::Attach(vtkProp* prop, vtkWideFoVStage* stage)
 void vtkWideFoVStages::Detach(vtkProp* prop, vtkWideFoVStage* stage)
 {
   vtkInformation* info = prop->GetPropertyKeys();
-  if (info && info->Has(vtkOpenGLRenderPass::RenderPasses()))
+  vtkInformationObjectBaseVectorKey* const key = vtkOpenGLRenderPass::RenderPasses();
+  if (!info || !info->Has(key))
   {
-    info->Remove(vtkOpenGLRenderPass::RenderPasses(), stage);
-    if (info->Length(vtkOpenGLRenderPass::RenderPasses()) == 0)
-    {
-      info->Remove(vtkOpenGLRenderPass::RenderPasses());
-    }
+    return;
+  }
+  info->Remove(key, stage);
+  // of actors an empty list stays for the next frame: to make one anew for each of many takes its
+  // time. The mappers of volumes, which assemblies may draw, take any list for a pass
+  const bool actor = vtkActor::SafeDownCast(prop) || vtkActor2D::SafeDownCast(prop);
+  if (info->Length(key) == 0 && !actor)
+  {
+    info->Remove(key);
   }
 }
 

@@ -5,8 +5,10 @@
 
 #include "vtkWideFoVBufferScale.h"
 #include "vtkWideFoVDirectionTextures.h"
+#include "vtkWideFoVFrameCounts.h"
 #include "vtkWideFoVMeshScale.h"
 #include "vtkWideFoVPropFacts.h"
+#include "vtkWideFoVShaderClock.h"
 #include "vtkWideFoVSorter.h"
 #include "vtkWideFoVStage.h"
 
@@ -57,14 +59,9 @@ public:
   // From the actor's coordinates to the map's own frame, row-major.
   void GetToMap(vtkActor* actor, double matrix[16]) const;
 
-  // Clusters of triangles of this frame's draws, and those of them that were left out.
-  void CountClusters(int all, int unseen)
-  {
-    this->Clusters += all;
-    this->UnseenClusters += unseen;
-  }
-  int GetNumberOfClusters() const { return this->Clusters; }
-  int GetNumberOfUnseenClusters() const { return this->UnseenClusters; }
+  // What this frame did and left out.
+  wfv::FrameCounts Counts;
+  wfv::ShaderClock Shaders;
 
   // Puts one stage in the place of another in the prop's keys.
   static void Replace(vtkProp* prop, vtkWideFoVStage* from, vtkWideFoVStage* to);
@@ -117,8 +114,6 @@ private:
   bool Culling = true;
   void SetEyes(vtkWideFoVCamera* camera, const wfv::StereoModel* stereo); // after SetPart
   double Reach = 0; // of the rays' beginnings from the middle between the eyes, scene units
-  int Clusters = 0;
-  int UnseenClusters = 0;
 
   // After the view is known.
   void NumberView(const wfv::StereoModel* stereo);

@@ -83,4 +83,17 @@ FloatPicture FlattenAov(vtkImageData* image, const Scene& scene)
   NumberByFile(picture, scene);
   return picture;
 }
+
+void CopyBeside(const FloatPicture& tile, int at, FloatPicture& band)
+{
+  const std::size_t stride = band.Channels.size();
+  for (int j = 0; j < tile.Height; j++)
+  {
+    const auto from = static_cast<std::ptrdiff_t>(stride * j * tile.Width);
+    const auto row = static_cast<std::ptrdiff_t>(stride * tile.Width);
+    std::copy(tile.Values.begin() + from, tile.Values.begin() + from + row,
+      band.Values.begin() +
+        static_cast<std::ptrdiff_t>(stride * (std::size_t(j) * band.Width + at)));
+  }
+}
 }

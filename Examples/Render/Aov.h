@@ -19,6 +19,9 @@ const std::vector<std::string>& AovChannels();
 // What vtkWideFoVDataPass gave, from the top. Props, which are actors there, become files of the
 // scene.
 FloatPicture FlattenAov(vtkImageData* image, const Scene& scene);
+
+// Columns of one row of tiles, from column `at` on, into a band of the picture.
+void CopyBeside(const FloatPicture& tile, int at, FloatPicture& band);
 }
 
 #endif

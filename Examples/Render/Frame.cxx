@@ -6,8 +6,11 @@
 
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
 #include <vtkTextProperty.h>
 #include <vtkUnsignedCharArray.h>
+#include <vtkWideFoVPass.h>
+#include <vtkWideFoVStatisticsActor.h>
 
 #include <algorithm>
 
@@ -34,6 +37,23 @@ vtkSmartPointer<vtkScalarBarActor> MakeScalarBar(const Scene& scene)
     text->ShadowOn();
   }
   return bar;
+}
+
+vtkSmartPointer<vtkProp> AddOverlay(
+  vtkRenderer* renderer, vtkWideFoVPass* pass, const Options& o, bool tiles)
+{
+  if (o.Overlay && tiles)
+  {
+    Say("warning: --overlay is not for pictures in tiles; it is left out");
+  }
+  if (!o.Overlay || tiles)
+  {
+    return nullptr;
+  }
+  vtkNew<vtkWideFoVStatisticsActor> overlay;
+  overlay->SetPass(pass);
+  renderer->AddViewProp(overlay);
+  return overlay.Get();
 }
 
 void CheckSize(const Options& o, const GlLimits& limits)

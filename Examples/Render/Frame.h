@@ -13,11 +13,18 @@
 #include <vtkSmartPointer.h>
 
 class vtkRenderWindow;
+class vtkRenderer;
+class vtkWideFoVPass;
 
 namespace widefov
 {
 // The bar of the scene's colour map, or nullptr where it has none.
 vtkSmartPointer<vtkScalarBarActor> MakeScalarBar(const Scene& scene);
+
+// Puts what the pass counts onto the picture, where the options ask for it, with a warning where
+// the picture is drawn in tiles; the prop, or nullptr.
+vtkSmartPointer<vtkProp> AddOverlay(
+  vtkRenderer* renderer, vtkWideFoVPass* pass, const Options& options, bool tiles);
 
 // Throws a Failure with ExitFailed where this OpenGL cannot draw pictures of that size.
 void CheckSize(const Options& options, const GlLimits& limits);

@@ -119,7 +119,14 @@ std::string StatsText(const Options& options, const Scene& scene, const RenderSt
       { { "triangles", count.Triangles }, { "lines", count.Lines }, { "points", count.Points } } },
     { "variants",
       { { "plain", Known(stats.PlainDraws) }, { "preclip", Known(stats.PreClipDraws) },
-        { "tessellate", Known(stats.TessellateDraws) }, { "exact", Known(stats.ExactDraws) } } } };
+        { "tessellate", Known(stats.TessellateDraws) }, { "exact", Known(stats.ExactDraws) } } },
+    { "sorted_triangles",
+      { { "total", Known(stats.TrianglesSorted) }, { "culled", Known(stats.TrianglesCulled) } } },
+    { "anew", { { "props", Known(stats.ChosenProps) }, { "meshes", Known(stats.SortedMeshes) } } },
+    { "shaders",
+      { { "programs", Known(stats.Shaders.Programs) }, { "ms", Known(stats.Shaders.Milliseconds) },
+        { "later", Known(stats.Shaders.Later) },
+        { "first_frame_ms", Known(stats.Shaders.FirstFrame) } } } };
   return json.dump(2) + "\n";
 }
 }

@@ -227,9 +227,10 @@ void CheckDrawing(Options& o)
                                     : wfv::DepthMapping::Linear;
   const bool wide = wfv::FindProjection(o.Projection)->Axis != wfv::Family::Planar;
   const bool stock = o.Technique == Technique::CubeMap || !wide;
-  if (stock && (o.DebugView || o.Depth != "linear"))
+  if (stock && (o.DebugView || o.Overlay || o.Depth != "linear"))
   {
-    FailUsage("--debug-view and --depth are for wide projections drawn by this module, not for " +
+    FailUsage("--debug-view, --overlay and --depth are for wide projections drawn by this module, "
+              "not for " +
       std::string(wide ? "--technique cubemap" : "perspective") + "; leave them out");
   }
 }

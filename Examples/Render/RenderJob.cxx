@@ -44,7 +44,9 @@ struct Stage
   std::vector<vtkSmartPointer<vtkActor>> Actors; // one a prop of the scene
   std::vector<int> StereoTypes;                  // one a traversal of a frame; none: mono
   vtkSmartPointer<vtkScalarBarActor> Bar;
+  vtkSmartPointer<vtkProp> Overlay;
   std::optional<TileGrid> Tiles;
+  int ProgramsAtFirst = 0; // made before frames were timed
 };
 
 void Fill(Stage& stage, const Scene& scene, const Options& o)
@@ -71,6 +73,7 @@ void Fill(Stage& stage, const Scene& scene, const Options& o)
   {
     stage.Renderer->AddViewProp(stage.Bar);
   }
+  stage.Overlay = AddOverlay(stage.Renderer, stage.WidePass, o, stage.Tiles.has_value());
   SetCamera(stage.Renderer, scene, o);
   if (o.Stereo != "mono")
   {
@@ -156,6 +159,11 @@ void RenderFrames(Stage& stage, const Options& o, RenderStats& stats)
   {
     const double milliseconds = RenderFrame(stage);
     CheckMessages();
+    stats.Shaders.FirstFrame = stats.Shaders.FirstFrame.value_or(milliseconds);
+    if (i + 1 == warmUps)
+    {
+      stage.ProgramsAtFirst = stage.WidePass->GetNumberOfMadePrograms();
+    }
     progress.Update(double(i + 1) / total);
     if (i >= warmUps)
     {
@@ -190,9 +198,12 @@ void SetUpAov(Stage& stage, vtkWideFoVDataPass* pass)
     // every actor has cells of its own; NumberByFile makes one of those of one file
     pass->SetPropIndex(stage.Actors[i], static_cast<int>(i));
   }
-  if (stage.Bar)
+  for (vtkProp* const prop : { static_cast<vtkProp*>(stage.Bar), stage.Overlay.Get() })
   {
-    stage.Bar->VisibilityOff(); // it is no surface
+    if (prop)
+    {
+      prop->VisibilityOff(); // it is no surface
+    }
   }
   stage.Window->SetMultiSamples(0);
   stage.Renderer->SetPass(pass);
@@ -211,22 +222,23 @@ FloatPicture RenderAov(Stage& stage, const Scene& scene)
   return picture;
 }
 
+// Where the module draws, not stock VTK.
+bool IsWide(Stage& stage)
+{
+  auto* const camera = vtkWideFoVCamera::SafeDownCast(stage.Renderer->GetActiveCamera());
+  return camera != nullptr && camera->IsWide();
+}
+
 void Count(Stage& stage, const Options& o, RenderStats& stats)
 {
   stats.Gl = QueryStrings(stage.Window);
   stats.PropsTotal = static_cast<int>(stage.Actors.size());
-  auto* const camera = vtkWideFoVCamera::SafeDownCast(stage.Renderer->GetActiveCamera());
-  if (camera != nullptr && camera->IsWide()) // otherwise stock VTK draws, and does not count
+  if (IsWide(stage)) // otherwise stock VTK draws, and does not count
   {
-    const int others = (stage.Bar ? 1 : 0) + (o.FloatingWindow > 0 || o.Letterbox > 0 ? 1 : 0);
-    stats.PropsDrawn = stage.WidePass->GetNumberOfDrawnProps() - others;
-    stats.PropsCulled = stage.WidePass->GetNumberOfCulledProps();
-    stats.Clusters = stage.WidePass->GetNumberOfClusters();
-    stats.ClustersCulled = stage.WidePass->GetNumberOfCulledClusters();
-    stats.PlainDraws = stage.WidePass->GetNumberOfPlainDraws();
-    stats.PreClipDraws = stage.WidePass->GetNumberOfPreClipDraws();
-    stats.TessellateDraws = stage.WidePass->GetNumberOfTessellateDraws();
-    stats.ExactDraws = stage.WidePass->GetNumberOfExactDraws();
+    const int others =
+      (stage.Bar ? 1 : 0) + (o.Overlay ? 1 : 0) + (o.FloatingWindow > 0 || o.Letterbox > 0 ? 1 : 0);
+    TakeCounts(stage.WidePass, others, stats);
+    TakeShaders(stage.WidePass, stage.ProgramsAtFirst, stats.Shaders);
   }
 }
 
@@ -239,6 +251,11 @@ void CountTiles(Stage& stage, RenderStats& stats)
   stats.Milliseconds = all.Milliseconds;
   stats.PropsTotal = static_cast<int>(stage.Actors.size());
   stats.Tiles = { { stage.Tiles->Count(0), stage.Tiles->Count(1) } };
+  stats.Shaders = all.Shaders;
+  if (IsWide(stage))
+  {
+    TakeShaders(stage.WidePass, stage.ProgramsAtFirst, stats.Shaders);
+  }
 }
 
 std::vector<std::unique_ptr<StripFile>> OpenPictures(const Options& o, OutputFiles& files)
@@ -286,20 +303,6 @@ void WriteTiledPictures(Stage& stage, const Options& o, OutputFiles& files, Rend
     stats.Milliseconds.push_back(time);
   }
   CloseAll(pictures);
-}
-
-// Columns of one row of tiles into a band of the picture.
-void CopyBeside(const FloatPicture& tile, int at, FloatPicture& band)
-{
-  const std::size_t stride = band.Channels.size();
-  for (int j = 0; j < tile.Height; j++)
-  {
-    const auto from = static_cast<std::ptrdiff_t>(stride * j * tile.Width);
-    const auto row = static_cast<std::ptrdiff_t>(stride * tile.Width);
-    std::copy(tile.Values.begin() + from, tile.Values.begin() + from + row,
-      band.Values.begin() +
-        static_cast<std::ptrdiff_t>(stride * (std::size_t(j) * band.Width + at)));
-  }
 }
 
 void WriteTiledAov(Stage& stage, const Scene& scene, const Options& o, OutputFiles& files)

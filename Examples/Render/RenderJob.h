@@ -7,31 +7,14 @@
 #include "ImageOutput.h"
 #include "Options.h"
 #include "OutputFiles.h"
+#include "RenderStats.h"
 #include "Scene.h"
 
-#include <array>
 #include <optional>
 #include <vector>
 
 namespace widefov
 {
-// What a run found out. A figure that is not known stays empty.
-struct RenderStats
-{
-  GlStrings Gl;
-  std::vector<double> Milliseconds; // one a frame
-  int PropsTotal = 0;
-  std::optional<int> PropsDrawn;
-  std::optional<int> PropsCulled;
-  std::optional<int> Clusters; // runs of triangles that were looked at
-  std::optional<int> ClustersCulled;
-  std::optional<int> PlainDraws;
-  std::optional<int> PreClipDraws;
-  std::optional<int> TessellateDraws;
-  std::optional<int> ExactDraws;
-  std::optional<std::array<int, 2>> Tiles; // of a picture in tiles: columns and rows
-};
-
 struct RenderResult
 {
   std::vector<Picture> Colors;     // where a picture was asked for: one, or one of each eye

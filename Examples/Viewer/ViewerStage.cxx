@@ -13,6 +13,8 @@
 #include <vtkRenderWindow.h>
 #include <vtkWideFoVCamera.h>
 
+#include <algorithm>
+
 namespace widefov
 {
 namespace
@@ -26,8 +28,12 @@ FrameCost operator+(const FrameCost& a, const FrameCost& b)
   FrameCost sum{ a.Milliseconds + b.Milliseconds, b.Draws };
   if (a.Draws && b.Draws)
   {
-    sum.Draws = DrawCounts{ a.Draws->Plain + b.Draws->Plain, a.Draws->PreClip + b.Draws->PreClip,
-      a.Draws->Tessellate + b.Draws->Tessellate, a.Draws->Exact + b.Draws->Exact };
+    const DrawCounts& x = *a.Draws;
+    const DrawCounts& y = *b.Draws;
+    sum.Draws = DrawCounts{ x.Plain + y.Plain, x.PreClip + y.PreClip, x.Tessellate + y.Tessellate,
+      x.Exact + y.Exact, x.Props + y.Props, x.PropsCulled + y.PropsCulled,
+      x.Triangles + y.Triangles, x.TrianglesCulled + y.TrianglesCulled,
+      std::max(x.Relaxation, y.Relaxation) };
   }
   return sum;
 }
@@ -144,9 +150,11 @@ FrameCost ViewerStage::Measure()
   auto* const camera = vtkWideFoVCamera::SafeDownCast(this->Renderer->GetActiveCamera());
   if (camera != nullptr && camera->IsWide())
   {
-    cost.Draws = DrawCounts{ this->WidePass->GetNumberOfPlainDraws(),
-      this->WidePass->GetNumberOfPreClipDraws(), this->WidePass->GetNumberOfTessellateDraws(),
-      this->WidePass->GetNumberOfExactDraws() };
+    vtkWideFoVPass* const pass = this->WidePass;
+    cost.Draws = DrawCounts{ pass->GetNumberOfPlainDraws(), pass->GetNumberOfPreClipDraws(),
+      pass->GetNumberOfTessellateDraws(), pass->GetNumberOfExactDraws(),
+      pass->GetNumberOfDrawnProps(), pass->GetNumberOfCulledProps(), pass->GetNumberOfTriangles(),
+      pass->GetNumberOfCulledTriangles(), pass->GetRelaxation() };
   }
   return cost;
 }

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RenderStats.h"
+
+#include <vtkWideFoVPass.h>
+
+namespace widefov
+{
+void TakeCounts(vtkWideFoVPass* pass, int others, RenderStats& stats)
+{
+  stats.PropsDrawn = pass->GetNumberOfDrawnProps() - others;
+  stats.PropsCulled = pass->GetNumberOfCulledProps();
+  stats.Clusters = pass->GetNumberOfClusters();
+  stats.ClustersCulled = pass->GetNumberOfCulledClusters();
+  stats.TrianglesSorted = pass->GetNumberOfTriangles();
+  stats.TrianglesCulled = pass->GetNumberOfCulledTriangles();
+  stats.ChosenProps = pass->GetNumberOfChosenProps();
+  stats.SortedMeshes = pass->GetNumberOfSortedMeshes();
+  stats.PlainDraws = pass->GetNumberOfPlainDraws();
+  stats.PreClipDraws = pass->GetNumberOfPreClipDraws();
+  stats.TessellateDraws = pass->GetNumberOfTessellateDraws();
+  stats.ExactDraws = pass->GetNumberOfExactDraws();
+}
+
+void TakeShaders(vtkWideFoVPass* pass, int programsAtFirst, ShaderCost& shaders)
+{
+  shaders.Programs = pass->GetNumberOfMadePrograms();
+  shaders.Milliseconds = 1000 * pass->GetShaderTime();
+  if (shaders.FirstFrame)
+  {
+    shaders.Later = *shaders.Programs - programsAtFirst;
+  }
+}
+}

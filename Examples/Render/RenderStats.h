@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a run found out.
+#ifndef WideFoVRenderStats_h
+#define WideFoVRenderStats_h
+
+#include "Display.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+class vtkWideFoVPass;
+
+namespace widefov
+{
+// Shader programs that were made, and the time that took. Unknown where stock VTK draws.
+struct ShaderCost
+{
+  std::optional<double> FirstFrame; // milliseconds; of everything, also where stock VTK draws
+  std::optional<int> Programs;
+  std::optional<double> Milliseconds;
+  std::optional<int> Later; // programs made after the warm-up frames
+};
+
+// A figure that is not known stays empty.
+struct RenderStats
+{
+  GlStrings Gl;
+  std::vector<double> Milliseconds; // one a frame
+  int PropsTotal = 0;
+  std::optional<int> PropsDrawn;
+  std::optional<int> PropsCulled;
+  std::optional<int> Clusters; // runs of triangles that were looked at
+  std::optional<int> ClustersCulled;
+  std::optional<long long> TrianglesSorted; // those of runs
+  std::optional<long long> TrianglesCulled;
+  std::optional<int> ChosenProps;  // anew in the last frame
+  std::optional<int> SortedMeshes; // anew in the last frame
+  ShaderCost Shaders;
+  std::optional<int> PlainDraws;
+  std::optional<int> PreClipDraws;
+  std::optional<int> TessellateDraws;
+  std::optional<int> ExactDraws;
+  std::optional<std::array<int, 2>> Tiles; // of a picture in tiles: columns and rows
+};
+
+// What the pass counted in its last frame. others: props drawn that are none of the scene's.
+void TakeCounts(vtkWideFoVPass* pass, int others, RenderStats& stats);
+
+// What it made in all frames; programsAtFirst of them before frames were timed.
+void TakeShaders(vtkWideFoVPass* pass, int programsAtFirst, ShaderCost& shaders);
+}
+
+#endif
