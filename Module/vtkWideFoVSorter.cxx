@@ -280,7 +280,8 @@ bool Sorter::Sort(
     this->Unseen += this->Kinds[i] == ::Unseen;
   }
   this->MakeOrder();
-  this->LeftOut = std::count(this->Kinds.begin(), this->Kinds.end(), ::Unseen);
+  this->LeftOut = std::count_if(this->Kinds.begin(), this->Kinds.end(),
+    [](unsigned char kind) { return (kind & (Plain | Cover)) == 0; });
   return true;
 }
 

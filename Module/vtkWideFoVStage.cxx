@@ -285,11 +285,27 @@ bool vtkWideFoVStage::PostReplaceShaderValues(std::string& vertexShader,
 {
   const vtkWideFoVShaderBuilder::Request request = this->MakeRequest(mapper, prop);
   const bool triangles = request.Kind == vtkWideFoVShaderBuilder::Primitive::Triangles;
-  if (triangles && vtkWideFoVPolyDataMapper::SafeDownCast(mapper))
+  const bool sorts = triangles && vtkWideFoVPolyDataMapper::SafeDownCast(mapper);
+  using Texts = wfv::ShaderMemory::Texts;
+  Texts texts{ vertexShader, geometryShader, fragmentShader };
+  const Texts* const before =
+    this->Stages ? this->Stages->Texts.Find(request, sorts, texts) : nullptr;
+  if (!before)
   {
-    wfv::TakeSortedNumbers(fragmentShader);
+    if (sorts)
+    {
+      wfv::TakeSortedNumbers(texts.Fragment);
+    }
+    vtkWideFoVShaderBuilder::Finish(request, texts.Vertex, texts.Geometry, texts.Fragment);
+    if (this->Stages)
+    {
+      this->Stages->Texts.Keep(texts);
+    }
   }
-  vtkWideFoVShaderBuilder::Finish(request, vertexShader, geometryShader, fragmentShader);
+  const Texts& made = before ? *before : texts;
+  vertexShader = made.Vertex;
+  geometryShader = made.Geometry;
+  fragmentShader = made.Fragment;
   return true;
 }
 

@@ -9,6 +9,7 @@
 #include "vtkWideFoVMeshScale.h"
 #include "vtkWideFoVPropFacts.h"
 #include "vtkWideFoVShaderClock.h"
+#include "vtkWideFoVShaderMemory.h"
 #include "vtkWideFoVSorter.h"
 #include "vtkWideFoVStage.h"
 
@@ -62,6 +63,7 @@ public:
   // What this frame did and left out.
   wfv::FrameCounts Counts;
   wfv::ShaderClock Shaders;
+  wfv::ShaderMemory Texts;
 
   // Puts one stage in the place of another in the prop's keys.
   static void Replace(vtkProp* prop, vtkWideFoVStage* from, vtkWideFoVStage* to);

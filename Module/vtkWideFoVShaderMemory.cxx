@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWideFoVShaderMemory.h"
+
+namespace
+{
+// More variants than a program has at a time; each takes some ten kilobytes.
+constexpr std::size_t MostTexts = 200;
+
+template <typename... Values>
+void Append(std::string& key, const Values&... values)
+{
+  (key.append(reinterpret_cast<const char*>(&values), sizeof(values)), ...);
+}
+
+// All fields: the compiler counts them here.
+void AppendRequest(std::string& key, const vtkWideFoVShaderBuilder::Request& request)
+{
+  const auto& [projection, stereo, stage, kind, widePoints, wideLines, edges, edgeFlags, byRays,
+    debugView, multisample, tilted, surface, depthMapping, calm, surfaceDepth] = request;
+  const auto& [noAmbient, fullDiffuse, noSpecular, opaque] = surface;
+  Append(key, projection, stereo, stage, kind, widePoints, wideLines, edges, edgeFlags, byRays,
+    debugView, multisample, tilted, depthMapping, calm, surfaceDepth, noAmbient, fullDiffuse,
+    noSpecular, opaque);
+}
+}
+
+namespace wfv
+{
+const ShaderMemory::Texts* ShaderMemory::Find(
+  const Request& request, bool sorts, const Texts& texts)
+{
+  this->Wanted.clear();
+  AppendRequest(this->Wanted, request);
+  Append(this->Wanted, sorts);
+  for (const std::string* const text : { &texts.Vertex, &texts.Geometry, &texts.Fragment })
+  {
+    Append(this->Wanted, text->size());
+    this->Wanted += *text;
+  }
+  const auto found = this->Made.find(this->Wanted);
+  return found == this->Made.end() ? nullptr : &found->second;
+}
+
+void ShaderMemory::Keep(const Texts& made)
+{
+  if (this->Made.size() >= MostTexts)
+  {
+    this->Made.clear();
+  }
+  this->Made[this->Wanted] = made;
+}
+}
