@@ -37,10 +37,6 @@ namespace wfv
 void SetEye(
   vtkShaderProgram* program, vtkOpenGLPolyDataMapper* mapper, vtkActor* actor, vtkCamera* camera)
 {
-  if (!program->IsUniformUsed("wfvEyeKnown"))
-  {
-    return;
-  }
   double m[16];
   MapperAccess::BufferToModel(mapper, m);
   vtkMatrix4x4::Multiply4x4(actor->GetMatrix()->GetData(), m, m);

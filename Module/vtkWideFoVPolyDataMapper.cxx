@@ -123,6 +123,7 @@ void vtkWideFoVPolyDataMapper::SetCustomUniforms(vtkOpenGLHelper& cellBO, vtkAct
       {
         vtkErrorMacro(<< "the tessellation stages were refused: " << log);
       }
+      stage->GetStages()->Programs.Forget(cellBO.Program);
       // its attributes have new places
       cellBO.VAO->ReleaseGraphicsResources();
       cellBO.ShaderSourceTime.Modified();
@@ -200,10 +201,12 @@ void vtkWideFoVPolyDataMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* 
   bool sorts[PrimitiveEnd] = { false };
   if (surface && !patches)
   {
-    const double rounding = RoundingOf(this->VBOs, this->CurrentInput);
     for (const int i : { PrimitiveTris, PrimitiveTriStrips })
     {
-      sorts[i] = this->Internal->Of(i).Prepare(this->CurrentInput, actor, stage, rounding);
+      wfv::SortedDraw& sorted = this->Internal->Of(i);
+      sorts[i] = sorted.IsWorthIt(this->CurrentInput) &&
+        sorted.Prepare(
+          this->CurrentInput, actor, stage, RoundingOf(this->VBOs, this->CurrentInput));
     }
   }
   if (patches || sorts[PrimitiveTris] || sorts[PrimitiveTriStrips])

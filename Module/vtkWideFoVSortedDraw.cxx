@@ -85,16 +85,19 @@ SortedDraw::SortedDraw(bool strips)
 
 SortedDraw::~SortedDraw() = default;
 
-bool SortedDraw::Prepare(
-  vtkPolyData* data, vtkActor* actor, vtkWideFoVStage* stage, double rounding)
+bool SortedDraw::IsWorthIt(vtkPolyData* data)
 {
   this->Current = nullptr;
   this->Chosen = SortedDraw::All;
+  return this->Mesh.GetCells(data)->GetNumberOfConnectivityIds() >= FewCorners;
+}
+
+bool SortedDraw::Prepare(
+  vtkPolyData* data, vtkActor* actor, vtkWideFoVStage* stage, double rounding)
+{
   vtkWideFoVStages* const stages = stage->GetStages();
   SortView view;
-  vtkCellArray* const cells = this->Mesh.GetCells(data);
-  if (!stages || cells->GetNumberOfConnectivityIds() < FewCorners ||
-    !stages->GetSortView(stage, actor, view))
+  if (!stages || !stages->GetSortView(stage, actor, view))
   {
     return false;
   }

@@ -33,6 +33,9 @@ public:
   explicit SortedDraw(bool strips);
   ~SortedDraw();
 
+  // Before all others in a frame: whether there are so many triangles that they are sorted.
+  bool IsWorthIt(vtkPolyData* data);
+
   // Sorts the triangles of `data` for this actor and frame where anything has changed. False
   // where all of them are drawn as the stage says, as usual. rounding: by how much the vertex
   // buffer moves points at the most, in their own units.

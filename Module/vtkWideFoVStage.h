@@ -10,6 +10,11 @@
 #include "vtkWideFoVShaderBuilder.h"
 #include "vtkWideFoVTile.h"
 
+namespace wfv
+{
+struct ProgramUses;
+}
+
 class vtkOpenGLPolyDataMapper;
 class vtkRenderer;
 class vtkWideFoVCamera;
@@ -117,7 +122,11 @@ private:
 
   // The eye in the coordinates of the mapper; the diameter of tubes and of points drawn
   // as spheres; the width of lines.
-  void SetPropParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop) const;
+  void SetPropParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
+    const wfv::ProgramUses& uses) const;
+
+  // What is the same for all props of a frame.
+  void SetFrameParameters(vtkShaderProgram* program, const int viewport[4]);
 
   // Sets the stereo model, and how triangles are covered, in a request whose primitives are known.
   void FinishTriangles(vtkWideFoVShaderBuilder::Request& request) const;

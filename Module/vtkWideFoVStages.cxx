@@ -92,6 +92,7 @@ void vtkWideFoVStages::Begin(
   this->SetPart(renderer, this->Plain->GetTile());
   this->SetEyes(camera, stereo);
   this->Counts = wfv::FrameCounts();
+  this->Programs.BeginFrame();
   this->NumberView(stereo);
 }
 

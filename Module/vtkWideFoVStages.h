@@ -7,6 +7,7 @@
 #include "vtkWideFoVDirectionTextures.h"
 #include "vtkWideFoVFrameCounts.h"
 #include "vtkWideFoVMeshScale.h"
+#include "vtkWideFoVProgramMemory.h"
 #include "vtkWideFoVPropFacts.h"
 #include "vtkWideFoVShaderClock.h"
 #include "vtkWideFoVShaderMemory.h"
@@ -35,6 +36,7 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window)
   {
     this->Textures.ReleaseGraphicsResources(window);
+    this->Programs.ForgetAll();
   }
 
   // For all variants, from the next draw on.
@@ -64,6 +66,7 @@ public:
   wfv::FrameCounts Counts;
   wfv::ShaderClock Shaders;
   wfv::ShaderMemory Texts;
+  wfv::ProgramMemory Programs;
 
   // Puts one stage in the place of another in the prop's keys.
   static void Replace(vtkProp* prop, vtkWideFoVStage* from, vtkWideFoVStage* to);
