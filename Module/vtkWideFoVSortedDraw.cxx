@@ -156,6 +156,12 @@ void SortedDraw::Sort(Entry& e, vtkPolyData* data, const double toMap[16], const
     e.Order.clear();
     return;
   }
+  this->Upload(e);
+}
+
+// Corners of the triangles in their order.
+void SortedDraw::Upload(Entry& e)
+{
   const std::vector<unsigned int>& corners = this->Mesh.GetCorners();
   std::vector<unsigned int> indices;
   indices.reserve(3 * e.Order.size());

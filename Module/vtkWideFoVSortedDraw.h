@@ -74,6 +74,7 @@ public:
 private:
   struct Entry;
 
+  void Upload(Entry& entry);
   void Sort(Entry& entry, vtkPolyData* data, const double toMap[16], const SortView& view);
   void LoadNumbers(vtkOpenGLRenderWindow* window);
 

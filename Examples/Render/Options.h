@@ -60,7 +60,7 @@ struct Options
   int Samples = 4;
   std::string Depth = "linear";
   bool DebugView = false;
-  bool Overlay = false; // what the pass counted, as text on the picture
+  bool Overlay = false;        // what the pass counted, as text on the picture
   std::string Stereo = "mono"; // its numbers are in View
   std::string Layout = "anaglyph";
   std::array<int, 2> AnaglyphMask{ { 4, 3 } }; // what each eye has: 4 red, 2 green, 1 blue
