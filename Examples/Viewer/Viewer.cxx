@@ -175,6 +175,8 @@ void Viewer::DrawFrame()
 {
   this->Dirty = false;
   this->Frames++;
+  const bool moves = this->Dragging != Drag::None || !this->Held.empty();
+  this->Windows.SetUpdateRate(moves ? this->Given.UpdateRate : 0);
   this->Cost = this->Windows.Draw(
     this->Now, [this](const FrameCost& cost) { return this->TextFor(cost); },
     this->ShowsHelp ? HelpText() : "");
@@ -292,6 +294,7 @@ void Viewer::HandleKey(const WindowEvent& event)
     if (event.What == WindowEvent::Kind::KeyRelease)
     {
       this->Held.erase(event.Code);
+      this->Sharpen();
       this->Log("release");
     }
     else if (press)
@@ -322,6 +325,7 @@ void Viewer::HandleButton(const WindowEvent& event)
   if (!press && kind == this->Dragging)
   {
     this->Dragging = Drag::None;
+    this->Sharpen();
   }
   else if (press && this->Dragging == Drag::None)
   {
@@ -333,6 +337,12 @@ void Viewer::HandleButton(const WindowEvent& event)
     this->Grip = ray ? this->Head.Grab(*ray) : this->Grip;
   }
   this->Log(press ? "press" : "release");
+}
+
+// Draws once more what was drawn coarser for it moved.
+void Viewer::Sharpen()
+{
+  this->Dirty = this->Dirty || (this->Cost.Draws && this->Cost.Draws->Relaxation > 0);
 }
 
 void Viewer::HandleCursor(double x, double y)

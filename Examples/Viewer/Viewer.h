@@ -61,6 +61,7 @@ private:
   static Navigator StartOf(const Scene& scene, const Options& options);
   void TakePose();
   std::optional<Vector3> RayAt(double x, double y) const;
+  void Sharpen();
   void Changed() { this->Dirty = true; }
   void Say(const std::string& message);
   std::string TextFor(const FrameCost& cost) const;

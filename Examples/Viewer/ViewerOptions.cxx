@@ -28,6 +28,8 @@ void DeclareWindow(CLI::App& app, ViewerOptions& o)
       o.Wall[0] = ParseInteger(option, value.substr(0, cross), 1, MostWindows);
       o.Wall[1] = ParseInteger(option, rows, 1, MostWindows);
     });
+  group.Number("--update-rate", "HZ", o.UpdateRate, { 0, 1000 },
+    "frames a second for which a moving picture is drawn coarser; 0: never");
   group.Flag("--no-text", o.NoText, "begin without the text on the picture");
   group.Name("--log", "FILE", o.Log, "the state after each frame and click, a JSON object a line");
   group.Integer("--frames", o.Frames, 0, 1000000, "end after so many frames; 0: when closed");

@@ -17,8 +17,9 @@ struct ViewerOptions
   int Monitor = 0;                     // from 1; 0: the primary one
   std::array<int, 2> Wall{ { 1, 1 } }; // columns and rows of windows
   bool NoText = false;
-  std::string Log; // of states, one JSON object a line
-  int Frames = 0;  // draw so many and end; 0: until the window is closed
+  double UpdateRate = 10; // frames a second that moving keeps to; 0: drawn as when still
+  std::string Log;        // of states, one JSON object a line
+  int Frames = 0;         // draw so many and end; 0: until the window is closed
 };
 
 // Parses and checks. Throws a Failure with ExitUsage; returns an exit code where nothing

@@ -21,6 +21,9 @@ namespace
 {
 // Smaller windows show no text; pixels. In very small ones VTK's text is an error.
 constexpr std::array<int, 2> TextRoom{ { 64, 32 } };
+
+// Frames a second: what VTK's interactors ask for when nothing moves.
+constexpr double StillRate = 0.0001;
 }
 
 FrameCost operator+(const FrameCost& a, const FrameCost& b)
@@ -132,6 +135,12 @@ void ViewerStage::AfterScene()
   {
     this->SetText();
   }
+}
+
+void ViewerStage::SetUpdateRate(double rate)
+{
+  this->WidePass->SetKeepUpdateRate(rate > 0);
+  this->Window->SetDesiredUpdateRate(rate > 0 ? rate : StillRate);
 }
 
 void ViewerStage::Flip()

@@ -76,6 +76,10 @@ public:
   FrameCost Draw(const Options& options, const std::array<int, 2>& size,
     const std::function<std::string(const FrameCost&)>& text, const std::string& help);
 
+  // Frames a second that the next frames are to keep to, coarser where they must; 0: as many as
+  // there are.
+  void SetUpdateRate(double rate);
+
   // True where the last frame is to be shown by turns, with Flip: of a layout that shows the
   // eyes so, in a window that does not do it itself.
   bool IsFlipping() const { return this->InTurn && !this->Window->HasBuffersForBoth(); }

@@ -171,6 +171,14 @@ FrameCost Wall::Draw(const Options& o, const std::function<std::string(const Fra
   return sum;
 }
 
+void Wall::SetUpdateRate(double rate)
+{
+  for (const Pane& pane : this->Panes)
+  {
+    pane.Stage->SetUpdateRate(rate);
+  }
+}
+
 bool Wall::Flip()
 {
   bool flipped = false;

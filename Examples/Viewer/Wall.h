@@ -43,6 +43,9 @@ public:
   // Can OpenGL draw windows as large as these are?
   bool IsWithinLimits() const;
 
+  // Of all windows, as ViewerStage::SetUpdateRate.
+  void SetUpdateRate(double rate);
+
   // Draws all windows and shows them. The text stands on the first; the cost is that of all.
   FrameCost Draw(const Options& options, const std::function<std::string(const FrameCost&)>& text,
     const std::string& help);

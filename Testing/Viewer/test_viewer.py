@@ -150,6 +150,19 @@ class Look(ViewerTest):
             places.append([away @ right, away @ state["up"], away @ state["direction"]])
         numpy.testing.assert_allclose(places[0], places[1], atol=1e-6)
 
+    def test_a_moving_picture_is_coarser_and_a_still_one_is_not(self):
+        for rate, coarser in (("1000", True), ("0", False)):
+            viewer = self.start("--update-rate", rate, "--projection", "hammer",
+                "--direction", "1,-0.3,-2", scene=("--scene", "cornell"))
+            before = len(viewer.states())
+            state = viewer.drag((300, 160), (340, 150), steps=8)
+            moved = [s["relaxation"] for s in viewer.states()[before:] if s["event"] == "frame"]
+            self.assertEqual(max(moved) > 0, coarser, "%s: %s" % (rate, moved))
+            self.assertEqual(viewer.wait(lambda s: not s["pending"])["relaxation"], 0)
+            self.assertFalse(state["pending"])
+            self.check_same(viewer)
+            viewer.kill()  # before the next one opens its window
+
     def test_arrows_turn(self):
         viewer = self.start("--hfov", "120", "--vfov", "60")
         self.assertAlmostEqual(viewer.key("Right", look=lambda s: s["yaw"] > 0)["yaw"], 5)
