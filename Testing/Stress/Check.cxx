@@ -3,6 +3,7 @@
 
 #include "MessageCatcher.h"
 #include "NearestPlace.h"
+#include "RightAnswers.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
@@ -269,6 +270,12 @@ void Checker::Compare(
     }
     if (reference::IsExplained(*this->Caster, s.Width, s.Height, p, technique.B))
     {
+      continue;
+    }
+    if (reference::IsRightAnswer(*this->Caster,
+          reference::PixelToNdc(p.I + 0.5, p.J + 0.5, s.Width, s.Height), p.Drawn))
+    {
+      ++count.Ties;
       continue;
     }
     if (this->IsDepthTie(p, technique.B))
