@@ -57,7 +57,7 @@ struct Metrics
   long Mismatched = 0;    // pixels whose cells differ at the pixel centre
   long Searched = 0;      // of them, those that were searched for a place of agreement
   long UnexplainedPixels = 0;
-  long Ties = 0; // of them all, explained by RightAnswers.h alone
+  long Ties = 0;                 // of them all, explained by RightAnswers.h alone
   long DomainPixels = 0;         // pixels whose centre lies in the domain of the map
   std::vector<WorstPixel> Worst; // unexplained, farthest first, at most MaxWorst
   static constexpr std::size_t MaxWorst = 64;

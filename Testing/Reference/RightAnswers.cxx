@@ -16,8 +16,7 @@ bool IsRightAnswer(const Caster& caster, vec2 ndc, vtkIdType cell)
   {
     return false;
   }
-  const WitnessRequest request{ ray.Origin, ray.Direction,
-    caster.GetView().GetParameters().radii };
+  const WitnessRequest request{ ray.Origin, ray.Direction, caster.GetView().GetParameters().radii };
   if (cell < 0)
   {
     // the usual case of what is missing: something is there, and not only by a hair

@@ -18,8 +18,8 @@ namespace reference
 const double AnswerAngle = std::ldexp(1.0, -40);
 
 // Whether a ray turned by at most AnswerAngle, about where it begins, sees the cell (-1: nothing)
-// in exact arithmetic: over an area, not only along a line. False where the caster has no triangles,
-// or rays are bent.
+// in exact arithmetic: over an area, not only along a line. False where the caster has no
+// triangles, or rays are bent.
 bool IsRightAnswer(const Caster& caster, vec2 ndc, vtkIdType cell);
 }
 }

@@ -74,8 +74,8 @@ bool HasArea(const Outline& o)
   Rational area = 0;
   for (std::size_t i = 2; i < o.size(); ++i)
   {
-    area += (o[i - 1][0] - o[0][0]) * (o[i][1] - o[0][1]) -
-      (o[i - 1][1] - o[0][1]) * (o[i][0] - o[0][0]);
+    area +=
+      (o[i - 1][0] - o[0][0]) * (o[i][1] - o[0][1]) - (o[i - 1][1] - o[0][1]) * (o[i][0] - o[0][0]);
   }
   return area != 0;
 }
@@ -266,8 +266,7 @@ const SeenTriangle* Search::Hider(const Place& p, const SeenTriangle* own) const
   const SeenTriangle* nearest = own;
   for (const SeenTriangle& t : this->Seen)
   {
-    const bool before =
-      !nearest || t.Volume * nearest->Sum.Of(p) < nearest->Volume * t.Sum.Of(p);
+    const bool before = !nearest || t.Volume * nearest->Sum.Of(p) < nearest->Volume * t.Sum.Of(p);
     if ((!own || t.Cell != own->Cell) && this->IsShown(t, p) && before)
     {
       nearest = &t;
