@@ -194,11 +194,7 @@ protected:
       ++d.Compared;
       if (!(most <= d.Largest)) // not a number too
       {
-        d.Largest = most;
-        d.Drawn = drawn;
-        d.Wanted = wanted;
-        d.I = i;
-        d.J = j;
+        d = { most, drawn, wanted, i, j, d.Compared, d.Domain };
       }
     }
     return d;
