@@ -42,7 +42,7 @@ Json Figures(const std::optional<ErrorFigures>& error)
     { "depth_px", depth && std::isfinite(m.DepthPx) ? Json(m.DepthPx) : Json(nullptr) },
     { "depth_ulps", depth && std::isfinite(m.DepthUlps) ? Json(m.DepthUlps) : Json(nullptr) },
     { "b", error->Tolerance }, { "mismatched_pixels", m.Mismatched },
-    { "searched_pixels", m.Searched } };
+    { "searched_pixels", m.Searched }, { "tie_pixels", m.Ties } };
 }
 }
 

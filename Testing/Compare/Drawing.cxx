@@ -93,6 +93,11 @@ void Drawing::SetTechnique(int technique)
   in.Actor->SetMapper(wide ? in.WideMapper.Get() : in.Mapper.Get());
 }
 
+void Drawing::SetPassTechnique(int technique)
+{
+  this->Internal->Pass->SetTechnique(technique);
+}
+
 void Drawing::SetCulling(bool culling)
 {
   this->Internal->Pass->SetCulling(culling);

@@ -65,6 +65,9 @@ public:
   // vtkWideFoVPass::Techniques (default PRECLIP).
   void SetTechnique(int technique);
 
+  // The same, of an actor that was set with SetActor.
+  void SetPassTechnique(int technique);
+
   // Whether what is not seen is left out (yes).
   void SetCulling(bool culling);
 

@@ -3,6 +3,7 @@
 
 #include "DepthShift.h"
 #include "NearestPlace.h"
+#include "RightAnswers.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
@@ -54,6 +55,12 @@ void Explain(const Caster& caster, const DrawnPicture& p, WorstPixel& pixel, dou
     {
       pixel.Pixels = r;
     }
+  }
+  if (!(pixel.Pixels <= tolerance) &&
+    IsRightAnswer(caster, PixelToNdc(centre.x, centre.y, p.Width, p.Height), pixel.Drawn))
+  {
+    pixel.Tie = true;
+    pixel.Pixels = 0;
   }
   pixel.Explained = pixel.Pixels <= tolerance;
   const double nearest =
@@ -139,6 +146,7 @@ void Summarize(std::vector<WorstPixel>& pixels, Metrics& m)
   long spurious = 0;
   for (const WorstPixel& p : pixels)
   {
+    m.Ties += p.Tie;
     if (p.Explained)
     {
       continue;

@@ -40,7 +40,8 @@ struct WorstPixel
   double DrawnDistance = 0;
   double ReferenceDistance = 0;
   double Pixels = 0;      // to the nearest place found where the reference agrees, may be inf
-  bool Explained = false; // by one of the 48 points
+  bool Tie = false;       // right as well: a ray turned by nothing sees it, RightAnswers.h
+  bool Explained = false; // by one of the 48 points, or so
 };
 
 struct Metrics
@@ -56,6 +57,7 @@ struct Metrics
   long Mismatched = 0;    // pixels whose cells differ at the pixel centre
   long Searched = 0;      // of them, those that were searched for a place of agreement
   long UnexplainedPixels = 0;
+  long Ties = 0;                 // of them all, explained by RightAnswers.h alone
   long DomainPixels = 0;         // pixels whose centre lies in the domain of the map
   std::vector<WorstPixel> Worst; // unexplained, farthest first, at most MaxWorst
   static constexpr std::size_t MaxWorst = 64;

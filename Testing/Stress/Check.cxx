@@ -3,6 +3,7 @@
 
 #include "MessageCatcher.h"
 #include "NearestPlace.h"
+#include "RightAnswers.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
@@ -232,6 +233,22 @@ bool Checker::IsDepthTie(const reference::WorstPixel& p, double b) const
   return false;
 }
 
+// Whether the ray caster explains a pixel that differs; ties are counted.
+bool Checker::IsRight(const reference::WorstPixel& p, double b, Counts& count) const
+{
+  const test::Shot& s = this->Current.Shot;
+  if (reference::IsExplained(*this->Caster, s.Width, s.Height, p, b))
+  {
+    return true;
+  }
+  const vec2 ndc = reference::PixelToNdc(p.I + 0.5, p.J + 0.5, s.Width, s.Height);
+  const bool tie = reference::IsRightAnswer(*this->Caster, ndc, p.Drawn);
+  const bool depth = !tie && this->IsDepthTie(p, b);
+  count.Ties += tie;
+  count.DepthTies += depth;
+  return tie || depth;
+}
+
 // How far from the pixel its cell is seen, by smaller circles and by the cell's own picture.
 void Checker::LookClosely(reference::WorstPixel& p, double b, Counts& count) const
 {
@@ -267,13 +284,8 @@ void Checker::Compare(
       count.MaxDepthRel = p.Drawn >= 0 && e > count.MaxDepthRel ? e : count.MaxDepthRel;
       continue;
     }
-    if (reference::IsExplained(*this->Caster, s.Width, s.Height, p, technique.B))
+    if (this->IsRight(p, technique.B, count))
     {
-      continue;
-    }
-    if (this->IsDepthTie(p, technique.B))
-    {
-      ++count.DepthTies;
       continue;
     }
     ++count.Unexplained;

@@ -54,6 +54,7 @@ private:
   void CountHits(const Technique& technique, Verdict& verdict);
   void Compare(
     const reference::DrawnPicture& drawn, const Technique& technique, Verdict& verdict) const;
+  bool IsRight(const reference::WorstPixel& pixel, double b, Counts& count) const;
   bool IsDepthTie(const reference::WorstPixel& pixel, double b) const;
   void LookClosely(reference::WorstPixel& pixel, double b, Counts& count) const;
   bool TiesAt(vec2 ndc, vtkIdType cell) const;

@@ -17,7 +17,7 @@ const Field Fields[] = { { "nan", &Counts::Nan }, { "gl_errors", &Counts::GlErro
   { "holes", &Counts::Holes }, { "double_hits", &Counts::DoubleHits },
   { "unexplained", &Counts::Unexplained }, { "crashes", &Counts::Crashes },
   { "batches", &Counts::Batches }, { "pixels", &Counts::Pixels },
-  { "depth_ties", &Counts::DepthTies }, { "thin", &Counts::Thin } };
+  { "depth_ties", &Counts::DepthTies }, { "ties", &Counts::Ties }, { "thin", &Counts::Thin } };
 }
 
 void Counts::Add(const Counts& other)

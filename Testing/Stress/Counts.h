@@ -27,6 +27,7 @@ struct Counts
   long Batches = 0;
   long Pixels = 0;    // compared with the ray caster
   long DepthTies = 0; // explained by two surfaces at distances that depth cannot tell apart
+  long Ties = 0;      // the ray lies in an edge's plane, and a turned one sees it: RightAnswers.h
   long Thin = 0;      // of the unexplained, those that smaller circles explain
   double MaxDepthRel = 0;
   double MaxPx = 0; // pixels from the farthest unexplained pixel to where its cell is seen

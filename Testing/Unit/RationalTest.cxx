@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The ray caster's decision in double against the same in rational numbers, which are exact:
 // rays beside and along edges, through vertices and in the planes of triangles.
+#include "Rational.h"
 #include "RayTriangle.h"
 #include "Views.h"
 
 #include <gtest/gtest.h>
-
-#include <boost/multiprecision/cpp_int.hpp>
 
 #include <random>
 
@@ -15,29 +14,8 @@ using namespace wfv::reference;
 
 namespace
 {
-using Rational = boost::multiprecision::cpp_rational;
-using Vector = std::array<Rational, 3>;
+using Vector = RationalVector;
 using Triangle = std::array<vec3, 3>;
-
-Vector Exact(const vec3& v)
-{
-  return { { Rational(v.x), Rational(v.y), Rational(v.z) } };
-}
-
-Vector Minus(const Vector& a, const Vector& b)
-{
-  return { { a[0] - b[0], a[1] - b[1], a[2] - b[2] } };
-}
-
-Vector Cross(const Vector& a, const Vector& b)
-{
-  return { { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] } };
-}
-
-Rational Dot(const Vector& a, const Vector& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 // What is true of a ray and a triangle.
 struct Truth
