@@ -2,14 +2,17 @@
 #include "vtkWideFoVPass.h"
 
 #include "vtkWideFoVCamera.h"
+#include "vtkWideFoVCompositeHelper.h"
 #include "vtkWideFoVFrameProps.h"
 #include "vtkWideFoVHeadlights.h"
 #include "vtkWideFoVScreenCamera.h"
 #include "vtkWideFoVStages.h"
 
+#include "vtkActor.h"
 #include "vtkObjectFactory.h"
 #include "vtkProp.h"
 #include "vtkRenderState.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 
@@ -132,6 +135,10 @@ void vtkWideFoVPass::DrawProps(const vtkRenderState* s, vtkProp** props, int cou
   for (int i = 0; i < count; i++)
   {
     vtkWideFoVStages::Attach(props[i], in.Chosen[i]);
+    if (auto* const actor = vtkActor::SafeDownCast(props[i]))
+    {
+      vtkWideFoVCompositeHelper::GiveTo(actor->GetMapper(), s->GetRenderer()->GetRenderWindow());
+    }
   }
   vtkRenderState seen(s->GetRenderer());
   seen.SetFrameBuffer(s->GetFrameBuffer());

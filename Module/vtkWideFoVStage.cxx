@@ -2,6 +2,7 @@
 #include "vtkWideFoVStage.h"
 
 #include "vtkWideFoVCamera.h"
+#include "vtkWideFoVCompositeHelper.h"
 #include "vtkWideFoVDirectionTextures.h"
 #include "vtkWideFoVDiscontinuity.h"
 #include "vtkWideFoVEye.h"
@@ -68,23 +69,27 @@ public:
   }
 
 private:
-  // Of the stock mappers that take the property as it is; of composite ones each block may
-  // have its own, and what is selected has a colour of its own.
+  // Of the mappers that take the property as it is; of composite ones each block may have colours
+  // and an opacity of its own. What is selected has a colour of its own everywhere.
   static vtkWideFoVShaderBuilder::Material DescribeMaterial(vtkOpenGLPolyDataMapper* mapper,
     vtkRenderer* renderer, vtkActor* actor, const vtkOpenGLHelper* buffer)
   {
     static const std::set<std::string> simple{ "vtkOpenGLPolyDataMapper",
       "vtkWideFoVPolyDataMapper", "vtkOpenGLGlyph3DHelper" };
-    const vtkOpenGLHelper* own = mapper->*(&MapperAccess::Primitives);
-    const bool surface = buffer == own + PrimitiveTris || buffer == own + PrimitiveTriStrips;
+    static const std::set<std::string> blocks{ "vtkCompositeMapperHelper2",
+      "vtkWideFoVCompositeHelper" };
+    const std::string name = mapper->GetClassName();
+    const bool known = simple.count(name) > 0 || blocks.count(name) > 0;
+    const bool surface = buffer && !(mapper->*(&MapperAccess::DrawingSelection)) &&
+      (buffer->PrimitiveType == PrimitiveTris || buffer->PrimitiveType == PrimitiveTriStrips);
     vtkWideFoVShaderBuilder::Material material;
-    if (surface && !renderer->GetSelector() && simple.count(mapper->GetClassName()) > 0)
+    if (surface && !renderer->GetSelector() && known)
     {
       vtkProperty* property = actor->GetProperty();
       material.NoAmbient = property->GetAmbient() == 0;
       material.FullDiffuse = property->GetDiffuse() == 1;
       material.NoSpecular = property->GetSpecular() == 0;
-      material.Opaque = property->GetOpacity() == 1;
+      material.Opaque = property->GetOpacity() == 1 && simple.count(name) > 0;
     }
     return material;
   }
@@ -276,7 +281,9 @@ bool vtkWideFoVStage::PostReplaceShaderValues(std::string& vertexShader,
 {
   const vtkWideFoVShaderBuilder::Request request = this->MakeRequest(mapper, prop);
   const bool triangles = request.Kind == vtkWideFoVShaderBuilder::Primitive::Triangles;
-  if (triangles && vtkWideFoVPolyDataMapper::SafeDownCast(mapper))
+  if (triangles &&
+    (vtkWideFoVPolyDataMapper::SafeDownCast(mapper) ||
+      vtkWideFoVCompositeHelper::SafeDownCast(mapper)))
   {
     wfv::TakeSortedNumbers(fragmentShader);
   }
