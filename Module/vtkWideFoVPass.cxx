@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVPass.h"
 
+#include "vtkWideFoVBillboards.h"
 #include "vtkWideFoVCamera.h"
 #include "vtkWideFoVCompositeHelper.h"
 #include "vtkWideFoVFrameProps.h"
@@ -27,6 +28,7 @@ struct vtkWideFoVPass::Internals
   vtkWideFoVStages Stages;
   vtkNew<vtkWideFoVHeadlights> Headlights; // of flat screens
   wfv::FrameProps Props;                   // as they came
+  wfv::Billboards Texts;                   // that stand in the scene
   std::vector<vtkWideFoVStage*> Chosen;    // one a prop that is seen, kept for its memory
 };
 
@@ -118,9 +120,10 @@ int vtkWideFoVPass::Cull(vtkProp** props)
   Internals& in = *this->Internal;
   int seen = 0;
   in.Chosen.clear();
+  in.Texts.Clear();
   for (int i = 0; i < in.Props.GetCount(); i++)
   {
-    if (!in.Props.IsUnseen(i))
+    if (!in.Texts.Take(in.Props.GetProp(i)) && !in.Props.IsUnseen(i))
     {
       in.Chosen.push_back(in.Props.GetStage(i));
       props[seen++] = in.Props.GetProp(i);
@@ -210,6 +213,7 @@ void vtkWideFoVPass::RenderWide(const vtkRenderState* s, vtkWideFoVCamera* camer
   const int seen = this->Cull(props);
   RendererAccess::SetCount(renderer, props, seen);
   this->DrawProps(s, props, seen);
+  in.Texts.Draw(renderer, camera, in.Stages.Plain->GetTile());
   RendererAccess::SetCount(renderer, props, count);
   for (int i = 0; i < count; i++)
   {

@@ -133,6 +133,48 @@ def check_volume(options, view):
     simple.Delete(ball)
 
 
+def check_undrawn(options, view):
+    """Axes that the view cannot place: one line each, and the rest of the scene is drawn."""
+    ball = simple.Sphere(Center=[0, 0, -4])
+    display = simple.Show(ball, view)
+    scene.place_eye(view, [0, 0, 0], [0, 0, -1])
+    text = simple.Text(Text="Pole")
+    label = simple.Show(text, view)
+
+    def show_flagpole(shown):
+        label.TextPropMode = "Flagpole Actor" if shown else "2D Text Widget"
+        label.Visibility = shown
+
+    def show_grid(shown):
+        view.AxesGrid.Visibility = shown
+
+    def show_data_grid(shown):
+        display.DataAxesGrid.GridAxesVisibility = shown
+
+    def show_polar(shown):
+        display.PolarAxes.Visibility = shown
+
+    show_flagpole(0)
+    before = count_lit(options, view, "no-axes")
+    for words, show in (("axes grid cannot", show_grid), ("axes grid cannot", show_data_grid),
+                        ("Polar axes cannot", show_polar), ("Flagpole labels", show_flagpole)):
+        with Log(options, show.__name__) as log:
+            show(1)
+            lit = count_lit(options, view, show.__name__)
+            for x in range(3):
+                view.CameraPosition = [0.001 * x, 0, 0]
+                simple.Render(view)
+            warnings = log.count(words)
+        show(0)
+        simple.Render(view)
+        print(show.__name__, "lit", lit, "warnings", warnings)
+        scene.require(warnings == 1 and lit >= 0.9 * before, show.__name__)
+    view.CameraPosition = [0, 0, 0]
+    scene.require(count_lit(options, view, "axes-gone") == before, "another picture afterwards")
+    simple.Delete(text)
+    simple.Delete(ball)
+
+
 def check_versions(options, view):
     """States of a version before stereo, and of a later one."""
     view.Projection = "hammer"
@@ -167,6 +209,7 @@ def main(options):
     check_time(options, view)
     check_values(options, view)
     check_volume(options, view)
+    check_undrawn(options, view)
     check_versions(options, view)
 
 
