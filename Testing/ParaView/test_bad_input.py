@@ -133,42 +133,43 @@ def check_volume(options, view):
     simple.Delete(ball)
 
 
+def list_axes(view, display, label):
+    """What the warning says of each kind, and what shows and hides it."""
+
+    def show_flagpole(shown):
+        label.TextPropMode = "Flagpole Actor" if shown else "2D Text Widget"
+        label.Visibility = shown
+
+    show_flagpole(0)
+    return (
+        ("axes grid cannot", lambda shown: setattr(view.AxesGrid, "Visibility", shown)),
+        ("axes grid cannot",
+         lambda shown: setattr(display.DataAxesGrid, "GridAxesVisibility", shown)),
+        ("Polar axes cannot", lambda shown: setattr(display.PolarAxes, "Visibility", shown)),
+        ("Flagpole labels", show_flagpole),
+    )
+
+
 def check_undrawn(options, view):
     """Axes that the view cannot place: one line each, and the rest of the scene is drawn."""
     ball = simple.Sphere(Center=[0, 0, -4])
     display = simple.Show(ball, view)
     scene.place_eye(view, [0, 0, 0], [0, 0, -1])
     text = simple.Text(Text="Pole")
-    label = simple.Show(text, view)
-
-    def show_flagpole(shown):
-        label.TextPropMode = "Flagpole Actor" if shown else "2D Text Widget"
-        label.Visibility = shown
-
-    def show_grid(shown):
-        view.AxesGrid.Visibility = shown
-
-    def show_data_grid(shown):
-        display.DataAxesGrid.GridAxesVisibility = shown
-
-    def show_polar(shown):
-        display.PolarAxes.Visibility = shown
-
-    show_flagpole(0)
+    kinds = list_axes(view, display, simple.Show(text, view))
     before = count_lit(options, view, "no-axes")
-    for words, show in (("axes grid cannot", show_grid), ("axes grid cannot", show_data_grid),
-                        ("Polar axes cannot", show_polar), ("Flagpole labels", show_flagpole)):
-        with Log(options, show.__name__) as log:
+    for words, show in kinds:
+        with Log(options, words) as log:
             show(1)
-            lit = count_lit(options, view, show.__name__)
+            lit = count_lit(options, view, words)
             for x in range(3):
                 view.CameraPosition = [0.001 * x, 0, 0]
                 simple.Render(view)
             warnings = log.count(words)
         show(0)
         simple.Render(view)
-        print(show.__name__, "lit", lit, "warnings", warnings)
-        scene.require(warnings == 1 and lit >= 0.9 * before, show.__name__)
+        print(words, "lit", lit, "warnings", warnings)
+        scene.require(warnings == 1 and lit >= 0.9 * before, words)
     view.CameraPosition = [0, 0, 0]
     scene.require(count_lit(options, view, "axes-gone") == before, "another picture afterwards")
     simple.Delete(text)
