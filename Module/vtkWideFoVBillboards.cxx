@@ -11,6 +11,7 @@
 #include "vtkOpenGLCamera.h"
 #include "vtkRenderer.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -27,27 +28,29 @@ public:
   }
 };
 
-// Where a text stands in the picture; false where that is not in it. Data end at the far sphere,
-// which is fitted to them; a text may stand beyond.
+// Where a text stands in the picture; false where that is not in it. The clip spheres are fitted to
+// the data; a text may stand before or beyond them.
 bool FindPlace(vtkWideFoVCamera* camera, double aspect, const double world[3], double ndc[3])
 {
   if (camera->WorldToNDC(world, aspect, ndc))
   {
     return true;
   }
-  constexpr double Within = 1 - 1e-6; // of the far sphere
+  constexpr double Within = 1e-6; // the clip spheres, relative
   double eye[3];
   camera->GetPosition(eye);
   const double distance = std::sqrt(vtkMath::Distance2BetweenPoints(world, eye));
-  const double nearer = Within * camera->GetFarClipRadius() / distance;
-  if (!(nearer < 1))
+  const double nearest = (1 + Within) * camera->GetNearClipRadius();
+  const double farthest = (1 - Within) * camera->GetFarClipRadius();
+  if (!(distance > 0))
   {
     return false;
   }
+  const double share = std::min(std::max(distance, nearest), farthest) / distance;
   double place[3];
   for (int i = 0; i < 3; i++)
   {
-    place[i] = eye[i] + nearer * (world[i] - eye[i]);
+    place[i] = eye[i] + share * (world[i] - eye[i]);
   }
   return camera->WorldToNDC(place, aspect, ndc);
 }
@@ -70,6 +73,7 @@ void ShowAt(vtkCamera* flat, vtkCamera* camera, const double world[3], const dou
   }
   flat->SetExplicitProjectionTransformMatrix(projection);
   flat->UseExplicitProjectionTransformMatrixOn();
+  flat->ParallelProjectionOn(); // light falls on it from the picture's front, wherever it stands
 }
 }
 
