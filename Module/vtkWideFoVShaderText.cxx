@@ -64,6 +64,7 @@ void FoldMaterial(const vtkWideFoVShaderBuilder::Material& surface, std::string&
     }
   };
   fold(surface.NoAmbient, "ambientIntensity", "0.0");
+  fold(surface.NoDiffuse, "diffuseIntensity", "0.0");
   fold(surface.FullDiffuse, "diffuseIntensity", "1.0");
   fold(surface.NoSpecular, "specularIntensity", "0.0");
   fold(surface.Opaque, "opacityUniform", "1.0");

@@ -87,6 +87,7 @@ private:
     {
       vtkProperty* property = actor->GetProperty();
       material.NoAmbient = property->GetAmbient() == 0;
+      material.NoDiffuse = property->GetDiffuse() == 0;
       material.FullDiffuse = property->GetDiffuse() == 1;
       material.NoSpecular = property->GetSpecular() == 0;
       material.Opaque = property->GetOpacity() == 1 && simple.count(name) > 0;
@@ -170,7 +171,12 @@ void vtkWideFoVStage::SetView(vtkRenderer* renderer, vtkWideFoVCamera* camera, d
     this->Tile[i + 2] = static_cast<float>((whole - 2 * this->Pixels.Start[i] - size) / size);
   }
 
-  this->Headlights = wfv::FindHeadlights(renderer);
+  const int headlights = wfv::FindHeadlights(renderer);
+  if (headlights != this->Headlights)
+  {
+    this->Headlights = headlights; // a constant of the shaders
+    this->SourceTime.Modified();
+  }
 }
 
 void vtkWideFoVStage::NoteSamples()
@@ -239,6 +245,7 @@ vtkWideFoVShaderBuilder::Request vtkWideFoVStage::MakeRequest(
   request.Multisample = this->Multisample;
   request.Tilted = this->Tilted;
   request.SurfaceDepth = this->SurfaceDepth;
+  request.Headlights = this->Headlights;
   auto* polydata = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
   if (auto* actor = vtkActor::SafeDownCast(prop); polydata && actor && this->Renderer)
   {
@@ -296,7 +303,6 @@ bool vtkWideFoVStage::SetShaderParameters(
 {
   SetViewParameters(program, this->View);
   program->SetUniformf("wfvTolerance", this->Tolerance);
-  program->SetUniformi("wfvHeadlights", this->Headlights);
 
   int viewport[4] = { 0, 0, 1, 1 };
   if (auto* renderer = vtkOpenGLRenderer::SafeDownCast(this->Renderer))
