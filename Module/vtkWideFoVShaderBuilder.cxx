@@ -229,12 +229,7 @@ void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std:
   }
   declarations += DebugSource(r);
   FoldMaterial(r.Surface, fragment);
-  RewriteLights(fragment);
-  if (r.Headlights >= 0)
-  {
-    ReplaceAll(fragment, "uniform int wfvHeadlights;",
-      "const int wfvHeadlights = " + std::to_string(r.Headlights) + ";");
-  }
+  RewriteLights(r.Headlights, fragment);
   if (!before.empty() || !after.empty())
   {
     vtkWideFoVShaderBuilder::WrapMain(fragment, before, after);

@@ -209,6 +209,7 @@ bool WarnOfBodies()
 void vtkWideFoVStage::FinishTriangles(vtkWideFoVShaderBuilder::Request& request) const
 {
   request.Stereo = this->Stereo;
+  request.Headlights = this->Headlights;
   const bool straight = !this->Stereo || this->Stereo->Straight;
   if (request.Kind == vtkWideFoVShaderBuilder::Primitive::Lines && !straight &&
     request.Stage == vtkWideFoVShaderBuilder::Variant::Exact)
@@ -245,7 +246,6 @@ vtkWideFoVShaderBuilder::Request vtkWideFoVStage::MakeRequest(
   request.Multisample = this->Multisample;
   request.Tilted = this->Tilted;
   request.SurfaceDepth = this->SurfaceDepth;
-  request.Headlights = this->Headlights;
   auto* polydata = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
   if (auto* actor = vtkActor::SafeDownCast(prop); polydata && actor && this->Renderer)
   {
