@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVPass.h"
 
+#include "vtkWideFoVBillboards.h"
 #include "vtkWideFoVCamera.h"
+#include "vtkWideFoVCompositeHelper.h"
 #include "vtkWideFoVFrameProps.h"
 #include "vtkWideFoVHeadlights.h"
 #include "vtkWideFoVScreenCamera.h"
 #include "vtkWideFoVStages.h"
 
+#include "vtkActor.h"
 #include "vtkObjectFactory.h"
 #include "vtkProp.h"
 #include "vtkRenderState.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 
@@ -24,6 +28,7 @@ struct vtkWideFoVPass::Internals
   vtkWideFoVStages Stages;
   vtkNew<vtkWideFoVHeadlights> Headlights; // of flat screens
   wfv::FrameProps Props;                   // as they came
+  wfv::Billboards Texts;                   // that stand in the scene
   std::vector<vtkWideFoVStage*> Chosen;    // one a prop that is seen, kept for its memory
 };
 
@@ -121,9 +126,10 @@ int vtkWideFoVPass::Cull(vtkProp** props)
   Internals& in = *this->Internal;
   int seen = 0;
   in.Chosen.clear();
+  in.Texts.Clear();
   for (int i = 0; i < in.Props.GetCount(); i++)
   {
-    if (!in.Props.IsUnseen(i))
+    if (!in.Texts.Take(in.Props.GetProp(i)) && !in.Props.IsUnseen(i))
     {
       in.Chosen.push_back(in.Props.GetStage(i));
       props[seen++] = in.Props.GetProp(i);
@@ -138,6 +144,10 @@ void vtkWideFoVPass::DrawProps(const vtkRenderState* s, vtkProp** props, int cou
   for (int i = 0; i < count; i++)
   {
     vtkWideFoVStages::Attach(props[i], in.Chosen[i]);
+    if (auto* const actor = vtkActor::SafeDownCast(props[i]))
+    {
+      vtkWideFoVCompositeHelper::GiveTo(actor->GetMapper(), s->GetRenderer()->GetRenderWindow());
+    }
   }
   vtkRenderState seen(s->GetRenderer());
   seen.SetFrameBuffer(s->GetFrameBuffer());
@@ -208,6 +218,7 @@ void vtkWideFoVPass::RenderWide(const vtkRenderState* s, vtkWideFoVCamera* camer
   this->Draws = true;
   this->DrawProps(s, props, seen);
   this->Draws = false;
+  in.Texts.Draw(renderer, camera, in.Stages.Plain->GetTile());
   RendererAccess::SetCount(renderer, props, count);
   for (int i = 0; i < count; i++)
   {

@@ -15,16 +15,12 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkOpenGLVertexArrayObject.h"
-#include "vtkOpenGLVertexBufferObject.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkWideFoVGl.h"
-
-#include <algorithm>
-#include <cmath>
 
 vtkStandardNewMacro(vtkWideFoVPolyDataMapper);
 
@@ -40,27 +36,6 @@ struct vtkWideFoVPolyDataMapper::Internals
     return primitive == vtkOpenGLPolyDataMapper::PrimitiveTriStrips ? this->Strips : this->Polygons;
   }
 };
-
-namespace
-{
-// By how much a vertex buffer moves points at the most, in their own units: those that are
-// float32 stay as they are, others are rounded, and both where VTK shifts and scales them.
-double RoundingOf(vtkOpenGLVertexBufferObjectGroup* buffers, vtkPolyData* data)
-{
-  constexpr double Rounded = 1.0 / (1 << 21); // of the largest coordinate: four roundings
-  vtkOpenGLVertexBufferObject* const buffer = buffers->GetVBO("vertexMC");
-  vtkPoints* const points = data->GetPoints();
-  if (!buffer || !points ||
-    (points->GetDataType() == VTK_FLOAT && !buffer->GetCoordShiftAndScaleEnabled()))
-  {
-    return 0;
-  }
-  const double* const b = data->GetBounds();
-  return Rounded * std::abs(*std::max_element(b, b + 6, [](double x, double y) {
-    return std::abs(x) < std::abs(y);
-  }));
-}
-}
 
 vtkWideFoVPolyDataMapper::vtkWideFoVPolyDataMapper()
   : Internal(new Internals)
@@ -163,7 +138,8 @@ void vtkWideFoVPolyDataMapper::DrawSorted(int primitive, vtkRenderer* renderer, 
   using Sorted = wfv::SortedDraw;
   Sorted& sorted = this->Internal->Of(primitive);
   vtkOpenGLHelper& own = this->Primitives[primitive];
-  const auto vertices = static_cast<unsigned int>(this->VBOs->GetNumberOfTuples("vertexMC"));
+  wfv::DrawnPart part;
+  part.Vertices = static_cast<unsigned int>(this->VBOs->GetNumberOfTuples("vertexMC"));
   vtkWideFoVStage* const stage = vtkWideFoVStages::FindAttached(actor);
   vtkWideFoVStages* const stages = stage->GetStages();
   for (const Sorted::Lot lot : { Sorted::Covered, Sorted::Calm, Sorted::Plain })
@@ -180,7 +156,7 @@ void vtkWideFoVPolyDataMapper::DrawSorted(int primitive, vtkRenderer* renderer, 
     vtkWideFoVStages::Replace(actor, stage, other);
     sorted.Choose(lot);
     this->UpdateShaders(helper, renderer, actor);
-    sorted.Draw(own.IBO, vertices);
+    sorted.Draw(own.IBO, part);
     vtkWideFoVStages::Replace(actor, other, stage);
   }
   sorted.Choose(Sorted::All);
@@ -203,10 +179,12 @@ void vtkWideFoVPolyDataMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* 
   {
     for (const int i : { PrimitiveTris, PrimitiveTriStrips })
     {
-      wfv::SortedDraw& sorted = this->Internal->Of(i);
-      sorts[i] = sorted.IsWorthIt(this->CurrentInput) &&
-        sorted.Prepare(
-          this->CurrentInput, actor, stage, RoundingOf(this->VBOs, this->CurrentInput));
+      // few triangles are not asked how the buffer rounds their points, which takes a while
+      const bool worth = wfv::SortedDraw::IsWorthIt(this->CurrentInput, i == PrimitiveTriStrips);
+      const double rounding = worth ? wfv::RoundingOf(this->VBOs, this->CurrentInput->GetPoints(),
+                                        this->CurrentInput->GetBounds())
+                                    : 0;
+      sorts[i] = this->Internal->Of(i).Prepare(this->CurrentInput, actor, stage, rounding);
     }
   }
   if (patches || sorts[PrimitiveTris] || sorts[PrimitiveTriStrips])

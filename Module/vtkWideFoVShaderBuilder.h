@@ -36,6 +36,7 @@ public:
   struct Material
   {
     bool NoAmbient = false;   // intensity 0
+    bool NoDiffuse = false;   // intensity 0
     bool FullDiffuse = false; // intensity 1
     bool NoSpecular = false;  // intensity 0
     bool Opaque = false;      // opacity 1
@@ -56,6 +57,7 @@ public:
     bool Multisample = false;  // the framebuffer may have several samples a pixel
     bool Tilted = false;       // the view may have a tilt
     Material Surface;          // of triangles
+    int Headlights = 0;        // which lights are at the eye, one bit each
     int DepthMapping = 0;      // wfv::DepthMapping; all but linear by the fragment stage
     bool Calm = false;         // covered triangles are small, and nothing is torn where they are
     bool SurfaceDepth = false; // depth is the surface's, not interpolated along chords

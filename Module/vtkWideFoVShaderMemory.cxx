@@ -16,11 +16,12 @@ void Append(std::string& key, const Values&... values)
 void AppendRequest(std::string& key, const vtkWideFoVShaderBuilder::Request& request)
 {
   const auto& [projection, stereo, stage, kind, widePoints, wideLines, edges, edgeFlags, byRays,
-    debugView, multisample, tilted, surface, depthMapping, calm, surfaceDepth] = request;
-  const auto& [noAmbient, fullDiffuse, noSpecular, opaque] = surface;
+    debugView, multisample, tilted, surface, headlights, depthMapping, calm, surfaceDepth] =
+    request;
+  const auto& [noAmbient, noDiffuse, fullDiffuse, noSpecular, opaque] = surface;
   Append(key, projection, stereo, stage, kind, widePoints, wideLines, edges, edgeFlags, byRays,
-    debugView, multisample, tilted, depthMapping, calm, surfaceDepth, noAmbient, fullDiffuse,
-    noSpecular, opaque);
+    debugView, multisample, tilted, headlights, depthMapping, calm, surfaceDepth, noAmbient,
+    noDiffuse, fullDiffuse, noSpecular, opaque);
 }
 }
 

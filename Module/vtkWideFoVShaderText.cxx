@@ -64,6 +64,7 @@ void FoldMaterial(const vtkWideFoVShaderBuilder::Material& surface, std::string&
     }
   };
   fold(surface.NoAmbient, "ambientIntensity", "0.0");
+  fold(surface.NoDiffuse, "diffuseIntensity", "0.0");
   fold(surface.FullDiffuse, "diffuseIntensity", "1.0");
   fold(surface.NoSpecular, "specularIntensity", "0.0");
   fold(surface.Opaque, "opacityUniform", "1.0");
@@ -185,7 +186,7 @@ int CornerComponents(const std::vector<Varying>& varyings, int corners)
   return count;
 }
 
-void RewriteLights(std::string& fragment)
+void RewriteLights(int headlights, std::string& fragment)
 {
   // the first statement of the stock main, whatever main is called by now
   const std::string position = "vec4 vertexVC = vertexVCVSOutput;";
@@ -197,6 +198,8 @@ void RewriteLights(std::string& fragment)
   std::string head = fragment.substr(0, inside);
   std::string body = fragment.substr(inside);
   vtkWideFoVShaderBuilder::Declare(head, light_fragment_glsl);
+  ReplaceAll(head, "uniform int wfvHeadlights;",
+    "const int wfvHeadlights = " + std::to_string(headlights) + ";");
   ReplaceAll(body, position, position + "\n  wfvFromEye = WFV_FROM_EYE;");
   ReplaceAll(body, "max(0.0,normalVCVSOutput.z)", "max(0.0, dot(normalVCVSOutput, -wfvFromEye))");
   body = std::regex_replace(

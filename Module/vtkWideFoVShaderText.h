@@ -91,8 +91,8 @@ std::string TakeFromEye(std::string& vertex, bool keepModel = false);
 void RewriteFlatNormal(std::string& fragment);
 
 // The stock text takes normal.z for the cosine towards the eye and the view axis for
-// the direction of a headlight; both hold in front of the eye only.
-void RewriteLights(std::string& fragment);
+// the direction of a headlight; both hold in front of the eye only. headlights: one bit a light.
+void RewriteLights(int headlights, std::string& fragment);
 
 // Depth by wfvDepth instead of the rasterizer's; returns what main begins with.
 std::string RewriteDepth(std::string& fragment);

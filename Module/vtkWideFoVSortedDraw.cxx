@@ -14,6 +14,8 @@
 #include "vtkOpenGLIndexBufferObject.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLVertexBufferObject.h"
+#include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPolyData.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
@@ -72,8 +74,15 @@ struct SortedDraw::Entry
   }
 };
 
+bool SortedDraw::IsWorthIt(vtkPolyData* data, bool strips)
+{
+  vtkCellArray* const cells = strips ? data->GetStrips() : data->GetPolys();
+  return cells->GetNumberOfConnectivityIds() >= FewCorners;
+}
+
 SortedDraw::SortedDraw(bool strips)
-  : Mesh(strips)
+  : ForStrips(strips)
+  , Mesh(strips)
 {
   for (vtkOpenGLHelper& helper : this->Helpers)
   {
@@ -85,19 +94,14 @@ SortedDraw::SortedDraw(bool strips)
 
 SortedDraw::~SortedDraw() = default;
 
-bool SortedDraw::IsWorthIt(vtkPolyData* data)
-{
-  this->Current = nullptr;
-  this->Chosen = SortedDraw::All;
-  return this->Mesh.GetCells(data)->GetNumberOfConnectivityIds() >= FewCorners;
-}
-
 bool SortedDraw::Prepare(
   vtkPolyData* data, vtkActor* actor, vtkWideFoVStage* stage, double rounding)
 {
+  this->Current = nullptr;
+  this->Chosen = SortedDraw::All;
   vtkWideFoVStages* const stages = stage->GetStages();
   SortView view;
-  if (!stages || !stages->GetSortView(stage, actor, view))
+  if (!stages || !IsWorthIt(data, this->ForStrips) || !stages->GetSortView(stage, actor, view))
   {
     return false;
   }
@@ -181,15 +185,19 @@ std::size_t SortedDraw::GetNumberOf(Lot lot) const
   return this->Current ? this->Current->Counts[lot] : 0;
 }
 
-void SortedDraw::Draw(vtkOpenGLIndexBufferObject* all, unsigned int vertices)
+void SortedDraw::Draw(vtkOpenGLIndexBufferObject* all, const DrawnPart& part)
 {
-  const Entry& e = *this->Current;
-  vtkOpenGLIndexBufferObject* const indices = e.IsWhole() ? all : e.Indices.Get();
-  const std::size_t first = e.IsWhole() ? 0 : e.GetFirst(this->Chosen);
-  const auto count = static_cast<GLsizei>(3 * e.Counts[this->Chosen]);
+  const bool own = this->Chosen != SortedDraw::All && !this->Current->IsWhole();
+  vtkOpenGLIndexBufferObject* const indices = own ? this->Current->Indices.Get() : all;
+  const std::size_t first = own ? 3 * this->Current->GetFirst(this->Chosen) : part.FirstIndex;
+  const std::size_t count =
+    this->Chosen == SortedDraw::All ? part.Indices : 3 * this->Current->Counts[this->Chosen];
+  // the mapper's own indices count from its first vertex, the sorted ones from the mesh's
+  const unsigned int from = own ? 0 : part.FirstVertex;
   indices->Bind();
-  glDrawRangeElements(GL_TRIANGLES, 0, vertices - 1, count, GL_UNSIGNED_INT,
-    reinterpret_cast<const void*>(3 * first * sizeof(GLuint)));
+  glDrawRangeElementsBaseVertex(GL_TRIANGLES, from, from + part.Vertices - 1,
+    static_cast<GLsizei>(count), GL_UNSIGNED_INT, reinterpret_cast<void*>(first * sizeof(GLuint)),
+    static_cast<GLint>(own ? part.FirstVertex : 0));
   indices->Release();
 }
 
@@ -255,6 +263,26 @@ void SortedDraw::ReleaseGraphicsResources(vtkWindow* window)
   }
   this->Numbers->ReleaseGraphicsResources(window);
   this->NumberBuffer->ReleaseGraphicsResources();
+}
+
+// Points that are float32 stay as they are, others are rounded, and both where VTK shifts and
+// scales them.
+double RoundingOf(
+  vtkOpenGLVertexBufferObjectGroup* buffers, vtkPoints* points, const double bounds[6])
+{
+  constexpr double Rounded = 1.0 / (1 << 21); // of the largest coordinate: four roundings
+  vtkOpenGLVertexBufferObject* const buffer = buffers->GetVBO("vertexMC");
+  if (!buffer || !points ||
+    (points->GetDataType() == VTK_FLOAT && !buffer->GetCoordShiftAndScaleEnabled()))
+  {
+    return 0;
+  }
+  double largest = 0;
+  for (int i = 0; i < 6; i++)
+  {
+    largest = std::max(largest, std::abs(bounds[i]));
+  }
+  return Rounded * largest;
 }
 
 void TakeSortedNumbers(std::string& fragment)

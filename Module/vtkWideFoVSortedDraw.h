@@ -17,6 +17,8 @@ class vtkActor;
 class vtkOpenGLBufferObject;
 class vtkOpenGLIndexBufferObject;
 class vtkOpenGLRenderWindow;
+class vtkOpenGLVertexBufferObjectGroup;
+class vtkPoints;
 class vtkPolyData;
 class vtkShaderProgram;
 class vtkTextureObject;
@@ -26,6 +28,15 @@ class vtkWindow;
 
 namespace wfv
 {
+// Where a mesh lies in the buffers of its mapper.
+struct DrawnPart
+{
+  unsigned int FirstVertex = 0;
+  unsigned int Vertices = 0;
+  std::size_t FirstIndex = 0; // in the mapper's own indices
+  std::size_t Indices = 0;
+};
+
 class SortedDraw
 {
 public:
@@ -33,8 +44,8 @@ public:
   explicit SortedDraw(bool strips);
   ~SortedDraw();
 
-  // Before all others in a frame: whether there are so many triangles that they are sorted.
-  bool IsWorthIt(vtkPolyData* data);
+  // Whether there are so many cells that sorting them may be.
+  static bool IsWorthIt(vtkPolyData* data, bool strips);
 
   // Sorts the triangles of `data` for this actor and frame where anything has changed. False
   // where all of them are drawn as the stage says, as usual. rounding: by how much the vertex
@@ -58,7 +69,7 @@ public:
 
   // Draws the chosen ones, with the program that is bound. all: the mapper's own indices, which
   // serve where nothing is left out.
-  void Draw(vtkOpenGLIndexBufferObject* all, unsigned int vertices);
+  void Draw(vtkOpenGLIndexBufferObject* all, const DrawnPart& part);
 
   // The numbers that the chosen lot's triangles have in the mapper.
   void SetParameters(vtkShaderProgram* program, vtkWindow* window);
@@ -78,6 +89,7 @@ private:
   void Sort(Entry& entry, vtkPolyData* data, const double toMap[16], const SortView& view);
   void LoadNumbers(vtkOpenGLRenderWindow* window);
 
+  const bool ForStrips;
   Clusters Mesh;
   Sorter Triangles;
   std::map<vtkActor*, std::unique_ptr<Entry>> Entries;
@@ -88,6 +100,11 @@ private:
   vtkNew<vtkTextureObject> Numbers;
   Entry* NumbersOf = nullptr;
 };
+
+// By how much the vertex buffer moves these points at the most, in their own units; bounds: of all
+// that are in the buffer.
+double RoundingOf(
+  vtkOpenGLVertexBufferObjectGroup* buffers, vtkPoints* points, const double bounds[6]);
 
 // Makes the fragment stage of a mapper that draws so ask for those numbers.
 void TakeSortedNumbers(std::string& fragment);

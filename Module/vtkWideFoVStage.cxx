@@ -2,6 +2,7 @@
 #include "vtkWideFoVStage.h"
 
 #include "vtkWideFoVCamera.h"
+#include "vtkWideFoVCompositeHelper.h"
 #include "vtkWideFoVDirectionTextures.h"
 #include "vtkWideFoVDiscontinuity.h"
 #include "vtkWideFoVEye.h"
@@ -70,26 +71,28 @@ public:
   }
 
 private:
-  // Of the stock mappers that take the property as it is; of composite ones each block may
-  // have its own, and what is selected has a colour of its own.
+  // Of the mappers that take the property as it is; of composite ones each block may have colours
+  // and an opacity of its own. What is selected has a colour of its own everywhere.
   static vtkWideFoVShaderBuilder::Material DescribeMaterial(vtkOpenGLPolyDataMapper* mapper,
     vtkRenderer* renderer, vtkActor* actor, const vtkOpenGLHelper* buffer)
   {
-    const char* const kind = mapper->GetClassName();
-    const char* const simple[] = { "vtkOpenGLPolyDataMapper", "vtkWideFoVPolyDataMapper",
-      "vtkOpenGLGlyph3DHelper" };
-    const bool known = std::any_of(std::begin(simple), std::end(simple),
-      [kind](const char* name) { return std::strcmp(name, kind) == 0; });
-    const vtkOpenGLHelper* own = mapper->*(&MapperAccess::Primitives);
-    const bool surface = buffer == own + PrimitiveTris || buffer == own + PrimitiveTriStrips;
+    static const std::set<std::string> simple{ "vtkOpenGLPolyDataMapper",
+      "vtkWideFoVPolyDataMapper", "vtkOpenGLGlyph3DHelper" };
+    static const std::set<std::string> blocks{ "vtkCompositeMapperHelper2",
+      "vtkWideFoVCompositeHelper" };
+    const std::string name = mapper->GetClassName();
+    const bool known = simple.count(name) > 0 || blocks.count(name) > 0;
+    const bool surface = buffer && !(mapper->*(&MapperAccess::DrawingSelection)) &&
+      (buffer->PrimitiveType == PrimitiveTris || buffer->PrimitiveType == PrimitiveTriStrips);
     vtkWideFoVShaderBuilder::Material material;
     if (surface && !renderer->GetSelector() && known)
     {
       vtkProperty* property = actor->GetProperty();
       material.NoAmbient = property->GetAmbient() == 0;
+      material.NoDiffuse = property->GetDiffuse() == 0;
       material.FullDiffuse = property->GetDiffuse() == 1;
       material.NoSpecular = property->GetSpecular() == 0;
-      material.Opaque = property->GetOpacity() == 1;
+      material.Opaque = property->GetOpacity() == 1 && simple.count(name) > 0;
     }
     return material;
   }
@@ -129,7 +132,12 @@ void vtkWideFoVStage::SetView(vtkRenderer* renderer, vtkWideFoVCamera* camera, d
     this->Tile[i + 2] = static_cast<float>((whole - 2 * this->Pixels.Start[i] - size) / size);
   }
 
-  this->Headlights = wfv::FindHeadlights(renderer);
+  const int headlights = wfv::FindHeadlights(renderer);
+  if (headlights != this->Headlights)
+  {
+    this->Headlights = headlights; // a constant of the shaders
+    this->SourceTime.Modified();
+  }
 }
 
 vtkMTimeType vtkWideFoVStage::GetShaderStageMTime()
@@ -151,6 +159,7 @@ bool WarnOfBodies()
 void vtkWideFoVStage::FinishTriangles(vtkWideFoVShaderBuilder::Request& request) const
 {
   request.Stereo = this->Stereo;
+  request.Headlights = this->Headlights;
   const bool straight = !this->Stereo || this->Stereo->Straight;
   if (request.Kind == vtkWideFoVShaderBuilder::Primitive::Lines && !straight &&
     request.Stage == vtkWideFoVShaderBuilder::Variant::Exact)
@@ -233,7 +242,9 @@ bool vtkWideFoVStage::PostReplaceShaderValues(std::string& vertexShader,
 {
   const vtkWideFoVShaderBuilder::Request request = this->MakeRequest(mapper, prop);
   const bool triangles = request.Kind == vtkWideFoVShaderBuilder::Primitive::Triangles;
-  const bool sorts = triangles && vtkWideFoVPolyDataMapper::SafeDownCast(mapper);
+  const bool sorts = triangles &&
+    (vtkWideFoVPolyDataMapper::SafeDownCast(mapper) ||
+      vtkWideFoVCompositeHelper::SafeDownCast(mapper));
   using Texts = wfv::ShaderMemory::Texts;
   Texts texts{ vertexShader, geometryShader, fragmentShader };
   const Texts* const before =

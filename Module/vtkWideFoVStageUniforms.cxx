@@ -92,7 +92,6 @@ void vtkWideFoVStage::SetFrameParameters(vtkShaderProgram* program, const int vi
 {
   SetViewParameters(program, this->View);
   program->SetUniformf("wfvTolerance", this->Tolerance);
-  program->SetUniformi("wfvHeadlights", this->Headlights);
   wfv::SetTileUniforms(program, this->Pixels, this->Tile, viewport, this->View.scale);
 }
 

@@ -6,6 +6,8 @@ find_package(glm REQUIRED)
 get_target_property(WIDEFOV_PARAVIEW_LIBRARIES ParaView::RemotingViews LOCATION)
 get_filename_component(WIDEFOV_PARAVIEW_LIBRARIES "${WIDEFOV_PARAVIEW_LIBRARIES}" DIRECTORY)
 
+add_subdirectory("${PROJECT_SOURCE_DIR}/Module/Metadata" metadata)
+
 # scanned, and built without having to ask
 set(_paraview_plugin_default_WideFoV ON)
 paraview_plugin_scan(

@@ -3,72 +3,34 @@
 
 #include "Messages.h"
 
-#include <zlib.h>
-
-#include <cmath>
-#include <cstring>
-
 namespace widefov
 {
 namespace
 {
-void AppendBigEndian(std::vector<unsigned char>& bytes, unsigned long value)
+wfvxmp::Panorama PanoramaOf(int width, int height, const PanoramaInfo& info)
 {
-  for (int shift = 24; shift >= 0; shift -= 8)
-  {
-    bytes.push_back(static_cast<unsigned char>(value >> shift & 0xff));
-  }
-}
-
-// Length, type, data, checksum over type and data.
-std::vector<unsigned char> MakeChunk(const std::string& type, const std::string& data)
-{
-  std::vector<unsigned char> chunk;
-  AppendBigEndian(chunk, data.size());
-  chunk.insert(chunk.end(), type.begin(), type.end());
-  chunk.insert(chunk.end(), data.begin(), data.end());
-  const uLong checksum = crc32(0, chunk.data() + 4, static_cast<uInt>(type.size() + data.size()));
-  AppendBigEndian(chunk, checksum);
-  return chunk;
+  wfvxmp::Panorama panorama;
+  panorama.Width = width;
+  panorama.Height = height;
+  panorama.HorizontalFov = info.HorizontalFov;
+  panorama.VerticalFov = info.VerticalFov;
+  return panorama;
 }
 }
 
-std::vector<GPanoField> GPanoFields(int width, int height, const PanoramaInfo& info)
+std::vector<wfvxmp::Field> GPanoFields(int width, int height, const PanoramaInfo& info)
 {
-  const long fullWidth = std::lround(width * 360 / info.HorizontalFov);
-  const long fullHeight = std::lround(height * 180 / info.VerticalFov);
-  const auto text = [](long value) { return std::to_string(value); };
-  return { { "ProjectionType", "equirectangular" }, { "UsePanoramaViewer", "True" },
-    { "CroppedAreaImageWidthPixels", text(width) },
-    { "CroppedAreaImageHeightPixels", text(height) }, { "FullPanoWidthPixels", text(fullWidth) },
-    { "FullPanoHeightPixels", text(fullHeight) },
-    { "CroppedAreaLeftPixels", text((fullWidth - width) / 2) },
-    { "CroppedAreaTopPixels", text((fullHeight - height) / 2) }, { "PoseHeadingDegrees", "0" },
-    { "PosePitchDegrees", "0" }, { "PoseRollDegrees", "0" } };
-}
-
-std::string XmpPacket(const std::string& description)
-{
-  return "<?xpacket begin=\"\xEF\xBB\xBF\" id=\"W5M0MpCehiHzreSzNTczkc9d\"?>\n"
-         "<x:xmpmeta xmlns:x=\"adobe:ns:meta/\">\n"
-         "<rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\">\n"
-         "<rdf:Description rdf:about=\"\"\n" +
-    description + "/>\n</rdf:RDF>\n</x:xmpmeta>\n<?xpacket end=\"w\"?>";
+  return wfvxmp::PanoramaFields(PanoramaOf(width, height, info));
 }
 
 std::string GPanoText(int width, int height, const PanoramaInfo& info)
 {
-  std::string text = " xmlns:GPano=\"http://ns.google.com/photos/1.0/panorama/\"";
-  for (const GPanoField& field : GPanoFields(width, height, info))
-  {
-    text += "\n GPano:" + field.Name + "=\"" + field.Value + "\"";
-  }
-  return text;
+  return wfvxmp::PanoramaText(PanoramaOf(width, height, info));
 }
 
 std::string GPanoXmp(int width, int height, const PanoramaInfo& info)
 {
-  return XmpPacket(GPanoText(width, height, info));
+  return wfvxmp::PanoramaXmp(PanoramaOf(width, height, info));
 }
 
 std::string SphericalXmp(int width, int height, const PanoramaInfo& info)
@@ -80,7 +42,7 @@ std::string SphericalXmp(int width, int height, const PanoramaInfo& info)
                      "\n GSpherical:ProjectionType=\"equirectangular\""
                      "\n GSpherical:StereoMode=\"" +
     info.StereoMode + "\"";
-  for (const GPanoField& field :
+  for (const wfvxmp::Field& field :
     GPanoFields(beside ? width / 2 : width, beside ? height : height / 2, info))
   {
     // those that both name spaces have
@@ -89,25 +51,14 @@ std::string SphericalXmp(int width, int height, const PanoramaInfo& info)
       text += "\n GSpherical:" + field.Name + "=\"" + field.Value + "\"";
     }
   }
-  return XmpPacket(text);
-}
-
-std::vector<unsigned char> PngXmpChunk(const std::string& xmp)
-{
-  // keyword, not compressed, no language, no translated keyword
-  return MakeChunk("iTXt", std::string("XML:com.adobe.xmp") + std::string(5, '\0') + xmp);
+  return wfvxmp::XmpPacket(text);
 }
 
 void InsertInPng(std::vector<unsigned char>& png, const std::vector<unsigned char>& chunk)
 {
-  if (chunk.empty())
-  {
-    return;
-  }
-  if (png.size() < PngHeaderEnd || std::memcmp(png.data() + 12, "IHDR", 4) != 0)
+  if (!chunk.empty() && !wfvxmp::InsertInPng(png, chunk))
   {
     Fail("the PNG encoder wrote no PNG; choose another format");
   }
-  png.insert(png.begin() + PngHeaderEnd, chunk.begin(), chunk.end());
 }
 }

@@ -5,36 +5,23 @@
 #define WideFoVGPano_h
 
 #include "ImageOutput.h"
+#include "PanoramaXmp.h"
+#include "XmpInFiles.h"
 
 #include <string>
 #include <vector>
 
 namespace widefov
 {
-struct GPanoField
-{
-  std::string Name;
-  std::string Value;
-};
-
 // For a picture of that many pixels; a smaller field of view is a crop out of the middle
 // of the whole sphere at the same density.
-std::vector<GPanoField> GPanoFields(int width, int height, const PanoramaInfo& info);
+std::vector<wfvxmp::Field> GPanoFields(int width, int height, const PanoramaInfo& info);
 
-// An XMP packet of one description: name spaces and attributes.
-std::string XmpPacket(const std::string& description);
-
-// The fields as such attributes, with their name space.
+// The fields as attributes of an XMP description, with their name space.
 std::string GPanoText(int width, int height, const PanoramaInfo& info);
 
 // The same as an XMP packet.
 std::string GPanoXmp(int width, int height, const PanoramaInfo& info);
-
-// The same as a PNG's chunk iTXt "XML:com.adobe.xmp".
-std::vector<unsigned char> PngXmpChunk(const std::string& xmp);
-
-// Bytes of a PNG's signature and of its header, behind which chunks may be inserted.
-constexpr std::size_t PngHeaderEnd = 8 + 4 + 4 + 13 + 4;
 
 // Inserts a chunk, where it is not empty, into the bytes of a PNG file, behind the header. Throws
 // a Failure with ExitFailed where these are no PNG.

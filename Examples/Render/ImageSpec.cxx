@@ -36,7 +36,7 @@ void AddEnvironment(OIIO::ImageSpec& spec, const PanoramaInfo& info)
 
 void AddGPano(OIIO::ImageSpec& spec, const PanoramaInfo& info)
 {
-  for (const GPanoField& field : GPanoFields(spec.width, spec.height, info))
+  for (const wfvxmp::Field& field : GPanoFields(spec.width, spec.height, info))
   {
     spec.attribute("GPano:" + field.Name, field.Value);
   }
@@ -96,7 +96,7 @@ std::vector<unsigned char> PngPanorama(
   {
     return {};
   }
-  return PngXmpChunk(
+  return wfvxmp::PngChunk(
     info.StereoMode.empty() ? GPanoXmp(width, height, info) : SphericalXmp(width, height, info));
 }
 }

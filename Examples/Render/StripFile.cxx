@@ -85,7 +85,7 @@ void StripFile::Internals::Begin(const std::vector<unsigned char>& insert)
     this->Spec.attribute("openexr:levelmode", 0); // environments would be promised smaller ones
   }
   this->File = this->Files.Open(this->Path);
-  this->Proxy = std::make_unique<FileProxy>(this->File, PngHeaderEnd, insert);
+  this->Proxy = std::make_unique<FileProxy>(this->File, wfvxmp::PngHeaderEnd, insert);
   this->Output->set_ioproxy(this->Proxy.get());
   if (!this->Output->open(this->Path, this->Spec))
   {

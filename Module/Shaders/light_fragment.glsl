@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A headlight shines from the eye in every direction, not along the view axis.
-uniform int wfvHeadlights; // one bit a light
+uniform int wfvHeadlights; // one bit a light; made a constant where the shader is built
 #ifndef WFV_FROM_EYE
 #define WFV_FROM_EYE normalize(vertexVC.xyz)
 #endif

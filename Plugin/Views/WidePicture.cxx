@@ -105,7 +105,7 @@ Image CaptureBoth(vtkSMViewProxy* view, bool below, Size size)
 // What viewers of panoramas want to know; empty where they know no such picture.
 std::string XmpOf(vtkSMViewProxy* view, const Size& size)
 {
-  Panorama p;
+  wfvxmp::Panorama p;
   p.Width = size[0];
   p.Height = size[1];
   p.HorizontalFov = vtkSMPropertyHelper(view, "HorizontalFieldOfView").GetAsDouble();
@@ -113,7 +113,8 @@ std::string XmpOf(vtkSMViewProxy* view, const Size& size)
   p.Pitch = vtkSMPropertyHelper(view, "Tilt").GetAsDouble();
   const std::string projection = vtkSMPropertyHelper(view, "Projection").GetAsString();
   constexpr double Zenith = 90; // degrees: a picture beyond it stands on its head
-  return projection == "equirectangular" && std::abs(p.Pitch) <= Zenith ? PanoramaXmp(p) : "";
+  return projection == "equirectangular" && std::abs(p.Pitch) <= Zenith ? wfvxmp::PanoramaXmp(p)
+                                                                        : "";
 }
 
 bool WriteFile(vtkSMViewProxy* view, vtkSMProxy* settings, vtkImageData* picture,

@@ -15,8 +15,6 @@
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 #include "vtkSynchronizedRenderers.h"
-#include "vtkVolume.h"
-#include "vtkVolumeCollection.h"
 
 #include <algorithm>
 #include <array>
@@ -251,26 +249,10 @@ void vtkPVWideFoVView::AboutToRenderOnLocalProcess(bool interactive)
   {
     this->SynchronizedRenderers->SetImageReductionFactor(1);
   }
-  this->WarnOfVolumes();
-}
-
-void vtkPVWideFoVView::WarnOfVolumes()
-{
-  vtkVolumeCollection* volumes = this->GetRenderer()->GetVolumes();
-  vtkCollectionSimpleIterator it;
-  volumes->InitTraversal(it);
-  bool visible = false;
-  while (vtkVolume* volume = volumes->GetNextVolume(it))
+  for (const std::string& line : this->Internal->Undrawn.Look(this->GetRenderer()))
   {
-    visible = visible || volume->GetVisibility();
+    vtkWarningMacro(<< line);
   }
-  if (visible && !this->Internal->WarnedOfVolumes)
-  {
-    vtkWarningMacro(
-      << "Volumes cannot be drawn in this view yet: their rays assume a flat picture. "
-         "Show contours or slices instead.");
-  }
-  this->Internal->WarnedOfVolumes = visible; // again when one is shown anew
 }
 
 void vtkPVWideFoVView::StartFrame()

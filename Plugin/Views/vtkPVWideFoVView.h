@@ -119,9 +119,6 @@ private:
   // The clip spheres to the data, or as they are set; the same on every process.
   void UpdateClipSpheres();
 
-  // Says once that a volume that was shown is not drawn.
-  void WarnOfVolumes();
-
   // Around each frame of the renderer: the eye is where the client says.
   void StartFrame();
   void EndFrame();

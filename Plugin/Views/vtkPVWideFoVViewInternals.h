@@ -5,6 +5,7 @@
 
 #include "vtkPVWideFoVView.h"
 
+#include "UndrawnProps.h"
 #include "vtkWideFoVCamera.h"
 #include "vtkWideFoVEverywhereProp.h"
 #include "vtkWideFoVPass.h"
@@ -31,7 +32,7 @@ struct vtkPVWideFoVView::Internals
   bool AutomaticClipSpheres = true;
   std::array<double, 2> ClipSpheres{ { 0.01, 1000 } };
   int DepthMapping = vtkWideFoVCamera::LINEAR;
-  bool WarnedOfVolumes = false;
+  wfvplugin::UndrawnProps Undrawn;
 
   // Its stereo settings alone count: a camera knows which values are none.
   vtkNew<vtkWideFoVCamera> Stereo;

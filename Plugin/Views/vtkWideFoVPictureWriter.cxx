@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVPictureWriter.h"
 
-#include "PanoramaXmp.h"
+#include "XmpInFiles.h"
 
 #include "vtkImageData.h"
 #include "vtkJPEGWriter.h"
@@ -74,14 +74,16 @@ std::vector<unsigned char> vtkWideFoVPictureWriter::Encode(const std::string& pa
   {
     vtkNew<vtkPNGWriter> writer;
     bytes = InMemory(writer.Get(), this->GetInput());
-    complete = !xmp || wfvplugin::InsertXmpInPng(bytes, this->Xmp);
+    complete = !xmp || wfvxmp::InsertInPng(bytes, wfvxmp::PngChunk(this->Xmp));
   }
   else if (ending == ".jpg" || ending == ".jpeg")
   {
     vtkNew<vtkJPEGWriter> writer;
     writer->SetQuality(this->Quality);
     bytes = InMemory(writer.Get(), this->GetInput());
-    complete = !xmp || wfvplugin::InsertXmpInJpeg(bytes, this->Xmp);
+    const std::string segment =
+      xmp ? wfvxmp::JpegSegment(wfvxmp::JpegPacketName + this->Xmp) : std::string();
+    complete = !xmp || (!segment.empty() && wfvxmp::InsertInJpeg(bytes, segment));
   }
   else
   {

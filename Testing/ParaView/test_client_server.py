@@ -4,6 +4,7 @@ selections that give the cells drawn."""
 
 import os
 import random
+import shutil
 
 from paraview import simple
 
@@ -35,6 +36,23 @@ def check_eye(options, view, mesh):
     scene.require(answer["unexplained"] == 0 and answer["hits"] > 3000, "the right eye")
 
 
+def check_extracts(options, view, mesh):
+    """Numbered pictures, drawn by the server's ranks and written by one of them."""
+    view.Projection = "equirectangular"
+    folder = os.path.join(options.output, "extracts")
+    shutil.rmtree(folder, ignore_errors=True)
+    extractor = simple.CreateExtractor("WideFoVPicture", view)
+    extractor.Writer.Size = scene.SIZE
+    # of a single frame ParaView 5.11 divides by zero, and triggers no extractor at all
+    simple.GetAnimationScene().NumberOfFrames = 2
+    simple.SaveExtracts(ExtractsOutputDirectory=folder)
+    found = sorted(os.listdir(folder))
+    scene.require(found == ["WideFoVView1_%06d.png" % i for i in range(2)], str(found))
+    answer = scene.check_cells(options, view, mesh, os.path.join(folder, found[1]), 0.25)
+    print("extract", answer)
+    scene.require(answer["unexplained"] == 0 and answer["hits"] > 3000, "an extract")
+
+
 def draw_and_select(options):
     scene.load_plugin(options, remote=True)
     mesh = os.path.join(options.output, "mesh.vtp")
@@ -47,6 +65,7 @@ def draw_and_select(options):
     for projection in ("equirectangular", "azimuthal-equidistant"):
         check(options, view, source, mesh, projection, dice)
     check_eye(options, view, mesh)
+    check_extracts(options, view, mesh)
 
 
 def main(options):

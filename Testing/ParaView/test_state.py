@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""State files, Python state and the Python trace bring the same view and picture back."""
+"""State files, Python state and the Python trace bring the same view and picture back; those that an
+earlier version wrote, too. Scripts of a later version that set what there is not yet say so."""
 
+import lzma
 import os
 
 from paraview import simple, smstate, smtrace
 
+import pixels
 import scene
 
 # None of them a default.
@@ -26,6 +29,27 @@ SETTINGS = {
     "WarpedStereo": [0.25, 6, -0.5],
     "Separation": 0.02,
     "Convergence": 3,
+}
+
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+
+# What the states in the folder States set, which the plugin wrote before it had stereo; and what it
+# could not know, which has to be as in a new view.
+EARLIER = {
+    "Projection": "hammer",
+    "HorizontalFieldOfView": 300,
+    "VerticalFieldOfView": 150,
+    "Tilt": 20,
+    "AutomaticClipSpheres": 0,
+    "ClipSpheres": [0.02, 90],
+    "DepthMapping": "Logarithmic",
+    "Technique": "Exact",
+    "Tolerance": 0.5,
+    "StereoRender": 0,
+    "StereoModel": "omnidirectional",
+    "InterpupillaryDistance": 0.065,
+    "DirectionMapFile": "",
 }
 
 
@@ -56,6 +80,41 @@ def trace_settings(view):
         scene.require("." + name + " = " in text, "the trace lacks " + name + ":\n" + text)
 
 
+def check_earlier(options, how):
+    view = simple.GetActiveViewOrCreate("WideFoVView")
+    found = {name: view.GetProperty(name).GetData() for name in EARLIER}
+    scene.require(found == EARLIER, how + " of before: " + str(found))
+    picture = scene.save(view, os.path.join(options.output, how + "-before.png"), scene.SIZE)
+    lit = len({number for row in pixels.read_rows(picture) for number in row})
+    print(how, "of an earlier version:", lit, "colours")
+    scene.require(lit > 10, "the ball of the state is not drawn")
+
+
+def check_versions(options):
+    """States that an earlier version wrote, and a script that a later one might write."""
+    state = os.path.join(options.output, "before-stereo.pvsm")
+    with lzma.open(os.path.join(HERE, "States", "before-stereo.pvsm.xz")) as packed:
+        with open(state, "wb") as out:
+            out.write(packed.read())
+    simple.ResetSession()
+    simple.LoadState(state)
+    check_earlier(options, "pvsm")
+    with open(os.path.join(HERE, "States", "before_stereo.py")) as file:
+        script = file.read()
+    simple.ResetSession()
+    exec(compile(script, "before", "exec"), {})
+    check_earlier(options, "python")
+    simple.ResetSession()
+    later = script.replace("wideFoVView1.Tilt =", "wideFoVView1.Later = 7\nwideFoVView1.Tilt =")
+    try:
+        exec(compile(later, "later", "exec"), {})
+    except AttributeError as error:
+        scene.require("Later" in str(error), "the error names no property: " + str(error))
+        print("a later script:", error)
+    else:
+        scene.require(False, "a property that there is not was taken")
+
+
 def main(options):
     scene.load_plugin(options)
     mesh = os.path.join(options.output, "mesh.vtp")
@@ -77,6 +136,7 @@ def main(options):
     simple.ResetSession()
     exec(compile(script, "state", "exec"), {})
     check_loaded(options, before, picture, "python")
+    check_versions(options)
 
 
 scene.run(main)

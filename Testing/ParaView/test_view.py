@@ -98,6 +98,66 @@ def check_flat(options, view, ball):
     scene.require(empty + 10 < with_text < pixels.count_lit(legend) - 300, "annotation")
 
 
+def box_of(path):
+    """The rectangle that the lit pixels are in: its middle and its size."""
+    rows = pixels.read_rows(path)
+    lit = [(i + 0.5, j + 0.5) for j, row in enumerate(rows) for i, n in enumerate(row) if n]
+    scene.require(lit, "nothing is drawn")
+    (left, right), (low, high) = ((min(c) - 0.5, max(c) + 0.5) for c in zip(*lit))
+    return ((left + right) / 2, (low + high) / 2), (right - left, high - low)
+
+
+def check_billboard(options, view):
+    """Text at a place stands where the picture shows the place, as large as any other text; in a
+    picture larger than the window as well; and not where something hides it."""
+    text = simple.Text(Text="MM")
+    display = simple.Show(text, view)
+    display.TextPropMode = "Flagpole Actor"  # the other way round: nothing is taken for granted
+    display.TextPropMode = "Billboard 3D Text"
+    for size in (scene.SIZE, [2 * n for n in scene.SIZE]):
+        for place in ((2.5, 1.5, -1), (-2, -1.5, -1), (9, 0.5, 5)):
+            display.BillboardPosition = place
+            picture = os.path.join(options.output, "billboard.png")
+            middle, (width, height) = box_of(scene.save(view, picture, size))
+            factor = size[0] / scene.SIZE[0]
+            expected = [factor * c for c in place_of(place)]
+            corner = middle[0] - width / 2, middle[1] - height / 2  # the lower left one is its place
+            print("billboard", corner, "expected", expected, "size", width, height)
+            scene.require(math.dist(corner, expected) < 5, "the text is elsewhere")
+            scene.require(10 < height < 40 and 20 < width < 80, "the text has another size")
+    wall = simple.Sphere(Center=EYE, Radius=1)
+    display.BillboardPosition = [EYE[0] + 3, EYE[1], EYE[2]]
+    white = simple.Show(wall, view)
+    white.Ambient, white.Diffuse = 1, 0
+    white.AmbientColor = white.DiffuseColor = [0, 0, 0]
+    hidden = scene.save(view, os.path.join(options.output, "hidden.png"))
+    scene.require(pixels.count_lit(hidden) == 0, "text shows through a wall")
+    simple.Delete(wall)
+    simple.Delete(text)
+
+
+def check_axes(options, view, ball):
+    """The axes in the corner are small and in their corner; those at the centre are lines there."""
+    view.OrientationAxesVisibility = 1
+    middle, size = box_of(scene.save(view, os.path.join(options.output, "orientation.png")))
+    print("orientation axes", middle, size)
+    scene.require(middle[0] < 60 and middle[1] < 60 and max(size) < 80, "orientation axes")
+    view.OrientationAxesVisibility = 0
+    simple.Show(ball, view)  # whose size is that of the axes
+    view.CenterOfRotation = [-3, 1, -2]
+    path = os.path.join(options.output, "centre.png")
+    without = pixels.read_rows(scene.save(view, path))
+    view.CenterAxesVisibility = 1
+    rows = pixels.read_rows(scene.save(view, path))
+    lines = [(i, j) for j, row in enumerate(rows) for i, n in enumerate(row) if n != without[j][i]]
+    scene.require(lines, "no axes at the centre")
+    middle = [sum(c) / len(lines) for c in zip(*lines)]
+    print("centre axes", middle, place_of([-3, 1, -2]))
+    scene.require(math.dist(middle, place_of([-3, 1, -2])) < 12, "centre axes")
+    view.CenterAxesVisibility = 0
+    simple.Hide(ball, view)
+
+
 def main(options):
     scene.load_plugin(options)
     view = scene.make_view()
@@ -108,6 +168,8 @@ def main(options):
     check_hover(view)
     simple.Hide(ball, view)
     check_ruler(options, view)
+    check_billboard(options, view)
+    check_axes(options, view, ball)
     check_linked(view)
     check_flat(options, view, ball)
 

@@ -34,6 +34,7 @@ simple.Show(ball, view)
 view.CameraPosition = [1, 1, 1]
 view.CameraFocalPoint = [1.5, 1.2, -4]
 view.InterpupillaryDistance = 0.2
+view.LODThreshold = 1000  # megabytes: the photographs show all of the data, at any moment
 simple.Render(view)
 
 

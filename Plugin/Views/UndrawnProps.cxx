@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "UndrawnProps.h"
+
+#include "vtkProp.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderer.h"
+
+namespace wfvplugin
+{
+namespace
+{
+struct Kind
+{
+  const char* ClassName;
+  const char* Line;
+};
+
+const Kind Kinds[] = {
+  { "vtkVolume",
+    "Volumes cannot be drawn in this view yet: their rays assume a flat picture. "
+    "Show contours or slices instead." },
+  { "vtkGridAxes3DActor",
+    "The axes grid cannot be drawn right in this view yet: it places its lines and labels for a "
+    "flat "
+    "picture. Show an Outline, a Ruler or Billboard 3D Text instead." },
+  { "vtkPolarAxesActor",
+    "Polar axes cannot be drawn right in this view yet: their labels turn to a flat picture. "
+    "Show lines and Billboard 3D Text instead." },
+  { "vtkCubeAxesActor",
+    "Cube axes cannot be drawn right in this view yet: they place their lines and labels for a "
+    "flat "
+    "picture. Show an Outline, a Ruler or Billboard 3D Text instead." },
+  { "vtkFlagpoleLabel",
+    "Flagpole labels cannot be drawn right in this view yet: their poles are those of a flat "
+    "picture. "
+    "Show Billboard 3D Text instead." },
+};
+
+bool IsShown(vtkRenderer* renderer, const char* className)
+{
+  vtkPropCollection* const props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator it;
+  props->InitTraversal(it);
+  while (vtkProp* const prop = props->GetNextProp(it))
+  {
+    if (prop->GetVisibility() && prop->IsA(className))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+}
+
+std::vector<std::string> UndrawnProps::Look(vtkRenderer* renderer)
+{
+  std::vector<std::string> lines;
+  std::vector<bool> shown;
+  for (const Kind& kind : Kinds)
+  {
+    shown.push_back(IsShown(renderer, kind.ClassName));
+    if (shown.back() && (this->Said.size() < shown.size() || !this->Said[shown.size() - 1]))
+    {
+      lines.emplace_back(kind.Line);
+    }
+  }
+  this->Said = shown; // said again when one is shown anew
+  return lines;
+}
+}
