@@ -147,7 +147,7 @@ private:
       corners[j] = seen.Get(point, [&] { return judge.See(this->ToMap.Of(p[0], p[1], p[2])); });
       c[j] = &corners[j];
     }
-    const int side = TriangleJudge::GetSide(c);
+    const int side = judge.GetSide(c);
     const int sides = aside ? 0 : side == 0 ? BothSides : side < 0 ? Front : Back;
     verdict = judge.Judge(c);
     const bool plain = verdict.Plain && sides != BothSides;

@@ -138,12 +138,15 @@ void vtkWideFoVStage::SetView(vtkRenderer* renderer, vtkWideFoVCamera* camera, d
 {
   const wfv::View& view = camera->GetView(wfv::PictureAspect(renderer));
   const bool tilts = !this->Tilted && view.GetParameters().tilt != wfv::vec2(1, 0);
-  if (&view.GetProjection() != this->Projection || tilts || view.GetStereoModel() != this->Stereo ||
+  const wfv::StereoModel* const stereo = view.GetStereoModel();
+  const bool fades = !this->Fades && stereo && stereo->Fades(view.GetParameters());
+  if (&view.GetProjection() != this->Projection || tilts || fades || stereo != this->Stereo ||
     view.GetParameters().depthMapping != this->View.depthMapping)
   {
     this->Projection = &view.GetProjection();
-    this->Stereo = view.GetStereoModel();
+    this->Stereo = stereo;
     this->Tilted = this->Tilted || tilts;
+    this->Fades = this->Fades || fades;
     this->SourceTime.Modified();
   }
   if (this->Multisample && !this->SawSamples)
@@ -215,7 +218,8 @@ void vtkWideFoVStage::FinishTriangles(vtkWideFoVShaderBuilder::Request& request)
   }
   request.ByRays = this->ByRays || this->Calm;
   request.Calm = this->Calm;
-  if ((!straight || (this->Stereo && this->Stereo->OwnRays)) && !this->Clipless)
+  if ((!straight || (this->Stereo && this->Stereo->OwnRays)) &&
+    request.Stage != vtkWideFoVShaderBuilder::Variant::Plain)
   {
     // their edges are no great circles, which is what chords are chosen by
     request.Stage = vtkWideFoVShaderBuilder::Variant::Exact;
@@ -233,6 +237,7 @@ vtkWideFoVShaderBuilder::Request vtkWideFoVStage::MakeRequest(
   request.DepthMapping = this->View.depthMapping;
   request.Multisample = this->Multisample;
   request.Tilted = this->Tilted;
+  request.Fades = this->Fades;
   request.SurfaceDepth = this->SurfaceDepth;
   auto* polydata = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
   if (auto* actor = vtkActor::SafeDownCast(prop); polydata && actor && this->Renderer)

@@ -147,6 +147,7 @@ private:
   bool Multisample = false;
   bool SawSamples = false;
   bool Tilted = false; // once, and from then on
+  bool Fades = false;  // likewise
   bool ByRays = false;
   bool Calm = false;
   bool ExactLines = false;

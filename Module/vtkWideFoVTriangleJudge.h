@@ -26,6 +26,7 @@ struct SortView
   double Rounding = 0;                    // by which the vertex buffer moves points, scene units
   SampleGrid Samples;
   double Reach = 0; // of two eyes from the origin
+  const StereoModel* Own = nullptr; // of an eye whose rays begin in several places; else none
 
   // Two are the same where they sort alike; the time that it took to make them apart.
   bool operator==(const SortView& other) const;
@@ -46,8 +47,8 @@ public:
   struct Corner
   {
     vec3 Place;
-    vec3 Direction; // unit length
-    double Distance;
+    vec3 Direction; // in which it is seen, unit length
+    double Distance; // along its ray
     vec2 At; // pixels of the framebuffer
   };
   Corner See(const vec3& place) const;
@@ -65,7 +66,7 @@ public:
   Verdict Judge(const Corner* const corners[3]) const;
 
   // -1, 1: which side is seen. 0: nearly edge-on.
-  static int GetSide(const Corner* const corners[3]);
+  int GetSide(const Corner* const corners[3]) const;
 
 private:
   // Of the map beside the corners of a triangle.
@@ -74,7 +75,11 @@ private:
     double Bound2;  // of the distance of chords from edges, pixels squared
     double Stretch; // pixels a radian
   };
-  Local LookAt(const vec3 d[3], double angle2) const;
+  Local LookAt(const vec3 d[3], double angle2, double aside) const;
+
+  // Of a triangle seen by rays of its own, radians: how far its edges may be off the great circles
+  // between its corners. Infinite as near to the circle where rays begin as it is wide.
+  double GetAside(const Corner* const c[3]) const;
   bool IsEmpty(const Corner* const c[3], double nearest, const Local& local) const;
   bool MeasuresFine(const Corner* const c[3], double angle2) const;
 
@@ -83,6 +88,7 @@ private:
   double Far;
   vec2 Scale;
   double Pad; // pixels, round what is drawn
+  double Circle = 0; // radius of that on which rays begin, scene units
 };
 }
 

@@ -44,12 +44,18 @@ void wfvSetGrow(vec3 lengths, vec4 plane)
   wfvGrow = s < 1.0 ? wfvAtan2(s, sqrt((1.0 - s) * (1.0 + s))) : WFV_PI;
 }
 
-// What the fragment stage needs to know of the edges beside their planes, and wfvGrow.
-void wfvSetOwn(vec3 lengths, float facing)
+// What the fragment stage needs to know of the edges beside their planes.
+void wfvSetSpans(float facing)
 {
   wfvSpans[0] = facing * (wfvP[2] - wfvP[1]);
   wfvSpans[1] = facing * (wfvP[0] - wfvP[2]);
   wfvSpans[2] = facing * (wfvP[1] - wfvP[0]);
+}
+
+// That, and wfvGrow.
+void wfvSetOwn(vec3 lengths, float facing)
+{
+  wfvSetSpans(facing);
   wfvSetGrow(lengths, wfvT);
 }
 

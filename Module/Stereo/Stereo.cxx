@@ -12,6 +12,7 @@
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 #endif
+#define WFV_FADES true
 #define float double
 namespace wfv
 {
@@ -32,6 +33,7 @@ namespace omnidirectional
 #include "omnidirectional.glsl"
 }
 }
+#undef WFV_FADES
 #undef float
 #if defined(__GNUC__)
 #pragma GCC diagnostic pop
