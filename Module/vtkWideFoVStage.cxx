@@ -15,6 +15,8 @@
 #include "vtkWideFoVTessellation.h"
 #include "vtkWideFoVTile.h"
 
+#include "Projections/Bend.h"
+
 #include "vtkActor.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
@@ -295,6 +297,11 @@ bool vtkWideFoVStage::SetShaderParameters(
   SetViewParameters(program, this->View);
   program->SetUniformf("wfvTolerance", this->Tolerance);
   program->SetUniformi("wfvHeadlights", this->Headlights);
+  if (program->IsUniformUsed("wfvStretch"))
+  {
+    program->SetUniformf(
+      "wfvStretch", static_cast<float>(wfv::Stretch(*this->Projection, this->View)));
+  }
 
   int viewport[4] = { 0, 0, 1, 1 };
   if (auto* renderer = vtkOpenGLRenderer::SafeDownCast(this->Renderer))

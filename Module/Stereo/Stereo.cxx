@@ -13,6 +13,7 @@
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 #endif
 #define WFV_FADES true
+#define WFV_TILTED true
 #define float double
 namespace wfv
 {
@@ -34,6 +35,7 @@ namespace omnidirectional
 }
 }
 #undef WFV_FADES
+#undef WFV_TILTED
 #undef float
 #if defined(__GNUC__)
 #pragma GCC diagnostic pop

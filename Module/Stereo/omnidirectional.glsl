@@ -18,7 +18,7 @@
 // The vertical in tilted view coordinates.
 WFV_FN vec3 wfvUpright(WfvView v)
 {
-  return vec3(0.0, v.tilt.x, -v.tilt.y);
+  return WFV_TILTED ? vec3(0.0, v.tilt.x, -v.tilt.y) : vec3(0.0, 1.0, 0.0);
 }
 
 // Where on the way of the fade a latitude is, 0 to 1.
@@ -39,7 +39,7 @@ WFV_FN vec3 wfvEyeAt(vec3 direction, WfvView v)
 {
   vec3 up = wfvUpright(v);
   vec3 side = cross(direction, up);
-  float l = wfvHypot(wfvHypot(side.x, side.y), side.z);
+  float l = length(side); // of at most 1: no square of it is too large
   float r = v.stereo.x;
   if (WFV_FADES && v.stereo.z > v.stereo.y)
   {
@@ -81,7 +81,7 @@ WFV_FN float wfvSeenLatitude(float d, float y, WfvView v)
 // How far along its ray a point is seen, without a fade: the tangent to a ball of the same radius.
 WFV_FN float wfvSeenDistance(vec3 p, WfvView v)
 {
-  return wfvTangent(wfvHypot(wfvHypot(p.x, p.y), p.z), v.stereo.x);
+  return wfvTangent(length(p), v.stereo.x);
 }
 
 WFV_FN WfvSight wfvSee(vec3 p, WfvView v)
