@@ -134,10 +134,12 @@ bool FrameProps::GetSceneBounds(vtkRenderer* renderer, double bounds[6]) const
 
 void FrameProps::Choose(vtkWideFoVStages& stages, std::uint64_t view)
 {
+  this->Asked = 0;
   for (Entry& entry : this->Entries)
   {
     if (entry.View != view)
     {
+      this->Asked++;
       const double* const bounds = entry.HasBounds ? entry.Bounds : nullptr;
       entry.Unseen = stages.IsUnseen(entry.Prop, bounds, entry.Facts);
       entry.Stage = entry.Unseen ? nullptr : stages.Choose(entry.Prop, bounds, entry.Facts);

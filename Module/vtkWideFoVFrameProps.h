@@ -31,6 +31,9 @@ public:
   // For this view, by its number, what is not seen and what the others are drawn with.
   void Choose(vtkWideFoVStages& stages, std::uint64_t view);
 
+  // Of them, those that the last Choose had to ask about: what is known of a view is kept.
+  int GetNumberOfAsked() const { return this->Asked; }
+
   int GetCount() const { return static_cast<int>(this->Entries.size()); }
   bool IsUnseen(int i) const { return this->Entries[i].Unseen; }
   vtkProp* GetProp(int i) const { return this->Entries[i].Prop; }
@@ -53,6 +56,7 @@ private:
   static void Look(vtkProp* prop, bool asked, Entry& entry);
 
   std::vector<Entry> Entries;
+  int Asked = 0;
 };
 }
 

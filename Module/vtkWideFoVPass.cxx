@@ -78,7 +78,9 @@ void vtkWideFoVPass::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "NumberOfDrawnProps: " << this->NumberOfDrawnProps << "\n"
      << indent << "NumberOfCulledProps: " << this->NumberOfCulledProps << "\n"
      << indent << "NumberOfClusters: " << this->NumberOfClusters << "\n"
-     << indent << "NumberOfCulledClusters: " << this->NumberOfCulledClusters << "\n";
+     << indent << "NumberOfCulledClusters: " << this->NumberOfCulledClusters << "\n"
+     << indent << "NumberOfAskedProps: " << this->NumberOfAskedProps << "\n"
+     << indent << "NumberOfSorts: " << this->NumberOfSorts << "\n";
 }
 
 void vtkWideFoVPass::SetDelegatePass(vtkRenderPass* pass)
@@ -166,6 +168,7 @@ void vtkWideFoVPass::Render(const vtkRenderState* s)
   this->NumberOfPlainDraws = this->NumberOfPreClipDraws = 0;
   this->NumberOfExactDraws = this->NumberOfTessellateDraws = 0;
   this->NumberOfClusters = this->NumberOfCulledClusters = 0;
+  this->NumberOfAskedProps = this->NumberOfSorts = 0;
   this->NumberOfCulledProps = 0;
   this->NumberOfDrawnProps = count;
   if (vtkWideFoVScreenCamera::SafeDownCast(camera))
@@ -229,6 +232,8 @@ void vtkWideFoVPass::TakeCounts()
   this->NumberOfExactDraws = stages.Exact->GetNumberOfDraws() + (exact ? calm : 0);
   this->NumberOfClusters = stages.GetNumberOfClusters();
   this->NumberOfCulledClusters = stages.GetNumberOfUnseenClusters();
+  this->NumberOfAskedProps = this->Internal->Props.GetNumberOfAsked();
+  this->NumberOfSorts = stages.GetNumberOfSorts();
 }
 
 void vtkWideFoVPass::ReleaseGraphicsResources(vtkWindow* window)

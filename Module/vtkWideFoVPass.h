@@ -139,6 +139,16 @@ public:
   vtkGetMacro(NumberOfCulledClusters, int);
   ///@}
 
+  ///@{
+  /**
+   * What the last frame, or the last eye of a frame, had to find out anew: props that it asked
+   * whether and how they are seen, and meshes of vtkWideFoVPolyDataMapper whose triangles it
+   * sorted. Both are 0 where nothing has changed; props are asked once for both eyes.
+   */
+  vtkGetMacro(NumberOfAskedProps, int);
+  vtkGetMacro(NumberOfSorts, int);
+  ///@}
+
   void Render(const vtkRenderState* s) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
@@ -160,6 +170,8 @@ protected:
   int NumberOfCulledProps = 0;
   int NumberOfClusters = 0;
   int NumberOfCulledClusters = 0;
+  int NumberOfAskedProps = 0;
+  int NumberOfSorts = 0;
 
 private:
   vtkWideFoVPass(const vtkWideFoVPass&) = delete;

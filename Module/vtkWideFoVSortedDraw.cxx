@@ -119,6 +119,7 @@ bool SortedDraw::Prepare(
     !(e.View == view))
   {
     this->Sort(e, data, toMap, view);
+    stages->CountSort();
   }
   this->Current = &e;
   stages->CountClusters(e.Clusters, e.Unseen);

@@ -91,7 +91,7 @@ void vtkWideFoVStages::Begin(
   }
   this->SetPart(renderer, this->Plain->GetTile());
   this->SetEyes(camera, stereo);
-  this->Clusters = this->UnseenClusters = 0;
+  this->Clusters = this->UnseenClusters = this->Sorts = 0;
   this->NumberView(stereo);
 }
 

@@ -66,6 +66,10 @@ public:
   int GetNumberOfClusters() const { return this->Clusters; }
   int GetNumberOfUnseenClusters() const { return this->UnseenClusters; }
 
+  // Meshes whose triangles were sorted anew.
+  void CountSort() { this->Sorts++; }
+  int GetNumberOfSorts() const { return this->Sorts; }
+
   // Puts one stage in the place of another in the prop's keys.
   static void Replace(vtkProp* prop, vtkWideFoVStage* from, vtkWideFoVStage* to);
 
@@ -121,6 +125,7 @@ private:
   double Reach = 0; // of the rays' beginnings from the middle between the eyes, scene units
   int Clusters = 0;
   int UnseenClusters = 0;
+  int Sorts = 0;
 
   // After the view is known.
   void NumberView(const wfv::StereoModel* stereo);

@@ -2,6 +2,7 @@
 // What a view leaves out is not in its picture: the same to the bit with everything drawn.
 #include "DrawingTest.h"
 #include "Meshes.h"
+#include "Stereo.h"
 #include "vtkWideFoVPass.h"
 
 #include <vtkActor.h>
@@ -75,6 +76,7 @@ public:
     shot.Eye = 3.0 * vec3(this->Unit(), this->Unit(), this->Unit());
     shot.Direction = glm::normalize(vec3(this->Unit(), this->Unit(), this->Unit()));
     shot.Up = glm::normalize(vec3(this->Unit(), 1, this->Unit()));
+    shot.Options.Stereo = this->Stereo; // placing the camera sets it
     this->Text = Describe(shot);
     PlaceCamera(this->Camera, shot);
   }
@@ -82,11 +84,13 @@ public:
   // Both eyes in one picture.
   void SetStereo(const std::string& model)
   {
-    this->Camera->SetStereoModel(model.c_str());
-    this->Camera->SetInterpupillaryDistance(0.4);
+    this->Stereo.Model = FindStereoModel(model);
+    this->Stereo.InterpupillaryDistance = 0.4;
     this->Window->SetStereoType(VTK_STEREO_RED_BLUE);
     this->Window->StereoRenderOn();
   }
+
+  void SetStereoRender(bool both) { this->Window->SetStereoRender(both); }
 
   vtkSmartPointer<vtkUnsignedCharArray> Draw(bool culling)
   {
@@ -116,6 +120,7 @@ private:
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkWideFoVRenderer> Renderer;
   vtkNew<vtkWideFoVCamera> Camera;
+  StereoOptions Stereo;
   std::mt19937_64 Engine{ 17 };
   std::uniform_real_distribution<double> Distribution{ -1, 1 };
 };
@@ -189,6 +194,34 @@ TEST(Culling, ChangesNoPictureOfTwoEyes)
     std::cout << model << ": props left out " << all.Props << ", clusters " << all.Clusters << "\n";
     EXPECT_GT(all.Props, 20) << model;
     EXPECT_GT(all.Clusters, 50) << model;
+  }
+}
+
+// What is asked for one eye is known for the other; triangles are sorted for each, and neither is
+// done again while nothing changes.
+TEST(Culling, AsksOnceForBothEyes)
+{
+  Crowd crowd(0);
+  for (const char* const model : { "omnidirectional", "warped" })
+  {
+    crowd.SetStereo(model);
+    crowd.Pass->SetTechnique(vtkWideFoVPass::AUTO);
+    for (int i = 0; i < Shots; ++i)
+    {
+      crowd.Point(*FindProjection("equirectangular"));
+      crowd.Draw(false); // all of them: what is drawn first prepares its mapper, which changes it
+      crowd.Draw(true);
+      EXPECT_EQ(crowd.Pass->GetNumberOfAskedProps(), 0) << "of the second eye, " << model;
+      const bool sorts = std::string(model) == "omnidirectional";
+      EXPECT_EQ(crowd.Pass->GetNumberOfSorts() > 0, sorts) << crowd.Text;
+      crowd.Draw(true);
+      EXPECT_EQ(crowd.Pass->GetNumberOfAskedProps(), 0) << model;
+      EXPECT_EQ(crowd.Pass->GetNumberOfSorts(), 0) << model;
+    }
+    // the check can tell
+    crowd.SetStereoRender(false);
+    crowd.Draw(true);
+    EXPECT_GT(crowd.Pass->GetNumberOfAskedProps(), 0);
   }
 }
 
