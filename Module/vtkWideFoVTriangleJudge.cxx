@@ -84,8 +84,8 @@ double LargestEdge2(const vec3 p[3])
   {
     const vec3& a = p[i];
     const vec3& b = p[(i + 1) % 3];
-    largest = std::max(
-      largest, glm::dot(b - a, b - a) / std::sqrt(glm::dot(a, a) * glm::dot(b, b)));
+    largest =
+      std::max(largest, glm::dot(b - a, b - a) / std::sqrt(glm::dot(a, a) * glm::dot(b, b)));
   }
   return largest;
 }

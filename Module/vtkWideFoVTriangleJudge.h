@@ -25,7 +25,7 @@ struct SortView
   bool Culls = true;                      // leaves out what is not seen
   double Rounding = 0;                    // by which the vertex buffer moves points, scene units
   SampleGrid Samples;
-  double Reach = 0; // of two eyes from the origin
+  double Reach = 0;                 // of two eyes from the origin
   const StereoModel* Own = nullptr; // of an eye whose rays begin in several places; else none
 
   // Two are the same where they sort alike; the time that it took to make them apart.
@@ -47,9 +47,9 @@ public:
   struct Corner
   {
     vec3 Place;
-    vec3 Direction; // in which it is seen, unit length
+    vec3 Direction;  // in which it is seen, unit length
     double Distance; // along its ray
-    vec2 At; // pixels of the framebuffer
+    vec2 At;         // pixels of the framebuffer
   };
   Corner See(const vec3& place) const;
 
@@ -87,7 +87,7 @@ private:
   double Near;
   double Far;
   vec2 Scale;
-  double Pad; // pixels, round what is drawn
+  double Pad;        // pixels, round what is drawn
   double Circle = 0; // radius of that on which rays begin, scene units
 };
 }
