@@ -203,6 +203,7 @@ bool WarnOfBodies()
 void vtkWideFoVStage::FinishTriangles(vtkWideFoVShaderBuilder::Request& request) const
 {
   request.Stereo = this->Stereo;
+  request.Fades = this->Fades;
   const bool straight = !this->Stereo || this->Stereo->Straight;
   if (request.Kind == vtkWideFoVShaderBuilder::Primitive::Lines && !straight &&
     request.Stage == vtkWideFoVShaderBuilder::Variant::Exact)
@@ -239,7 +240,6 @@ vtkWideFoVShaderBuilder::Request vtkWideFoVStage::MakeRequest(
   request.DepthMapping = this->View.depthMapping;
   request.Multisample = this->Multisample;
   request.Tilted = this->Tilted;
-  request.Fades = this->Fades;
   request.SurfaceDepth = this->SurfaceDepth;
   auto* polydata = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
   if (auto* actor = vtkActor::SafeDownCast(prop); polydata && actor && this->Renderer)

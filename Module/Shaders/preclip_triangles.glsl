@@ -34,6 +34,24 @@ const float WFV_EASY_EDGE = 0.008;
 // Pixels that the edges of a triangle may be off their chords for a tight cover.
 const float WFV_TIGHT_REACH = 1.0;
 
+// Of the angles between the corners and the nearest singular point of the map.
+vec3 wfvSines(vec3 lengths)
+{
+  vec3 sines;
+  for (int i = 0; i < 3; i++)
+  {
+    vec3 p = wfvP[i];
+#if WFV_FACES || WFV_SAMPLED
+    sines[i] = 2.0; // no singular point
+#elif WFV_MERIDIAN
+    sines[i] = length(vec2(p.x, p.z)) / lengths[i];
+#else
+    sines[i] = p.z <= 0.0 ? 1.0 : length(vec2(p.x, p.y)) / lengths[i];
+#endif
+  }
+  return sines;
+}
+
 // A cheap test that lets nearly every triangle of a fine mesh through: surely no pole,
 // every chord within the tolerance or, where all are covered, near enough to its edge. Sets
 // wfvReach.
@@ -48,18 +66,7 @@ bool wfvEasy(vec3 lengths)
     dot(wfvP[2] - wfvP[0], wfvP[2] - wfvP[0]) / (lengths.z * lengths.x),
     dot(wfvP[0] - wfvP[1], wfvP[0] - wfvP[1]) / (lengths.x * lengths.y));
   float longest = max(edges.x, max(edges.y, edges.z));
-  vec3 sines;
-  for (int i = 0; i < 3; i++)
-  {
-    vec3 p = wfvP[i];
-#if WFV_FACES || WFV_SAMPLED
-    sines[i] = 2.0; // no singular point
-#elif WFV_MERIDIAN
-    sines[i] = length(vec2(p.x, p.z)) / lengths[i];
-#else
-    sines[i] = p.z <= 0.0 ? 1.0 : length(vec2(p.x, p.y)) / lengths[i];
-#endif
-  }
+  vec3 sines = wfvSines(lengths);
 #if WFV_OWN_RAYS
   vec3 own = vec3(dot(wfvP[1] - wfvP[2], wfvP[1] - wfvP[2]),
     dot(wfvP[2] - wfvP[0], wfvP[2] - wfvP[0]), dot(wfvP[0] - wfvP[1], wfvP[0] - wfvP[1]));
