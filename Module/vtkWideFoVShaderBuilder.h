@@ -56,6 +56,7 @@ public:
     bool DebugView = false;    // coloured by what happens to each primitive
     bool Multisample = false;  // the framebuffer may have several samples a pixel
     bool Tilted = false;       // the view may have a tilt
+    bool Fades = false;        // the eyes' circle may have a fade
     Material Surface;          // of triangles
     int Headlights = 0;        // which lights are at the eye, one bit each
     int DepthMapping = 0;      // wfv::DepthMapping; all but linear by the fragment stage

@@ -16,11 +16,11 @@ void Append(std::string& key, const Values&... values)
 void AppendRequest(std::string& key, const vtkWideFoVShaderBuilder::Request& request)
 {
   const auto& [projection, stereo, stage, kind, widePoints, wideLines, edges, edgeFlags, byRays,
-    debugView, multisample, tilted, surface, headlights, depthMapping, calm, surfaceDepth] =
+    debugView, multisample, tilted, fades, surface, headlights, depthMapping, calm, surfaceDepth] =
     request;
   const auto& [noAmbient, noDiffuse, fullDiffuse, noSpecular, opaque] = surface;
   Append(key, projection, stereo, stage, kind, widePoints, wideLines, edges, edgeFlags, byRays,
-    debugView, multisample, tilted, headlights, depthMapping, calm, surfaceDepth, noAmbient,
+    debugView, multisample, tilted, fades, headlights, depthMapping, calm, surfaceDepth, noAmbient,
     noDiffuse, fullDiffuse, noSpecular, opaque);
 }
 }

@@ -80,6 +80,7 @@ namespace
 bool AllCovered(const Request& r)
 {
   return r.Kind == vtkWideFoVShaderBuilder::Primitive::Triangles &&
+    r.Stage != vtkWideFoVShaderBuilder::Variant::Plain &&
     (r.ByRays || r.Stage == vtkWideFoVShaderBuilder::Variant::Exact);
 }
 }
@@ -114,7 +115,8 @@ std::string ViewSource(const Request& r)
     Define("WFV_DEPTH_MAPPING(v)", r.DepthMapping) + Define("WFV_MULTISAMPLE", r.Multisample) +
     Define("WFV_WIDE_LINES", r.WideLines) + Define("WFV_EDGES", r.Edges || r.DebugView) +
     Define("WFV_EDGE_FLAGS", r.EdgeFlags) + Define("WFV_DEBUG_VIEW", r.DebugView) +
-    "#define WFV_TILTED " + (r.Tilted ? "true" : "false") + "\n" + "#define WFV_ANGLES " +
+    "#define WFV_TILTED " + (r.Tilted ? "true" : "false") + "\n" + "#define WFV_FADES " +
+    (r.Fades ? "true" : "false") + "\n" + "#define WFV_ANGLES " +
     (meridian ? "wfvMeridianAngles" : "wfvAzimuthalAngles") + "\n" +
     Define("WFV_OWN_RAYS", OwnRays(r)) + Define("WFV_OWN_BODIES", OwnBodies(r)) +
     Define("WFV_WARPED", Warped(r)) +

@@ -40,8 +40,8 @@ double LongestAxis(const double m[16])
   return std::sqrt(sum);
 }
 
-// Actors that may share a mapper and each keep what was sorted for them.
-constexpr std::size_t MostActors = 8;
+// Actors that may share a mapper and each keep what was sorted for them, once an eye.
+constexpr std::size_t MostEntries = 16;
 }
 
 namespace wfv
@@ -105,12 +105,13 @@ bool SortedDraw::Prepare(
   {
     return false;
   }
-  std::unique_ptr<Entry>& entry = this->Entries[actor];
+  const Key key(actor, view.Own && view.View.stereo.x > 0);
+  std::unique_ptr<Entry>& entry = this->Entries[key];
   if (!entry || entry->Actor != actor)
   {
-    if (this->Entries.size() > MostActors)
+    if (this->Entries.size() > MostEntries)
     {
-      this->Entries.erase(actor);
+      this->Entries.erase(key);
       return false;
     }
     entry.reset(new Entry);

@@ -12,6 +12,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 
 class vtkActor;
 class vtkOpenGLBufferObject;
@@ -92,7 +93,8 @@ private:
   const bool ForStrips;
   Clusters Mesh;
   Sorter Triangles;
-  std::map<vtkActor*, std::unique_ptr<Entry>> Entries;
+  using Key = std::pair<vtkActor*, bool>; // and which eye, where each has its own
+  std::map<Key, std::unique_ptr<Entry>> Entries;
   Entry* Current = nullptr;
   Lot Chosen = All;
   vtkOpenGLHelper Helpers[NumberOfLots];

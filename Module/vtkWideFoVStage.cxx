@@ -17,6 +17,8 @@
 #include "vtkWideFoVTessellation.h"
 #include "vtkWideFoVTile.h"
 
+#include "Projections/Bend.h"
+
 #include "vtkActor.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
@@ -101,18 +103,27 @@ private:
 }
 
 //------------------------------------------------------------------------------
-void vtkWideFoVStage::SetView(vtkRenderer* renderer, vtkWideFoVCamera* camera, double tolerance)
+// What of a view is text of the shaders.
+void vtkWideFoVStage::NoteView(const wfv::View& view)
 {
-  const wfv::View& view = camera->GetView(wfv::PictureAspect(renderer));
   const bool tilts = !this->Tilted && view.GetParameters().tilt != wfv::vec2(1, 0);
-  if (&view.GetProjection() != this->Projection || tilts || view.GetStereoModel() != this->Stereo ||
+  const wfv::StereoModel* const stereo = view.GetStereoModel();
+  const bool fades = !this->Fades && stereo && stereo->Fades(view.GetParameters());
+  if (&view.GetProjection() != this->Projection || tilts || fades || stereo != this->Stereo ||
     view.GetParameters().depthMapping != this->View.depthMapping)
   {
     this->Projection = &view.GetProjection();
-    this->Stereo = view.GetStereoModel();
+    this->Stereo = stereo;
     this->Tilted = this->Tilted || tilts;
+    this->Fades = this->Fades || fades;
     this->SourceTime.Modified();
   }
+}
+
+void vtkWideFoVStage::SetView(vtkRenderer* renderer, vtkWideFoVCamera* camera, double tolerance)
+{
+  const wfv::View& view = camera->GetView(wfv::PictureAspect(renderer));
+  this->NoteView(view);
   if (this->Multisample && !this->SawSamples)
   {
     this->Multisample = false;
@@ -160,6 +171,7 @@ void vtkWideFoVStage::FinishTriangles(vtkWideFoVShaderBuilder::Request& request)
 {
   request.Stereo = this->Stereo;
   request.Headlights = this->Headlights;
+  request.Fades = this->Fades;
   const bool straight = !this->Stereo || this->Stereo->Straight;
   if (request.Kind == vtkWideFoVShaderBuilder::Primitive::Lines && !straight &&
     request.Stage == vtkWideFoVShaderBuilder::Variant::Exact)
@@ -177,7 +189,8 @@ void vtkWideFoVStage::FinishTriangles(vtkWideFoVShaderBuilder::Request& request)
   }
   request.ByRays = this->ByRays || this->Calm;
   request.Calm = this->Calm;
-  if ((!straight || (this->Stereo && this->Stereo->OwnRays)) && !this->Clipless)
+  if ((!straight || (this->Stereo && this->Stereo->OwnRays)) &&
+    request.Stage != vtkWideFoVShaderBuilder::Variant::Plain)
   {
     // their edges are no great circles, which is what chords are chosen by
     request.Stage = vtkWideFoVShaderBuilder::Variant::Exact;

@@ -132,6 +132,7 @@ private:
   void FinishTriangles(vtkWideFoVShaderBuilder::Request& request) const;
 
   // Looks whether the bound framebuffer has several samples a pixel.
+  void NoteView(const wfv::View& view);
   void NoteSamples();
 
   // How the bound framebuffer is sampled, for the coverage of the pre-clip.
@@ -156,6 +157,7 @@ private:
   bool Multisample = false;
   bool SawSamples = false;
   bool Tilted = false; // once, and from then on
+  bool Fades = false;  // likewise
   bool ByRays = false;
   bool Calm = false;
   bool ExactLines = false;

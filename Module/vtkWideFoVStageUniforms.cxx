@@ -9,6 +9,8 @@
 #include "vtkWideFoVTessellation.h"
 #include "vtkWideFoVTile.h"
 
+#include "Projections/Bend.h"
+
 #include "vtkActor.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLRenderer.h"
@@ -92,6 +94,11 @@ void vtkWideFoVStage::SetFrameParameters(vtkShaderProgram* program, const int vi
 {
   SetViewParameters(program, this->View);
   program->SetUniformf("wfvTolerance", this->Tolerance);
+  if (program->IsUniformUsed("wfvStretch"))
+  {
+    const double stretch = wfv::Stretch(*this->Projection, this->View);
+    program->SetUniformf("wfvStretch", static_cast<float>(stretch));
+  }
   wfv::SetTileUniforms(program, this->Pixels, this->Tile, viewport, this->View.scale);
 }
 

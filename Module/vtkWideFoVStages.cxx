@@ -65,6 +65,7 @@ void vtkWideFoVStages::Begin(
   const wfv::View& view = camera->GetView(wfv::PictureAspect(renderer));
   this->Projection = &view.GetProjection();
   const wfv::StereoModel* const stereo = view.GetStereoModel();
+  this->Stereo = stereo;
   this->ByPixels = stereo && (stereo->OwnRays || !stereo->Straight);
   this->Tolerance = tolerance;
   const int* const size = renderer->GetSize();
@@ -118,6 +119,11 @@ bool vtkWideFoVStages::IsFine(vtkProp* prop, const double bounds[6], wfv::PropFa
     this->Tolerance;
 }
 
+bool vtkWideFoVStages::AllowsChords() const
+{
+  return this->Tolerance >= LeastTolerance;
+}
+
 double vtkWideFoVStages::GetPointReach(const wfv::PropFacts& facts) const
 {
   const double pixels = facts.PointSize;
@@ -137,7 +143,7 @@ vtkWideFoVStage* vtkWideFoVStages::Choose(
   {
     return this->Plain;
   }
-  const bool fine = this->Technique == vtkWideFoVPass::AUTO && this->Tolerance < LeastTolerance;
+  const bool fine = this->Technique == vtkWideFoVPass::AUTO && !this->AllowsChords();
   // a direction map has no chords that something could be said of
   const bool sampled = this->Projection->Axis == wfv::Family::Sampled;
   if (this->Technique == vtkWideFoVPass::EXACT || fine || sampled || this->ByPixels)

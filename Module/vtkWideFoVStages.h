@@ -110,6 +110,8 @@ private:
   int Tessellates = -1; // -1: not asked yet
   const wfv::Projection* Projection = nullptr;
   bool ByPixels = false; // the stereo model leaves chords no edge to stand for
+  const wfv::StereoModel* Stereo = nullptr;
+  bool AllowsChords() const; // the tolerance does
   wfv::WfvView View;
   double WorldToView[16];
   void SetPart(vtkRenderer* renderer, const float tile[4]);

@@ -172,15 +172,18 @@ bool vtkWideFoVStages::GetSortView(
   view.Reach = this->Reach;
   view.Samples = this->Samples;
   view.Samples.TakeBound();
-  // of eyes whose rays are not the map's all are alike
-  const bool looks = !this->ByPixels &&
+  // of eyes whose rays are no straight lines all are alike, and where their circle fades
+  const bool own = this->Stereo && this->Stereo->OwnRays && !this->Stereo->Fades(this->View);
+  view.Own = own ? this->Stereo : nullptr;
+  const bool looks = (!this->ByPixels || own) &&
     (this->Technique == vtkWideFoVPass::AUTO ||
       (this->Technique == vtkWideFoVPass::EXACT && this->Culling));
   view.Bends = looks && this->Projection->Axis != wfv::Family::Sampled ? this->GetBends() : nullptr;
   // what shines through is mixed in its own order, and would be twice where it is drawn both ways
   const bool opaque = view.Bends && !actor->HasTranslucentPolygonalGeometry();
-  view.Plain = opaque && view.Samples.AreKnown() && this->Technique == vtkWideFoVPass::AUTO &&
-    stage == this->PreClip;
+  const bool chords = own ? stage == this->Exact && this->AllowsChords() : stage == this->PreClip;
+  view.Plain =
+    opaque && view.Samples.AreKnown() && this->Technique == vtkWideFoVPass::AUTO && chords;
   view.Tolerance = this->Tolerance;
   view.Calm = opaque && !this->DebugView && (stage == this->PreClip || stage == this->Exact);
   return true;

@@ -30,15 +30,28 @@ constexpr double PlaceErrorWidth = 8192;
 // Sine of the angle under which a triangle is seen edge-on: chords may turn the side round.
 constexpr double EdgeOn = 0.02;
 
-// True where a small triangle, whose corners these are, may meet a tear of the map. Poles and
-// antipodes are the business of LocalBend, which has no bound there.
-bool MayTear(Family family, const vec3 d[3])
+// Radii of the circle where rays begin, and edges: so many the horizontal way to a triangle is at
+// least. The bound of GetAside holds there.
+constexpr double LeastRadii = 2;
+constexpr double LeastEdges = 4;
+
+// Factor on what follows from the middle of a triangle, for its ends.
+constexpr double BetweenCorners = 1.5;
+
+// Radians: edges that are off their great circles by more are not looked into.
+constexpr double LargestAside = 1e-3;
+
+// True where a small triangle, whose corners these are, may meet a tear of the map, its edges so
+// far off their great circles. Poles and antipodes are the business of LocalBend, which has no
+// bound there.
+bool MayTear(Family family, const vec3 d[3], double aside)
 {
+  const double beside = Beside + aside;
   if (family == Family::Meridian)
   {
     const double low = std::min({ d[0].x, d[1].x, d[2].x });
     const double high = std::max({ d[0].x, d[1].x, d[2].x });
-    return low <= Beside && high >= -Beside && std::max({ d[0].z, d[1].z, d[2].z }) >= 0;
+    return low <= beside && high >= -beside && std::max({ d[0].z, d[1].z, d[2].z }) >= 0;
   }
   if (family != Family::Faces)
   {
@@ -50,7 +63,7 @@ bool MayTear(Family family, const vec3 d[3])
   for (int i = 0; i < 3; i++)
   {
     const double others = std::max(std::abs(d[i][(axis + 1) % 3]), std::abs(d[i][(axis + 2) % 3]));
-    if (!(sign * d[i][axis] > others + Beside))
+    if (!(sign * d[i][axis] > others + beside))
     {
       return true;
     }
@@ -61,6 +74,20 @@ bool MayTear(Family family, const vec3 d[3])
 double Square(double x)
 {
   return x * x;
+}
+
+// Of edges, the longest over the distance of its ends, squared; places as the shaders have them.
+double LargestEdge2(const vec3 p[3])
+{
+  double largest = 0;
+  for (int i = 0; i < 3; i++)
+  {
+    const vec3& a = p[i];
+    const vec3& b = p[(i + 1) % 3];
+    largest =
+      std::max(largest, glm::dot(b - a, b - a) / std::sqrt(glm::dot(a, a) * glm::dot(b, b)));
+  }
+  return largest;
 }
 
 double Longest2(const vec3 p[3])
@@ -83,7 +110,8 @@ bool SortView::operator==(const SortView& o) const
     a.map == b.map && this->Part.Low == o.Part.Low && this->Part.High == o.Part.High &&
     this->Pixels == o.Pixels && this->Bends == o.Bends && this->Plain == o.Plain &&
     this->Calm == o.Calm && this->Culls == o.Culls && this->Rounding == o.Rounding &&
-    this->Samples == o.Samples && this->Reach == o.Reach && this->Tolerance == o.Tolerance;
+    this->Samples == o.Samples && this->Reach == o.Reach && this->Tolerance == o.Tolerance &&
+    this->Own == o.Own && (!this->Own || a.stereo == b.stereo);
 }
 
 // A triangle may come nearer than its corners, by an eighth of its angle squared.
@@ -94,6 +122,7 @@ TriangleJudge::TriangleJudge(const SortView& view)
 {
   const vec2 half = 0.5 * view.Pixels;
   this->Scale = half * half / 64.0; // of (a^2 / 8)^2, pixels
+  this->Circle = view.Own ? std::abs(view.View.stereo.x) : 0;
   this->Pad = Snap + PlaceError * std::max(view.Pixels.x, view.Pixels.y) / PlaceErrorWidth;
 }
 
@@ -103,15 +132,54 @@ TriangleJudge::Corner TriangleJudge::See(const vec3& place) const
   c.Place = place;
   c.Distance = std::sqrt(glm::dot(place, place));
   c.Direction = place / c.Distance;
+  if (this->V.Own)
+  {
+    const WfvSight sight = this->V.Own->See(place, this->V.View);
+    c.Distance = sight.seen ? sight.distance : std::numeric_limits<double>::quiet_NaN();
+    c.Direction = sight.direction;
+  }
   c.At = this->V.Samples.At(this->V.Map->Project(c.Direction, this->V.View));
   return c;
 }
 
-int TriangleJudge::GetSide(const vec3& p, const vec3& q, const vec3& r)
+// From each corner another ray looks, by as much as the circle turns between them.
+double TriangleJudge::GetAside(const Corner* const c[3]) const
 {
-  const vec3 n = glm::cross(q - p, r - p);
-  const double s = glm::dot(n, p);
-  const bool clear = s * s > EdgeOn * EdgeOn * glm::dot(n, n) * glm::dot(p, p);
+  const WfvView& v = this->V.View;
+  const vec3 up(0, v.tilt.x, -v.tilt.y);
+  double level = std::numeric_limits<double>::infinity();
+  double nearest = level;
+  for (int i = 0; i < 3; i++)
+  {
+    const double sine = glm::dot(c[i]->Direction, up);
+    const double way = c[i]->Distance * std::sqrt(std::max(0.0, 1 - sine * sine));
+    if (!(way > LeastRadii * this->Circle))
+    {
+      return std::numeric_limits<double>::infinity();
+    }
+    level = std::min(level, way);
+    nearest = std::min(nearest, c[i]->Distance);
+  }
+  const vec3 places[3] = { c[0]->Place, c[1]->Place, c[2]->Place };
+  const double edge = std::sqrt(Longest2(places)) / level;
+  return LeastEdges * edge < 1 ? this->Circle * edge * edge / nearest
+                               : std::numeric_limits<double>::infinity();
+}
+
+int TriangleJudge::GetSide(const Corner* const c[3]) const
+{
+  const vec3& p = c[0]->Place;
+  const vec3 n = glm::cross(c[1]->Place - p, c[2]->Place - p);
+  // of rays that begin in several places, as seen from where the first one does
+  const vec3 seen = this->V.Own ? c[0]->Direction * c[0]->Distance : p;
+  const double s = glm::dot(n, seen);
+  double limit = EdgeOn * std::sqrt(glm::dot(seen, seen));
+  if (this->V.Own)
+  {
+    // the others begin nearby: radius times the edge over the way, the root of these two
+    limit += BetweenCorners * std::sqrt(this->Circle * this->GetAside(c) * c[0]->Distance);
+  }
+  const bool clear = s * s > limit * limit * glm::dot(n, n);
   return !clear ? 0 : s < 0 ? -1 : 1;
 }
 
@@ -122,7 +190,9 @@ TriangleJudge::Verdict TriangleJudge::Judge(const Corner* const c[3]) const
   const double angle2 = Longest2(d);
   const vec2 sum = c[0]->At + c[1]->At + c[2]->At;
   const bool known = std::isfinite(sum.x + sum.y); // comparisons would pass over a corner
-  if (!known || !(angle2 <= Square(LongestMeasured)) || MayTear(this->V.Map->Axis, d))
+  const double aside = this->V.Own ? this->GetAside(c) : 0;
+  if (!known || !(angle2 <= Square(LongestMeasured)) || !(aside <= LargestAside) ||
+    MayTear(this->V.Map->Axis, d, aside))
   {
     return verdict;
   }
@@ -132,14 +202,16 @@ TriangleJudge::Verdict TriangleJudge::Judge(const Corner* const c[3]) const
   double moved = this->GetMoved(nearest, worst);
   if (angle2 <= Square(LocalBend::LongestEdge))
   {
-    const Local local = this->LookAt(d, angle2);
+    const Local local = this->LookAt(d, angle2, aside);
     worst = std::sqrt(local.Bound2);
     moved = this->GetMoved(nearest, local.Stretch);
     verdict.Empty = this->IsEmpty(c, worst + moved + this->Pad);
     for (int i = 0; i < 3; i++)
     {
       const vec3 edge = d[(i + 1) % 3] - d[i];
-      off[i] = angle2 > 0 ? worst * (glm::dot(edge, edge) / angle2) : 0;
+      // by the square of their lengths; those of own rays are off their great circles besides
+      const double share = angle2 > 0 ? glm::dot(edge, edge) / angle2 : 0;
+      off[i] = this->V.Own ? worst : worst * share;
     }
   }
   if (!verdict.Empty)
@@ -173,7 +245,8 @@ void TriangleJudge::JudgeEdges(const Corner* const c[3], double angle2, double w
     worst = std::max({ off[0], off[1], off[2] });
   }
   verdict.Calm = this->V.Calm && angle2 > 0 && worst <= CalmError;
-  verdict.Bend = verdict.Calm ? worst / angle2 : 0;
+  const vec3 places[3] = { c[0]->Place, c[1]->Place, c[2]->Place };
+  verdict.Bend = verdict.Calm ? worst / (this->V.Own ? LargestEdge2(places) : angle2) : 0;
   if (!looks)
   {
     return;
@@ -187,7 +260,7 @@ void TriangleJudge::JudgeEdges(const Corner* const c[3], double angle2, double w
   }
 }
 
-TriangleJudge::Local TriangleJudge::LookAt(const vec3 d[3], double angle2) const
+TriangleJudge::Local TriangleJudge::LookAt(const vec3 d[3], double angle2, double aside) const
 {
   double x = 0;
   double y = 0;
@@ -199,8 +272,13 @@ TriangleJudge::Local TriangleJudge::LookAt(const vec3 d[3], double angle2) const
     y = std::max(y, double(bend[1]));
     stretch = std::max(stretch, double(bend[2]));
   }
-  return { angle2 * angle2 * (x * x * this->Scale.x + y * y * this->Scale.y),
+  Local local{ angle2 * angle2 * (x * x * this->Scale.x + y * y * this->Scale.y),
     0.5 * stretch * std::max(this->V.Pixels.x, this->V.Pixels.y) };
+  if (aside > 0)
+  {
+    local.Bound2 = Square(std::sqrt(local.Bound2) + aside * local.Stretch);
+  }
+  return local;
 }
 
 // No sample is between the chords, nor as near to them as the edges and rounding reach.
@@ -211,11 +289,11 @@ bool TriangleJudge::IsEmpty(const Corner* const c[3], double reach) const
 }
 
 // Seen from the other side by its chords than by its edges.
-bool TriangleJudge::IsTurned(const Corner* const c[3])
+bool TriangleJudge::IsTurned(const Corner* const c[3]) const
 {
   const vec2 a = c[1]->At - c[0]->At;
   const vec2 b = c[2]->At - c[0]->At;
-  return (a.x * b.y - a.y * b.x) * GetSide(c[0]->Place, c[1]->Place, c[2]->Place) > 0;
+  return (a.x * b.y - a.y * b.x) * this->GetSide(c) > 0;
 }
 
 // The bound of a cell of directions is coarse near poles, and knows no directions of edges. False
@@ -242,6 +320,21 @@ bool TriangleJudge::Measure(const Corner* const c[3], double angle2, double off[
   return true;
 }
 
+// The direction in which a point of an edge is seen; t: its share of the angle or, of own rays, of
+// the way.
+vec3 TriangleJudge::Between(const Corner& a, const Corner& b, double t) const
+{
+  return this->V.Own ? this->V.Own->See(a.Place * (1 - t) + b.Place * t, this->V.View).direction
+                     : glm::normalize(a.Direction * (1 - t) + b.Direction * t);
+}
+
+TriangleJudge::Corner TriangleJudge::Middle(const Corner& a, const Corner& b) const
+{
+  Corner c = this->See(this->V.Own ? 0.5 * (a.Place + b.Place) : a.Direction + b.Direction);
+  c.Distance = std::min(a.Distance, b.Distance);
+  return c;
+}
+
 // Pixels between an edge and its chord, by the quarters of its angle; MostKnown for all that is
 // more.
 double TriangleJudge::MeasureEdge(const Corner& a, const Corner& b) const
@@ -251,7 +344,7 @@ double TriangleJudge::MeasureEdge(const Corner& a, const Corner& b) const
   double off = 0;
   for (const double t : { 0.5, 0.25, 0.75 })
   {
-    const vec3 place = glm::normalize(a.Direction * (1 - t) + b.Direction * t);
+    const vec3 place = this->Between(a, b, t);
     const vec2 at = this->V.Samples.At(this->V.Map->Project(place, this->V.View)) - a.At;
     const double beside =
       length > 0 ? std::abs(along.x * at.y - along.y * at.x) / length : glm::length(at);
@@ -267,13 +360,16 @@ double TriangleJudge::MeasureEdge(const Corner& a, const Corner& b) const
 bool TriangleJudge::MayTearBetween(const Corner& a, const Corner& b) const
 {
   const vec3 d[3] = { a.Direction, b.Direction, b.Direction };
-  return MayTear(this->V.Map->Axis, d);
+  // own rays: a piece of an edge is off its great circle by less than the circle is seen under
+  const double aside = this->V.Own ? this->Circle / std::min(a.Distance, b.Distance) : 0;
+  return MayTear(this->V.Map->Axis, d, aside);
 }
 
 // Pixels by which the vertex buffer may move a corner, where the map stretches so much (pixels a
 // radian).
 double TriangleJudge::GetMoved(double nearest, double stretch) const
 {
-  return this->V.Rounding > 0 ? this->V.Rounding / nearest * stretch : 0;
+  const double rounding = this->V.Own ? BetweenCorners * this->V.Rounding : this->V.Rounding;
+  return rounding > 0 ? rounding / nearest * stretch : 0;
 }
 }

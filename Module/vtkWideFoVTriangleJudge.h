@@ -34,8 +34,9 @@ struct SortView
   bool Culls = true;                      // leaves out what is not seen
   double Rounding = 0;                    // by which the vertex buffer moves points, scene units
   SampleGrid Samples;
-  double Reach = 0;        // of two eyes from the origin
-  double Tolerance = 0.25; // pixels
+  double Reach = 0;                 // of two eyes from the origin
+  double Tolerance = 0.25;          // pixels
+  const StereoModel* Own = nullptr; // of an eye whose rays begin in several places; else none
 
   // Pixels: how far a chord of a plain triangle may be from its edge.
   double GetPlainError() const { return std::min(PlainShare * this->Tolerance, MostPlainError); }
@@ -55,9 +56,9 @@ public:
   struct Corner
   {
     vec3 Place;
-    vec3 Direction; // unit length
-    double Distance;
-    vec2 At; // pixels of the framebuffer
+    vec3 Direction;  // in which it is seen, unit length
+    double Distance; // along its ray
+    vec2 At;         // pixels of the framebuffer
   };
   Corner See(const vec3& place) const;
 
@@ -91,7 +92,7 @@ public:
   void ForEachPiece(const Corner& from, const Corner& to, const Visit& visit) const;
 
   // -1, 1: which side is seen. 0: nearly edge-on.
-  static int GetSide(const vec3& a, const vec3& b, const vec3& c);
+  int GetSide(const Corner* const corners[3]) const;
 
 private:
   // Of the map beside the corners of a triangle.
@@ -100,22 +101,29 @@ private:
     double Bound2;  // of the distance of chords from edges, pixels squared
     double Stretch; // pixels a radian
   };
-  Local LookAt(const vec3 d[3], double angle2) const;
+  Local LookAt(const vec3 d[3], double angle2, double aside) const;
+
+  // Of a triangle seen by rays of its own, radians: how far its edges may be off the great circles
+  // between its corners. Infinite as near to the circle where rays begin as it is wide.
+  double GetAside(const Corner* const c[3]) const;
   double GetAllowed(const Corner* const c[3]) const;
   void JudgeEdges(const Corner* const c[3], double angle2, double worst, double moved,
     double off[3], Verdict& verdict) const;
   bool IsEmpty(const Corner* const c[3], double reach) const;
   bool Measure(const Corner* const c[3], double angle2, double off[3]) const;
   double MeasureEdge(const Corner& a, const Corner& b) const;
+  vec3 Between(const Corner& a, const Corner& b, double t) const;
+  Corner Middle(const Corner& a, const Corner& b) const;
   bool MayTearBetween(const Corner& a, const Corner& b) const;
   double GetMoved(double nearest, double stretch) const;
-  static bool IsTurned(const Corner* const c[3]);
+  bool IsTurned(const Corner* const c[3]) const;
 
   const SortView& V;
   double Near;
   double Far;
   vec2 Scale;
-  double Pad; // pixels, round what is drawn
+  double Pad;        // pixels, round what is drawn
+  double Circle = 0; // radius of that on which rays begin, scene units
 };
 
 template <typename Visit>
@@ -138,8 +146,7 @@ void TriangleJudge::ForEachPiece(const Corner& from, const Corner& to, const Vis
   {
     return;
   }
-  Corner middle = this->See(from.Direction + to.Direction);
-  middle.Distance = std::min(from.Distance, to.Distance);
+  const Corner middle = this->Middle(from, to);
   this->ForEachPiece(from, middle, visit);
   this->ForEachPiece(middle, to, visit);
 }

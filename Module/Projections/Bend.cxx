@@ -89,16 +89,17 @@ struct Tangents
   vec3 At(double angle) const { return this->U * std::cos(angle) + this->V * std::sin(angle); }
 };
 
-// The weighted bend at one direction of the map's own frame; 0 where it is not asked for.
-double BendAt(const Projection& p, const WfvView& v, const vec3& d)
+// The weighted bend and stretch at one direction of the map's own frame; 0 where they are not asked
+// for.
+vec2 BendAt(const Projection& p, const WfvView& v, const vec3& d)
 {
   const double sine = SineToSingularity(p.Axis, d);
   if (sine < Singular)
   {
-    return 0;
+    return vec2(0);
   }
   const vec2 second = SecondAt(p, v, d);
-  return std::max(second.x, second.y) * sine * sine;
+  return vec2(std::max(second.x, second.y), FirstAt(p, v, d)) * (sine * sine);
 }
 
 // The directions on the border of what is seen: of the window, and of a round map's rim.
@@ -125,26 +126,26 @@ std::vector<vec3> BorderDirections(const Projection& p, const WfvView& v)
   return directions;
 }
 
-double Compute(const Projection& p, const WfvView& v)
+vec2 Compute(const Projection& p, const WfvView& v)
 {
-  double bend = 0;
+  vec2 bend(0);
   for (int i = 0; i <= Inner; i++)
   {
     for (int j = 0; j <= Inner; j++)
     {
       const WfvRay ray = p.Unproject(vec2(-1 + 2.0 * i / Inner, -1 + 2.0 * j / Inner), v);
-      bend = ray.inside ? std::max(bend, BendAt(p, v, ray.direction)) : bend;
+      bend = ray.inside ? glm::max(bend, BendAt(p, v, ray.direction)) : bend;
     }
   }
   for (const vec3& d : BorderDirections(p, v))
   {
-    bend = std::max(bend, BendAt(p, v, d));
+    bend = glm::max(bend, BendAt(p, v, d));
     const Tangents tangents(d);
     for (int i = 0; i < MarginSteps * MarginDirections; i++)
     {
       const vec3 t = tangents.At(2 * WFV_PI * i / MarginDirections);
       const double a = Margin * (1 + i / MarginDirections) / MarginSteps;
-      bend = std::max(bend, BendAt(p, v, d * std::cos(a) + t * std::sin(a)));
+      bend = glm::max(bend, BendAt(p, v, d * std::cos(a) + t * std::sin(a)));
     }
   }
   return BendSafety * bend;
@@ -155,7 +156,7 @@ struct Kept
 {
   const Projection* Map;
   WfvView View;
-  double Bend;
+  vec2 Bend; // and stretch
 
   bool Is(const Projection& p, const WfvView& v) const
   {
@@ -216,11 +217,13 @@ double SineToSingularity(Family family, const vec3& d)
   }
 }
 
-double Bend(const Projection& p, const WfvView& v)
+namespace
+{
+vec2 BendAndStretch(const Projection& p, const WfvView& v)
 {
   if (p.Axis == Family::Sampled)
   {
-    return 0; // nothing is drawn by chords there
+    return vec2(0); // nothing is drawn by chords there
   }
   constexpr std::size_t MaxKept = 16; // as many views as a program may draw in turn
   static std::mutex mutex;
@@ -238,5 +241,16 @@ double Bend(const Projection& p, const WfvView& v)
   }
   kept.push_back({ &p, v, Compute(p, v) });
   return kept.back().Bend;
+}
+}
+
+double Bend(const Projection& p, const WfvView& v)
+{
+  return BendAndStretch(p, v).x;
+}
+
+double Stretch(const Projection& p, const WfvView& v)
+{
+  return BendAndStretch(p, v).y;
 }
 }

@@ -20,6 +20,9 @@ namespace wfv
 // asked for. The tilt does not matter.
 WFV_EXPORT double Bend(const Projection& projection, const WfvView& view);
 
+// As much for the first derivative, NDC per radian: FirstAt, times the same squared sine.
+WFV_EXPORT double Stretch(const Projection& projection, const WfvView& view);
+
 // The largest second derivatives of x and of y along great circles of unit speed at a
 // direction (unit length, in the map's own frame), NDC per squared radian; 0 where the map is
 // torn there.

@@ -54,6 +54,9 @@ struct StereoModel
   // What WfvView::stereo is; view: complete but for it.
   vec4 (*Parameters)(const StereoOptions& options, const WfvView& view) = nullptr;
 
+  // True where the circle that rays begin on is smaller for some latitudes.
+  bool Fades(const WfvView& view) const { return this->OwnRays && view.stereo.z > view.stereo.y; }
+
   // An empty string, or why these options do not fit this model or this projection.
   std::string (*Check)(const StereoOptions& options, const Projection& projection) = nullptr;
 };

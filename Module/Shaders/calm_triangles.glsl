@@ -13,11 +13,19 @@ void main()
   vec3 lengths = vec3(length(wfvP[0]), length(wfvP[1]), length(wfvP[2]));
   wfvT = wfvTrianglePlane(lengths);
   // seen edge-on, or not a number: it covers no pixel
-  if (!(abs(wfvT.w) > 0.0))
+#if WFV_OWN_RAYS
+  bool none = wfvOwnNothing();
+#else
+  bool none = !(abs(wfvT.w) > 0.0);
+#endif
+  if (none)
   {
     return;
   }
   wfvFacePlanes(lengths);
+#if WFV_OWN_RAYS
+  wfvSetSpans(wfvT.w > 0.0 ? 1.0 : -1.0);
+#endif
   wfvVertexMode = WFV_COVERED;
   vec3 edges = vec3(dot(wfvP[1] - wfvP[2], wfvP[1] - wfvP[2]) / (lengths.y * lengths.z),
     dot(wfvP[2] - wfvP[0], wfvP[2] - wfvP[0]) / (lengths.z * lengths.x),

@@ -29,6 +29,9 @@ const float WFV_LENS_PAD = 0.02;
 bool wfvInside(float e, vec3 n)
 {
   float shifted = n.x != 0.0 ? n.x : (n.y != 0.0 ? n.y : n.z);
+#if WFV_OWN_RAYS
+  shifted *= wfvTurn;
+#endif
   return e > 0.0 || (e == 0.0 && shifted > 0.0);
 }
 
@@ -121,13 +124,8 @@ vec3 wfvToChords(vec3 e, vec3 dx, vec3 dy)
 // even where a thin triangle has no three chords round it.
 bool wfvAllInside(vec3 e, vec3 toChords)
 {
-#if WFV_OWN_RAYS
-  bvec3 edge = bvec3(wfvInside(e.x, wfvTurn * wfvEdge0), wfvInside(e.y, wfvTurn * wfvEdge1),
-    wfvInside(e.z, wfvTurn * wfvEdge2));
-#else
   bvec3 edge =
     bvec3(wfvInside(e.x, wfvEdge0), wfvInside(e.y, wfvEdge1), wfvInside(e.z, wfvEdge2));
-#endif
 #if WFV_EXACT
   return all(edge);
 #else

@@ -59,7 +59,7 @@ WfvRay wfvSurfaceRay(vec2 offset)
 // Where the ray of a direction begins, the stage's own units.
 vec3 wfvStart(vec3 direction)
 {
-  return wfvEyeAt(direction, wfvView) / wfvScale();
+  return wfvEyeAt(direction, wfvView) * (1.0 / wfvScale()); // a power of two
 }
 
 // Times the triangle's normal, how far its plane is ahead of such a place; below 0 for one that

@@ -44,12 +44,18 @@ void wfvSetGrow(vec3 lengths, vec4 plane)
   wfvGrow = s < 1.0 ? wfvAtan2(s, sqrt((1.0 - s) * (1.0 + s))) : WFV_PI;
 }
 
-// What the fragment stage needs to know of the edges beside their planes, and wfvGrow.
-void wfvSetOwn(vec3 lengths, float facing)
+// What the fragment stage needs to know of the edges beside their planes.
+void wfvSetSpans(float facing)
 {
   wfvSpans[0] = facing * (wfvP[2] - wfvP[1]);
   wfvSpans[1] = facing * (wfvP[0] - wfvP[2]);
   wfvSpans[2] = facing * (wfvP[1] - wfvP[0]);
+}
+
+// That, and wfvGrow.
+void wfvSetOwn(vec3 lengths, float facing)
+{
+  wfvSetSpans(facing);
   wfvSetGrow(lengths, wfvT);
 }
 
@@ -67,6 +73,30 @@ vec4 wfvGrowAngles(vec4 a, float toPole)
   float turn = wfvGrowAzimuth(toPole);
   return a + vec4(-turn, -wfvGrow, turn, wfvGrow);
 }
+
+// The easy bound (wfvEasy) of a triangle that is seen from the circle. How much farther than from
+// the origin its corners may be from a singular point, radians, and how far its edges are off the
+// great circles between them, times the way a place of the map moves: pixels at sine 1. As
+// vtkWideFoVTriangleJudge has it, GetAside; y is endless where the triangle is as near to the circle
+// as it is wide. longest: of edges, the square.
+uniform float wfvStretch; // of the map at the most, weighed by the squared sine: NDC per radian
+
+vec2 wfvOwnEasy(vec3 lengths, float longest)
+{
+  vec3 up = wfvUpright(wfvView);
+  vec3 heights = vec3(dot(wfvP[0], up), dot(wfvP[1], up), dot(wfvP[2], up));
+  vec3 levels = (lengths - heights) * (lengths + heights); // squares of the level distances
+  float r = wfvOwnRadius();
+  float way = min(levels.x, min(levels.y, levels.z)) - r * r; // square of the level way
+  float nearest = min(lengths.x, min(lengths.y, lengths.z));
+  bool far = way > 4.0 * r * r && way > 16.0 * longest;
+  float aside = r * longest / (way * sqrt((nearest - r) * (nearest + r)));
+  float pixels = wfvStretch * length(0.5 * wfvViewport.zw * wfvTile.xy);
+  return vec2(1.05 * r / nearest, far ? aside * pixels : WFV_UNKNOWN);
+}
+
+// Angles from the circle over those from the origin, squared, at the most: beyond two radii.
+const float WFV_OWN_WIDER = 1.25;
 
 // True unless nothing of the triangle is seen across the seam, from anywhere on the circle.
 bool wfvOwnReachesSeam()

@@ -34,23 +34,9 @@ const float WFV_EASY_EDGE = 0.008;
 // Pixels that the edges of a triangle may be off their chords for a tight cover.
 const float WFV_TIGHT_REACH = 1.0;
 
-// A cheap test that lets nearly every triangle of a fine mesh through: surely no pole,
-// every chord within the tolerance or, where all are covered, near enough to its edge. Sets
-// wfvReach.
-bool wfvEasy(vec3 lengths)
+// Of the angles between the corners and the nearest singular point of the map.
+vec3 wfvSines(vec3 lengths)
 {
-#if WFV_OWN_RAYS
-  return false;
-#endif
-#if WFV_EXACT
-  float tolerance = WFV_TIGHT_REACH;
-#else
-  float tolerance = wfvTolerance;
-#endif
-  vec3 edges = vec3(dot(wfvP[1] - wfvP[2], wfvP[1] - wfvP[2]) / (lengths.y * lengths.z),
-    dot(wfvP[2] - wfvP[0], wfvP[2] - wfvP[0]) / (lengths.z * lengths.x),
-    dot(wfvP[0] - wfvP[1], wfvP[0] - wfvP[1]) / (lengths.x * lengths.y));
-  float longest = max(edges.x, max(edges.y, edges.z));
   vec3 sines;
   for (int i = 0; i < 3; i++)
   {
@@ -63,15 +49,42 @@ bool wfvEasy(vec3 lengths)
     sines[i] = p.z <= 0.0 ? 1.0 : length(vec2(p.x, p.y)) / lengths[i];
 #endif
   }
-  float nearest = min(sines.x, min(sines.y, sines.z)) - sqrt(longest);
+  return sines;
+}
+
+// A cheap test that lets nearly every triangle of a fine mesh through: surely no pole,
+// every chord within the tolerance or, where all are covered, near enough to its edge. Sets
+// wfvReach.
+bool wfvEasy(vec3 lengths)
+{
+#if WFV_EXACT
+  float tolerance = WFV_TIGHT_REACH;
+#else
+  float tolerance = wfvTolerance;
+#endif
+  vec3 edges = vec3(dot(wfvP[1] - wfvP[2], wfvP[1] - wfvP[2]) / (lengths.y * lengths.z),
+    dot(wfvP[2] - wfvP[0], wfvP[2] - wfvP[0]) / (lengths.z * lengths.x),
+    dot(wfvP[0] - wfvP[1], wfvP[0] - wfvP[1]) / (lengths.x * lengths.y));
+  float longest = max(edges.x, max(edges.y, edges.z));
+  vec3 sines = wfvSines(lengths);
+#if WFV_OWN_RAYS
+  vec3 own = vec3(dot(wfvP[1] - wfvP[2], wfvP[1] - wfvP[2]),
+    dot(wfvP[2] - wfvP[0], wfvP[2] - wfvP[0]), dot(wfvP[0] - wfvP[1], wfvP[0] - wfvP[1]));
+  vec2 turned = wfvOwnEasy(lengths, max(own.x, max(own.y, own.z)));
+  longest *= WFV_OWN_WIDER;
+#else
+  const vec2 turned = vec2(0.0);
+#endif
+  float nearest = min(sines.x, min(sines.y, sines.z)) - sqrt(longest) - turned.x;
   nearest = min(nearest, 1.0);
   // the bound of wfv::Bend (Projections/Bend.h), on both axes
   float bend = 0.125 * wfvView.bend * length(0.5 * wfvViewport.zw * wfvTile.xy) * longest;
 #if WFV_ROUND
   vec3 cosines = -vec3(wfvP[0].z, wfvP[1].z, wfvP[2].z) / lengths;
-  nearest = min(cosines.x, min(cosines.y, cosines.z)) < wfvChordEnd() ? 0.0 : nearest;
+  float least = min(cosines.x, min(cosines.y, cosines.z)) - turned.x;
+  nearest = least < wfvChordEnd() ? 0.0 : nearest;
 #endif
-  wfvReach = bend / max(nearest * nearest, 1e-12);
+  wfvReach = (bend + turned.y) / max(nearest * nearest, 1e-12);
   return longest <= WFV_EASY_EDGE && nearest > wfvSingularSine() && wfvReach <= tolerance;
 }
 

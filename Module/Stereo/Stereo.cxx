@@ -12,6 +12,8 @@
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 #endif
+#define WFV_FADES true
+#define WFV_TILTED true
 #define float double
 namespace wfv
 {
@@ -32,6 +34,8 @@ namespace omnidirectional
 #include "omnidirectional.glsl"
 }
 }
+#undef WFV_FADES
+#undef WFV_TILTED
 #undef float
 #if defined(__GNUC__)
 #pragma GCC diagnostic pop

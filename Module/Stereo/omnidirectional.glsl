@@ -9,7 +9,8 @@
 // The circle is level in view coordinates, whatever the tilt. Points nearer to its axis than r
 // are seen by no ray: they count as on the circle (defined, not seen). Above and below, both eyes
 // look at the circle from its rim, and turn about; with a fade r shrinks smoothly (C1) to nothing
-// between two latitudes of the ray, which must be solved for: see wfvSeenLatitude.
+// between two latitudes of the ray, which must be solved for: see wfvSeenLatitude. WFV_FADES is
+// false in a shader of a view without a fade.
 //
 // v.stereo: x     r, scene units
 //           y, z  latitudes between which it fades, radians; equal: no fade
@@ -17,7 +18,7 @@
 // The vertical in tilted view coordinates.
 WFV_FN vec3 wfvUpright(WfvView v)
 {
-  return vec3(0.0, v.tilt.x, -v.tilt.y);
+  return WFV_TILTED ? vec3(0.0, v.tilt.x, -v.tilt.y) : vec3(0.0, 1.0, 0.0);
 }
 
 // Where on the way of the fade a latitude is, 0 to 1.
@@ -38,9 +39,9 @@ WFV_FN vec3 wfvEyeAt(vec3 direction, WfvView v)
 {
   vec3 up = wfvUpright(v);
   vec3 side = cross(direction, up);
-  float l = wfvHypot(wfvHypot(side.x, side.y), side.z);
+  float l = length(side); // of at most 1: no square of it is too large
   float r = v.stereo.x;
-  if (v.stereo.z > v.stereo.y)
+  if (WFV_FADES && v.stereo.z > v.stereo.y)
   {
     r = wfvRadiusAt(wfvAtan2(dot(direction, up), l), v);
   }
@@ -77,6 +78,12 @@ WFV_FN float wfvSeenLatitude(float d, float y, WfvView v)
   return phi;
 }
 
+// How far along its ray a point is seen, without a fade: the tangent to a ball of the same radius.
+WFV_FN float wfvSeenDistance(vec3 p, WfvView v)
+{
+  return wfvTangent(length(p), v.stereo.x);
+}
+
 WFV_FN WfvSight wfvSee(vec3 p, WfvView v)
 {
   vec3 up = wfvUpright(v);
@@ -84,7 +91,7 @@ WFV_FN WfvSight wfvSee(vec3 p, WfvView v)
   vec3 flat_ = p - up * y;
   float d = wfvHypot(wfvHypot(flat_.x, flat_.y), flat_.z);
   float r = v.stereo.x;
-  if (v.stereo.z > v.stereo.y)
+  if (WFV_FADES && v.stereo.z > v.stereo.y)
   {
     r = wfvRadiusAt(wfvSeenLatitude(d, abs(y), v), v);
   }

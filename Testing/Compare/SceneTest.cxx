@@ -2,6 +2,7 @@
 // The techniques auto and tessellate on scenes of the benchmark, small: whatever the
 // tolerance, no pixel shows what is seen farther away than that.
 #include "Drawing.h"
+#include "Stereo.h"
 #include "vtkWideFoVPass.h"
 
 #include "Scenes.h"
@@ -13,6 +14,8 @@
 #include <vtkPolyData.h>
 #include <vtkTriangleFilter.h>
 
+#include <algorithm>
+#include <cmath>
 #include <iostream>
 
 using namespace wfv;
@@ -50,7 +53,17 @@ public:
     this->View.Options.Radii = { { 1e-4 * length, length } };
   }
 
-  reference::Metrics Measure(int technique, double tolerance)
+  // One eye of omnidirectional stereo, from the next picture on.
+  void SetEye(Eye eye, double distance)
+  {
+    this->View.Options.Stereo.Model = FindStereoModel("omnidirectional");
+    this->View.Options.Stereo.InterpupillaryDistance = distance;
+    this->View.Options.Stereo.Eye = eye;
+    this->Caster.reset();
+  }
+
+  // b: circles that explain a wrong pixel, pixels.
+  reference::Metrics Measure(int technique, double tolerance, double b)
   {
     this->Picture.SetTechnique(technique);
     this->Picture.SetTolerance(tolerance);
@@ -61,7 +74,18 @@ public:
         this->Picture.GetMesh(), this->Picture.GetView(), this->Picture.GetPose()));
       this->Truth = this->Caster->Render(this->View.Width, this->View.Height);
     }
-    return reference::Compare(picture, *this->Caster, this->Truth, tolerance);
+    return reference::Compare(picture, *this->Caster, this->Truth, b);
+  }
+
+  // Of unexplained pixels, those that no finer circles explain: what is explained within a smaller
+  // distance is so within a larger one.
+  long CountUnexplained(const reference::Metrics& m) const
+  {
+    return m.UnexplainedPixels -
+      std::count_if(m.Worst.begin(), m.Worst.end(), [&](const reference::WorstPixel& pixel) {
+        return std::isfinite(reference::NearestAgreement(
+          *this->Caster, this->View.Width, this->View.Height, pixel, ByRays));
+      });
   }
 
   Drawing Picture;
@@ -84,7 +108,7 @@ TEST_P(Scenes, KeepTheTolerance)
   {
     for (const double tolerance : Tolerances)
     {
-      const reference::Metrics m = drawing.Measure(technique, tolerance);
+      const reference::Metrics m = drawing.Measure(technique, tolerance, tolerance);
       const std::string name = this->GetParam() +
         (technique == vtkWideFoVPass::AUTO ? ", auto" : ", tessellate") + ", t " +
         std::to_string(tolerance);
@@ -97,11 +121,33 @@ TEST_P(Scenes, KeepTheTolerance)
   }
 }
 
+// Both eyes, a thousandth and a hundredth of the scene apart.
+TEST_P(Scenes, KeepTheToleranceInStereo)
+{
+  SceneDrawing drawing(this->GetParam());
+  const double length = drawing.Picture.GetMesh()->GetLength();
+  for (const double part : { 1e-3, 1e-2 })
+  {
+    for (const Eye eye : { Eye::Left, Eye::Right })
+    {
+      drawing.SetEye(eye, part * length);
+      const reference::Metrics m = drawing.Measure(vtkWideFoVPass::AUTO, Tolerances[1], ByRays);
+      const std::string name = this->GetParam() + ", auto, eyes apart " + std::to_string(part);
+      std::cout << Row(drawing.View, name, m) << std::endl;
+      EXPECT_GT(drawing.Picture.GetNumberOfPlainDraws(), 0);
+      EXPECT_EQ(drawing.CountUnexplained(m), 0)
+        << name << "\n"
+        << Details(drawing.View, drawing.Picture.GetView(), m);
+      EXPECT_GT(m.DomainPixels, 0);
+    }
+  }
+}
+
 // The check can tell: chords at a tolerance of 1 pixel show what nobody sees.
 TEST_P(Scenes, ChordsDoNot)
 {
   SceneDrawing drawing(this->GetParam());
-  EXPECT_GT(drawing.Measure(vtkWideFoVPass::PRECLIP, 1).MaxPx, 0.25);
+  EXPECT_GT(drawing.Measure(vtkWideFoVPass::PRECLIP, 1, 1).MaxPx, 0.25);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Scenes, ::testing::Values("atrium", "flow", "vector-cloud"),

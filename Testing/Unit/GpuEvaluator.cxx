@@ -21,7 +21,8 @@ namespace
 // As many Newton steps as the module's own shaders take.
 const char* const Head = "//VTK::System::Dec\n//VTK::Output::Dec\n"
                          "#define WFV_FN\n#define WFV_TABLES int\n#define WFV_NEWTON_STEPS 12\n"
-                         "#define WFV_DEPTH_MAPPING(v) v.depthMapping\n#define WFV_TILTED true\n";
+                         "#define WFV_DEPTH_MAPPING(v) v.depthMapping\n#define WFV_TILTED true\n"
+                         "#define WFV_FADES true\n";
 
 const char* const Tail = "uniform WfvView wfvView;\n"
                          "uniform sampler2D wfvDirections;\n"
