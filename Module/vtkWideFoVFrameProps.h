@@ -31,7 +31,6 @@ public:
   // For this view, by its number, what is not seen and what the others are drawn with.
   void Choose(vtkWideFoVStages& stages, std::uint64_t view);
 
-
   int GetCount() const { return static_cast<int>(this->Entries.size()); }
   bool IsUnseen(int i) const { return this->Entries[i].Unseen; }
   vtkProp* GetProp(int i) const { return this->Entries[i].Prop; }
