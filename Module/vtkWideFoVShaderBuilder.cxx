@@ -197,29 +197,10 @@ std::string BorderSource(const Request& r)
   return straight && EndsAtSeam(r) ? seam_fragment_glsl : "";
 }
 
-// True of plain triangles among covered ones, where their places are not where they are seen.
-bool OwnDepth(const Request& r)
-{
-  return r.SurfaceDepth && r.Kind == Primitive::Triangles && MovesVertices(r);
-}
-
 // True where depth is not what the rasterizer interpolates: places are, on the surface.
 bool WritesDepth(const Request& r)
 {
   return r.DepthMapping != wfv::WFV_DEPTH_LINEAR || r.SurfaceDepth;
-}
-
-std::string DepthFragment(const Request& r)
-{
-  const char* const depth = OwnDepth(r) ? own_depth_fragment_glsl : depth_fragment_glsl;
-  return std::string(back_yields_glsl) + depth;
-}
-
-// Where this vertex is, in view coordinates, for the depth of the fragments.
-void KeepPlace(std::string& vertex, const std::string& name)
-{
-  vtkWideFoVShaderBuilder::WrapMain(vertex, "", "  " + name + " = gl_Position.xyz;\n");
-  vtkWideFoVShaderBuilder::Declare(vertex, "out vec3 " + name + ";\n");
 }
 
 void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
@@ -237,7 +218,7 @@ void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std:
   }
   else if (WritesDepth(r))
   {
-    declarations = DepthFragment(r);
+    declarations = depth_fragment_glsl;
     before = "  wfvPrepareDepth();\n" + RewriteDepth(fragment);
   }
   const std::string border = BorderSource(r);
@@ -333,11 +314,6 @@ void vtkWideFoVShaderBuilder::Prepare(
 void vtkWideFoVShaderBuilder::Finish(
   const Request& r, std::string& vertex, std::string& geometry, std::string& fragment)
 {
-  const bool ownDepth = OwnDepth(r);
-  if (ownDepth)
-  {
-    KeepPlace(vertex, "wfvPlaceVSOutput");
-  }
   if (MovesVertices(r))
   {
     WrapMain(vertex, "", "  gl_Position = wfvSeenVertex(gl_Position);\n");
@@ -354,7 +330,8 @@ void vtkWideFoVShaderBuilder::Finish(
   }
   if (WritesDepth(r) && !Covers(r))
   {
-    KeepPlace(vertex, ownDepth ? "wfvSeenVSOutput" : "wfvPlaceVSOutput");
+    WrapMain(vertex, "", "  wfvPlaceVSOutput = gl_Position.xyz;\n");
+    Declare(vertex, depth_vertex_glsl);
   }
   if (r.Stage == Variant::Tessellate)
   {

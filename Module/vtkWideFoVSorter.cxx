@@ -83,32 +83,20 @@ struct FindSides
 
   void operator()(vtkIdType from, vtkIdType to) const
   {
-    const TriangleJudge judge(this->In.V);
-    LastSeen seen;
     for (int c = static_cast<int>(from); c < to; c++)
     {
       const bool unseen = this->In.IsUnseen(c);
       for (vtkIdType i = this->In.GetFirst(c); i < this->In.GetEnd(c); i++)
       {
-        this->Sides[i] = unseen ? 0 : this->SidesOf(3 * i, judge, seen);
+        this->Sides[i] = unseen ? 0 : this->SidesOf(3 * i);
       }
     }
   }
 
-  unsigned char SidesOf(vtkIdType corner, const TriangleJudge& judge, LastSeen& seen) const
+  unsigned char SidesOf(vtkIdType corner) const
   {
-    TriangleJudge::Corner corners[3];
-    const TriangleJudge::Corner* c[3];
-    for (int j = 0; j < 3; j++)
-    {
-      // where a point is in the picture does not matter here, and takes longest to find
-      const auto look = [&] { return judge.See(this->In.PlaceOf(corner + j)); };
-      corners[j].Place = this->In.PlaceOf(corner + j);
-      corners[j] =
-        this->In.V.Own ? seen.Get(this->In.All.GetCorners()[corner + j], look) : corners[j];
-      c[j] = &corners[j];
-    }
-    const int side = judge.GetSide(c);
+    const int side = TriangleJudge::GetSide(
+      this->In.PlaceOf(corner), this->In.PlaceOf(corner + 1), this->In.PlaceOf(corner + 2));
     return side == 0 ? BothSides : side < 0 ? Front : Back;
   }
 };

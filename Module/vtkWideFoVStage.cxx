@@ -189,8 +189,7 @@ void vtkWideFoVStage::FinishTriangles(vtkWideFoVShaderBuilder::Request& request)
   }
   request.ByRays = this->ByRays || this->Calm;
   request.Calm = this->Calm;
-  if ((!straight || (this->Stereo && this->Stereo->OwnRays)) &&
-    request.Stage != vtkWideFoVShaderBuilder::Variant::Plain)
+  if ((!straight || (this->Stereo && this->Stereo->OwnRays)) && !this->Clipless)
   {
     // their edges are no great circles, which is what chords are chosen by
     request.Stage = vtkWideFoVShaderBuilder::Variant::Exact;

@@ -181,9 +181,9 @@ bool vtkWideFoVStages::GetSortView(
   view.Bends = looks && this->Projection->Axis != wfv::Family::Sampled ? this->GetBends() : nullptr;
   // what shines through is mixed in its own order, and would be twice where it is drawn both ways
   const bool opaque = view.Bends && !actor->HasTranslucentPolygonalGeometry();
-  const bool chords = own ? stage == this->Exact && this->AllowsChords() : stage == this->PreClip;
-  view.Plain =
-    opaque && view.Samples.AreKnown() && this->Technique == vtkWideFoVPass::AUTO && chords;
+  // (what is in doubt beside chords is known of rays from one place alone)
+  view.Plain = opaque && view.Samples.AreKnown() && !own &&
+    this->Technique == vtkWideFoVPass::AUTO && stage == this->PreClip;
   view.Tolerance = this->Tolerance;
   view.Calm = opaque && !this->DebugView && (stage == this->PreClip || stage == this->Exact);
   return true;

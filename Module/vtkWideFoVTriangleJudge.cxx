@@ -166,20 +166,11 @@ double TriangleJudge::GetAside(const Corner* const c[3]) const
                                : std::numeric_limits<double>::infinity();
 }
 
-int TriangleJudge::GetSide(const Corner* const c[3]) const
+int TriangleJudge::GetSide(const vec3& p, const vec3& q, const vec3& r)
 {
-  const vec3& p = c[0]->Place;
-  const vec3 n = glm::cross(c[1]->Place - p, c[2]->Place - p);
-  // of rays that begin in several places, as seen from where the first one does
-  const vec3 seen = this->V.Own ? c[0]->Direction * c[0]->Distance : p;
-  const double s = glm::dot(n, seen);
-  double limit = EdgeOn * std::sqrt(glm::dot(seen, seen));
-  if (this->V.Own)
-  {
-    // the others begin nearby: radius times the edge over the way, the root of these two
-    limit += BetweenCorners * std::sqrt(this->Circle * this->GetAside(c) * c[0]->Distance);
-  }
-  const bool clear = s * s > limit * limit * glm::dot(n, n);
+  const vec3 n = glm::cross(q - p, r - p);
+  const double s = glm::dot(n, p);
+  const bool clear = s * s > EdgeOn * EdgeOn * glm::dot(n, n) * glm::dot(p, p);
   return !clear ? 0 : s < 0 ? -1 : 1;
 }
 
@@ -209,9 +200,7 @@ TriangleJudge::Verdict TriangleJudge::Judge(const Corner* const c[3]) const
     for (int i = 0; i < 3; i++)
     {
       const vec3 edge = d[(i + 1) % 3] - d[i];
-      // by the square of their lengths; those of own rays are off their great circles besides
-      const double share = angle2 > 0 ? glm::dot(edge, edge) / angle2 : 0;
-      off[i] = this->V.Own ? worst : worst * share;
+      off[i] = angle2 > 0 ? worst * (glm::dot(edge, edge) / angle2) : 0;
     }
   }
   if (!verdict.Empty)
@@ -289,11 +278,11 @@ bool TriangleJudge::IsEmpty(const Corner* const c[3], double reach) const
 }
 
 // Seen from the other side by its chords than by its edges.
-bool TriangleJudge::IsTurned(const Corner* const c[3]) const
+bool TriangleJudge::IsTurned(const Corner* const c[3])
 {
   const vec2 a = c[1]->At - c[0]->At;
   const vec2 b = c[2]->At - c[0]->At;
-  return (a.x * b.y - a.y * b.x) * this->GetSide(c) > 0;
+  return (a.x * b.y - a.y * b.x) * GetSide(c[0]->Place, c[1]->Place, c[2]->Place) > 0;
 }
 
 // The bound of a cell of directions is coarse near poles, and knows no directions of edges. False
@@ -320,21 +309,6 @@ bool TriangleJudge::Measure(const Corner* const c[3], double angle2, double off[
   return true;
 }
 
-// The direction in which a point of an edge is seen; t: its share of the angle or, of own rays, of
-// the way.
-vec3 TriangleJudge::Between(const Corner& a, const Corner& b, double t) const
-{
-  return this->V.Own ? this->V.Own->See(a.Place * (1 - t) + b.Place * t, this->V.View).direction
-                     : glm::normalize(a.Direction * (1 - t) + b.Direction * t);
-}
-
-TriangleJudge::Corner TriangleJudge::Middle(const Corner& a, const Corner& b) const
-{
-  Corner c = this->See(this->V.Own ? 0.5 * (a.Place + b.Place) : a.Direction + b.Direction);
-  c.Distance = std::min(a.Distance, b.Distance);
-  return c;
-}
-
 // Pixels between an edge and its chord, by the quarters of its angle; MostKnown for all that is
 // more.
 double TriangleJudge::MeasureEdge(const Corner& a, const Corner& b) const
@@ -344,7 +318,7 @@ double TriangleJudge::MeasureEdge(const Corner& a, const Corner& b) const
   double off = 0;
   for (const double t : { 0.5, 0.25, 0.75 })
   {
-    const vec3 place = this->Between(a, b, t);
+    const vec3 place = glm::normalize(a.Direction * (1 - t) + b.Direction * t);
     const vec2 at = this->V.Samples.At(this->V.Map->Project(place, this->V.View)) - a.At;
     const double beside =
       length > 0 ? std::abs(along.x * at.y - along.y * at.x) / length : glm::length(at);
@@ -360,9 +334,7 @@ double TriangleJudge::MeasureEdge(const Corner& a, const Corner& b) const
 bool TriangleJudge::MayTearBetween(const Corner& a, const Corner& b) const
 {
   const vec3 d[3] = { a.Direction, b.Direction, b.Direction };
-  // own rays: a piece of an edge is off its great circle by less than the circle is seen under
-  const double aside = this->V.Own ? this->Circle / std::min(a.Distance, b.Distance) : 0;
-  return MayTear(this->V.Map->Axis, d, aside);
+  return MayTear(this->V.Map->Axis, d, 0);
 }
 
 // Pixels by which the vertex buffer may move a corner, where the map stretches so much (pixels a

@@ -92,7 +92,7 @@ public:
   void ForEachPiece(const Corner& from, const Corner& to, const Visit& visit) const;
 
   // -1, 1: which side is seen. 0: nearly edge-on.
-  int GetSide(const Corner* const corners[3]) const;
+  static int GetSide(const vec3& a, const vec3& b, const vec3& c);
 
 private:
   // Of the map beside the corners of a triangle.
@@ -112,11 +112,9 @@ private:
   bool IsEmpty(const Corner* const c[3], double reach) const;
   bool Measure(const Corner* const c[3], double angle2, double off[3]) const;
   double MeasureEdge(const Corner& a, const Corner& b) const;
-  vec3 Between(const Corner& a, const Corner& b, double t) const;
-  Corner Middle(const Corner& a, const Corner& b) const;
   bool MayTearBetween(const Corner& a, const Corner& b) const;
   double GetMoved(double nearest, double stretch) const;
-  bool IsTurned(const Corner* const c[3]) const;
+  static bool IsTurned(const Corner* const c[3]);
 
   const SortView& V;
   double Near;
@@ -146,7 +144,8 @@ void TriangleJudge::ForEachPiece(const Corner& from, const Corner& to, const Vis
   {
     return;
   }
-  const Corner middle = this->Middle(from, to);
+  Corner middle = this->See(from.Direction + to.Direction);
+  middle.Distance = std::min(from.Distance, to.Distance);
   this->ForEachPiece(from, middle, visit);
   this->ForEachPiece(middle, to, visit);
 }

@@ -5,7 +5,13 @@ in vec3 wfvPlaceVSOutput;
 
 float wfvDepth; // window depth here, 0 to 1
 
+// Of the distance: by so much a face seen from behind is put back, more than the rasterizer errs
+// when it interpolates places. Beside an outline a front and a back may meet in one pixel at one
+// depth; the front shows.
+const float WFV_BACK_YIELDS = 2e-5;
+
 void wfvPrepareDepth()
 {
-  wfvDepth = wfvDepthOf(wfvLength(wfvPlaceVSOutput) * wfvBackYields(), wfvView);
+  float back = gl_FrontFacing ? 1.0 : 1.0 + WFV_BACK_YIELDS;
+  wfvDepth = wfvDepthOf(wfvLength(wfvPlaceVSOutput) * back, wfvView);
 }

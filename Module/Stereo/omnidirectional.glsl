@@ -78,12 +78,6 @@ WFV_FN float wfvSeenLatitude(float d, float y, WfvView v)
   return phi;
 }
 
-// How far along its ray a point is seen, without a fade: the tangent to a ball of the same radius.
-WFV_FN float wfvSeenDistance(vec3 p, WfvView v)
-{
-  return wfvTangent(length(p), v.stereo.x);
-}
-
 WFV_FN WfvSight wfvSee(vec3 p, WfvView v)
 {
   vec3 up = wfvUpright(v);
