@@ -33,7 +33,8 @@ int FindHeadlights(vtkRenderer* renderer)
       bit++;
     }
   }
-  return lights;
+  // the one that VTK makes for a renderer without light, once it draws
+  return bit == 0 && renderer->GetAutomaticLightCreation() ? 1 : lights;
 }
 }
 
