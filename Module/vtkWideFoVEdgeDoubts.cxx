@@ -183,6 +183,20 @@ bool SettleSample(const Case* first, const Case* last, const EdgeDoubts::Mesh& m
   return changed;
 }
 
+// Edges at one sample: where more pass, of a mesh much finer than the picture, all are covered, for
+// to look at each two would take longer.
+constexpr std::size_t MostTogether = 48;
+
+bool CoverAll(const Case* first, const Case* last, const EdgeDoubts::Mesh& mesh)
+{
+  bool changed = false;
+  for (const Case* e = first; e != last; ++e)
+  {
+    changed |= Cover(mesh, *e);
+  }
+  return changed;
+}
+
 // Those of samples beside an outline, in the order of their samples.
 std::vector<Case> BesideOutlines(const EdgeDoubts::Lists& lists, const EdgeDoubts::Mesh& mesh)
 {
@@ -246,7 +260,10 @@ void EdgeDoubts::Settle(const Lists& lists, const Mesh& mesh)
       {
         j++;
       }
-      changed |= SettleSample(cases.data() + i, cases.data() + j, mesh);
+      const Case* const first = cases.data() + i;
+      const Case* const last = cases.data() + j;
+      changed |=
+        j - i > MostTogether ? CoverAll(first, last, mesh) : SettleSample(first, last, mesh);
       i = j;
     }
   }
