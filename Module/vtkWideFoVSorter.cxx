@@ -184,7 +184,7 @@ private:
     {
       const auto edge = static_cast<unsigned int>(corner + j);
       const double beyond = IsOutline(this->Sides, this->Neighbours, edge)
-        ? this->V.GetPlainError() + verdict.Sure
+        ? SortView::PlainError + verdict.Sure
         : EdgeDoubts::OutlineWidth;
       const auto look = [&](const vec2& from, const vec2& to, double width, double sure) {
         this->V.Samples.ForEachNear(

@@ -210,17 +210,6 @@ TriangleJudge::Verdict TriangleJudge::Judge(const Corner* const c[3]) const
   return verdict;
 }
 
-// Pixels that the edges of a plain triangle may be off their chords.
-double TriangleJudge::GetAllowed(const Corner* const c[3]) const
-{
-  const vec3& p = c[0]->Place;
-  const vec3 normal = glm::cross(c[1]->Place - p, c[2]->Place - p);
-  const double along = std::abs(glm::dot(normal, c[0]->Direction));
-  const double across = glm::length(glm::cross(normal, c[0]->Direction));
-  return std::min(
-    this->V.GetPlainError(), SortView::DepthShare * this->V.Tolerance * along / across);
-}
-
 // worst, off: pixels of the edges from their chords, so far as known.
 void TriangleJudge::JudgeEdges(const Corner* const c[3], double angle2, double worst, double moved,
   double off[3], Verdict& verdict) const
@@ -228,7 +217,7 @@ void TriangleJudge::JudgeEdges(const Corner* const c[3], double angle2, double w
   const double nearest = std::min({ c[0]->Distance, c[1]->Distance, c[2]->Distance });
   const double farthest = std::max({ c[0]->Distance, c[1]->Distance, c[2]->Distance });
   const bool looks = this->V.Plain && nearest > this->Near && farthest < this->Far;
-  const double allowed = this->GetAllowed(c);
+  const double allowed = SortView::PlainError;
   if (looks && worst > allowed && this->Measure(c, angle2, off))
   {
     worst = std::max({ off[0], off[1], off[2] });

@@ -16,13 +16,8 @@ namespace wfv
 // What a frame is drawn with, for the sorting of triangles.
 struct SortView
 {
-  // Of the tolerance, as two edges may err towards each other and what is rounded comes on top; of
-  // the tolerance, times the slope at which the surface runs away from the eye, as two surfaces
-  // that cross each other do so elsewhere by that; and pixels, as samples are not looked for
-  // beyond.
-  static constexpr double PlainShare = 0.2;
-  static constexpr double DepthShare = 0.16;
-  static constexpr double MostPlainError = 0.12;
+  // Pixels: how far a chord of a plain triangle may be from its edge. As much as `exact` may err.
+  static constexpr double PlainError = 0.02;
 
   const Projection* Map = nullptr;
   WfvView View;
@@ -37,9 +32,6 @@ struct SortView
   double Reach = 0;                 // of two eyes from the origin
   double Tolerance = 0.25;          // pixels
   const StereoModel* Own = nullptr; // of an eye whose rays begin in several places; else none
-
-  // Pixels: how far a chord of a plain triangle may be from its edge.
-  double GetPlainError() const { return std::min(PlainShare * this->Tolerance, MostPlainError); }
 
   // Two are the same where they sort alike; the time that it took to make them apart.
   bool operator==(const SortView& other) const;
@@ -74,7 +66,7 @@ public:
   struct Verdict
   {
     bool Empty = false; // surely covers no sample, drawn in whatever way
-    bool Plain = false; // no discontinuity, between the clip spheres, chords within GetPlainError
+    bool Plain = false; // no discontinuity, between the clip spheres, chords within PlainError
     bool Calm = false;  // small, no discontinuity, chords within CalmError
     double Bend = 0;    // of a calm one, pixels that its chords may be off, over its angle squared
     bool Known = false; // Widths are known: the edges are chords, more or less
@@ -106,7 +98,6 @@ private:
   // Of a triangle seen by rays of its own, radians: how far its edges may be off the great circles
   // between its corners. Infinite as near to the circle where rays begin as it is wide.
   double GetAside(const Corner* const c[3]) const;
-  double GetAllowed(const Corner* const c[3]) const;
   void JudgeEdges(const Corner* const c[3], double angle2, double worst, double moved,
     double off[3], Verdict& verdict) const;
   bool IsEmpty(const Corner* const c[3], double reach) const;

@@ -25,7 +25,7 @@ namespace
 {
 const double Tolerances[] = { 0.05, 0.25, 1 }; // pixels
 
-// Pixels: tessellate decides by rays behind the geometry stage, as `exact` does.
+// Pixels: behind the geometry stage both techniques decide by rays, as `exact` does.
 constexpr double ByRays = 0.02;
 
 class SceneDrawing
@@ -113,9 +113,8 @@ TEST_P(Scenes, KeepTheTolerance)
         (technique == vtkWideFoVPass::AUTO ? ", auto" : ", tessellate") + ", t " +
         std::to_string(tolerance);
       std::cout << Row(drawing.View, name, m) << std::endl;
-      const double allowed = technique == vtkWideFoVPass::AUTO ? tolerance : ByRays;
-      EXPECT_LE(m.MaxPx, allowed) << name << "\n"
-                                  << Details(drawing.View, drawing.Picture.GetView(), m);
+      EXPECT_LE(m.MaxPx, ByRays) << name << "\n"
+                                 << Details(drawing.View, drawing.Picture.GetView(), m);
       EXPECT_GT(m.DomainPixels, 0);
     }
   }
