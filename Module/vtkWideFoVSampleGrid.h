@@ -35,6 +35,7 @@ public:
     this->Shift = shift;
     this->Size = size;
   }
+  const vec2& GetSize() const { return this->Size; }
   vec2 At(const vec2& ndc) const { return ndc * this->Scale + this->Shift; }
   vec2 NdcAt(const vec2& pixels) const { return (pixels - this->Shift) / this->Scale; }
 

@@ -56,10 +56,17 @@ struct SortedDraw::Entry
   SortView View;
   std::size_t All = 0;
   std::size_t Counts[NumberOfLots] = { 0 }; // one lot follows the other
-  float Bend = 0;
   FrameCounts Found;
   std::vector<unsigned int> Order; // kept for programs that ask for numbers
   vtkNew<vtkOpenGLIndexBufferObject> Indices;
+  std::vector<unsigned int> Reaches; // of the calm ones, until they are loaded
+  std::vector<float> Pieces;         // with them, two places a piece: WFV_PIECE of their shader
+  bool Cuts = false;                 // some triangles are drawn in pieces
+  BufferTexture ReachTexture;
+  BufferTexture PieceTexture;
+
+  void TakePieces(const std::vector<CoverPiece>& pieces);
+  void Load(vtkOpenGLRenderWindow* window);
 
   std::size_t GetFirst(Lot lot) const
   {
@@ -68,11 +75,38 @@ struct SortedDraw::Entry
 
   bool IsWhole() const
   {
-    return std::find(std::begin(this->Counts), std::end(this->Counts), this->All) !=
+    return !this->Cuts &&
+      std::find(std::begin(this->Counts), std::end(this->Counts), this->All) !=
       std::end(this->Counts) &&
       this->All == this->GetFirst(NumberOfLots);
   }
 };
+
+void SortedDraw::Entry::TakePieces(const std::vector<CoverPiece>& pieces)
+{
+  this->Cuts = !pieces.empty();
+  this->Pieces.clear();
+  for (const CoverPiece& p : pieces)
+  {
+    for (const double number : { p.From.x, p.From.y, p.Side.x, p.Side.y, p.Height, 0.0, 0.0, 0.0 })
+    {
+      this->Pieces.push_back(static_cast<float>(number));
+    }
+  }
+  this->Pieces.resize(std::max<std::size_t>(this->Pieces.size(), 8)); // the shader reads one
+}
+
+void SortedDraw::Entry::Load(vtkOpenGLRenderWindow* window)
+{
+  if (this->Reaches.empty())
+  {
+    return;
+  }
+  this->ReachTexture.Load(window, this->Reaches);
+  this->PieceTexture.LoadFours(window, this->Pieces);
+  this->Reaches = std::vector<unsigned int>();
+  this->Pieces = std::vector<float>();
+}
 
 bool SortedDraw::IsWorthIt(vtkPolyData* data, bool strips)
 {
@@ -89,7 +123,6 @@ SortedDraw::SortedDraw(bool strips)
     helper.PrimitiveType =
       strips ? vtkOpenGLPolyDataMapper::PrimitiveTriStrips : vtkOpenGLPolyDataMapper::PrimitiveTris;
   }
-  this->NumberBuffer->SetType(vtkOpenGLBufferObject::TextureBuffer);
 }
 
 SortedDraw::~SortedDraw() = default;
@@ -154,7 +187,8 @@ void SortedDraw::Sort(Entry& e, vtkPolyData* data, const double toMap[16], const
   e.Counts[Covered] = this->Triangles.GetNumberOfCovered();
   e.Counts[Calm] = this->Triangles.GetNumberOfCalm();
   e.Counts[Plain] = e.Order.size() - e.Counts[Covered] - e.Counts[Calm];
-  e.Bend = static_cast<float>(this->Triangles.GetBend());
+  e.Reaches = this->Triangles.GetReaches();
+  e.TakePieces(this->Triangles.GetPieces());
   this->NumbersOf = this->NumbersOf == &e ? nullptr : this->NumbersOf;
   if (e.IsWhole())
   {
@@ -207,35 +241,29 @@ void SortedDraw::LoadNumbers(vtkOpenGLRenderWindow* window)
   static const std::vector<unsigned int> none(1, 0);
   Entry* const wanted =
     this->Chosen == SortedDraw::All || this->Current->IsWhole() ? nullptr : this->Current;
-  const bool loaded = this->Numbers->GetHandle() != 0 && this->Numbers->GetContext() == window;
-  if (loaded && (!wanted || this->NumbersOf == wanted))
+  if (this->Numbers.IsLoadedFor(window) && (!wanted || this->NumbersOf == wanted))
   {
     return;
   }
-  const std::vector<unsigned int>& numbers = wanted ? wanted->Order : none;
   this->NumbersOf = wanted;
-  this->Numbers->SetContext(window);
-  this->Numbers->SetInternalFormat(GL_R32UI);
-  this->Numbers->SetFormat(GL_RED_INTEGER);
-  this->NumberBuffer->Upload(numbers, vtkOpenGLBufferObject::TextureBuffer);
-  this->Numbers->CreateTextureBuffer(
-    static_cast<unsigned int>(numbers.size()), 1, VTK_UNSIGNED_INT, this->NumberBuffer);
+  this->Numbers.Load(window, wanted ? wanted->Order : none);
 }
 
 void SortedDraw::SetParameters(vtkShaderProgram* program, vtkWindow* window)
 {
-  if (this->Chosen == Calm && program->IsUniformUsed("wfvCalm"))
+  auto* const context = static_cast<vtkOpenGLRenderWindow*>(window);
+  if (this->Chosen == Calm && program->IsUniformUsed("wfvReaches"))
   {
-    const float calm[2] = { this->Current->Bend, static_cast<float>(TriangleJudge::CalmError) };
-    program->SetUniform2f("wfvCalm", calm);
+    this->Current->Load(context);
+    this->Current->ReachTexture.Activate(program, "wfvReaches");
+    this->Current->PieceTexture.Activate(program, "wfvPieces");
   }
   if (!program->IsUniformUsed("wfvNumbers"))
   {
     return;
   }
-  this->LoadNumbers(static_cast<vtkOpenGLRenderWindow*>(window));
-  this->Numbers->Activate();
-  program->SetUniformi("wfvNumbers", this->Numbers->GetTextureUnit());
+  this->LoadNumbers(context);
+  this->Numbers.Activate(program, "wfvNumbers");
   const bool own = this->Chosen == SortedDraw::All || this->Current->IsWhole();
   const std::size_t first = own ? 0 : this->Current->GetFirst(this->Chosen);
   program->SetUniformi("wfvFirstNumber", own ? -1 : static_cast<int>(first));
@@ -244,9 +272,11 @@ void SortedDraw::SetParameters(vtkShaderProgram* program, vtkWindow* window)
 void SortedDraw::Finish()
 {
   this->Chosen = SortedDraw::All;
-  if (this->Numbers->GetHandle())
+  this->Numbers.Deactivate();
+  if (this->Current)
   {
-    this->Numbers->Deactivate();
+    this->Current->ReachTexture.Deactivate();
+    this->Current->PieceTexture.Deactivate();
   }
 }
 
@@ -255,6 +285,8 @@ void SortedDraw::ReleaseGraphicsResources(vtkWindow* window)
   for (auto& entry : this->Entries)
   {
     entry.second->Indices->ReleaseGraphicsResources();
+    entry.second->ReachTexture.ReleaseGraphicsResources(window);
+    entry.second->PieceTexture.ReleaseGraphicsResources(window);
   }
   this->Entries.clear();
   this->Current = this->NumbersOf = nullptr;
@@ -262,8 +294,7 @@ void SortedDraw::ReleaseGraphicsResources(vtkWindow* window)
   {
     helper.ReleaseGraphicsResources(window);
   }
-  this->Numbers->ReleaseGraphicsResources(window);
-  this->NumberBuffer->ReleaseGraphicsResources();
+  this->Numbers.ReleaseGraphicsResources(window);
 }
 
 // Points that are float32 stay as they are, others are rounded, and both where VTK shifts and

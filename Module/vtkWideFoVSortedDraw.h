@@ -3,9 +3,9 @@
 #ifndef vtkWideFoVSortedDraw_h
 #define vtkWideFoVSortedDraw_h
 
+#include "vtkWideFoVBufferTexture.h"
 #include "vtkWideFoVSorter.h"
 
-#include "vtkNew.h"
 #include "vtkOpenGLHelper.h"
 #include "vtkWeakPointer.h"
 
@@ -15,17 +15,12 @@
 #include <utility>
 
 class vtkActor;
-class vtkOpenGLBufferObject;
 class vtkOpenGLIndexBufferObject;
-class vtkOpenGLRenderWindow;
 class vtkOpenGLVertexBufferObjectGroup;
 class vtkPoints;
 class vtkPolyData;
-class vtkShaderProgram;
-class vtkTextureObject;
 class vtkWideFoVStages;
 class vtkWideFoVStage;
-class vtkWindow;
 
 namespace wfv
 {
@@ -98,8 +93,7 @@ private:
   Entry* Current = nullptr;
   Lot Chosen = All;
   vtkOpenGLHelper Helpers[NumberOfLots];
-  vtkNew<vtkOpenGLBufferObject> NumberBuffer;
-  vtkNew<vtkTextureObject> Numbers;
+  BufferTexture Numbers;
   Entry* NumbersOf = nullptr;
 };
 

@@ -6,6 +6,7 @@
 #include "vtkWideFoVClusters.h"
 #include "vtkWideFoVEdgeDoubts.h"
 #include "vtkWideFoVTriangleJudge.h"
+#include "vtkWideFoVTrianglePieces.h"
 
 #include <vector>
 
@@ -13,6 +14,9 @@ class vtkPoints;
 
 namespace wfv
 {
+template <typename Real>
+struct Scene;
+
 // Every triangle is unseen (outside the picture, or between its samples), plain (its chords are
 // near enough to its edges, it meets no discontinuity, and no hidden face shows beside it,
 // vtkWideFoVEdgeDoubts.h) or has to be covered. Plain ones beside a covered one are drawn both ways
@@ -24,14 +28,17 @@ public:
   // coordinates to the map's own frame. Returns false where the kind of points is not known.
   bool Sort(Clusters& clusters, vtkPoints* points, const double toMap[16], const SortView& view);
 
-  // Numbers of triangles: those to be covered first, calm ones after the others; then the plain
-  // ones. A few are both.
+  // Numbers of triangles: those to be covered first, calm ones after the others, and among those
+  // once a piece the ones that are covered in pieces; then the plain ones. A few are both.
   const std::vector<unsigned int>& GetOrder() const { return this->Order; }
   std::size_t GetNumberOfCovered() const { return this->Covered; }
   std::size_t GetNumberOfCalm() const { return this->Calm; }
 
-  // Pixels that an edge of a calm triangle may be off its chord, over its angle squared.
-  double GetBend() const { return this->Bend; }
+  // Of the calm triangles in their order: TriangleJudge::Verdict::Reach, or PieceBits and a number
+  // of GetPieces.
+  const std::vector<unsigned int>& GetReaches() const { return this->Reaches; }
+  const std::vector<CoverPiece>& GetPieces() const { return this->Pieces; }
+  static constexpr unsigned int PieceBits = 3u << 30;
 
   // Of clusters, those that nothing is drawn of.
   int GetNumberOfUnseen() const { return this->Unseen; }
@@ -48,15 +55,19 @@ private:
   void VisitPlain(const EdgeDoubts::Lists& doubts, const Take& take) const;
   void SpreadCovered(const EdgeDoubts::Lists& doubts, const EdgeDoubts::Mesh& mesh);
   void SpreadOverOutlines(const EdgeDoubts::Lists& doubts, const EdgeDoubts::Mesh& mesh);
+  template <typename Real>
+  void SettleDoubts(const Scene<Real>& scene, Clusters& clusters, const EdgeDoubts::Lists& lists);
+  template <typename Real>
+  void CutCovers(const Scene<Real>& scene);
   void MakeOrder();
 
-  std::vector<unsigned char> Kinds; // one a triangle
-  std::vector<unsigned char> Sides; // one a triangle, while some may be plain
-  std::vector<float> Bends;         // of the calm triangles of a cluster, the largest
+  std::vector<unsigned char> Kinds;  // one a triangle
+  std::vector<unsigned char> Sides;  // one a triangle, while some may be plain
+  std::vector<unsigned int> Reaches; // one a triangle; once all is sorted, a calm one
+  std::vector<CoverPiece> Pieces;    // by their triangles
   std::vector<unsigned int> Order;
   std::size_t Covered = 0; // not calm
   std::size_t Calm = 0;
-  double Bend = 0;
   int Unseen = 0;
   vtkIdType LeftOut = 0;
 };

@@ -14,12 +14,15 @@ using namespace wfv;
 // Relative to the distance: so near a discontinuity float32 may place a point beyond it.
 constexpr double Beside = 1e-5;
 
-// On the distance of an edge, at its quarters, from its chord, for what lies between.
-constexpr double BetweenQuarters = 1.2;
+// Of a direction, along the axis of a perspective: nearer to the plane of the eye it has no bound.
+constexpr double LeastAhead = 0.02;
 
-// Radians, and over the distance from a singular point: edges that their quarters say enough of.
-constexpr double LongestMeasured = 0.1;
-constexpr double PartOfSine = 0.25;
+// Radians: edges that their quarters say enough of; the eighths of those that are twice as long.
+constexpr double LongestMeasured = 0.25;
+
+// Radians: beyond that places along a chord, and what is interpolated there, are not those of its
+// edge.
+constexpr double LongestPlain = 0.1;
 
 // Pixels by which a rasterizer snaps corners, and by which the place of a corner in float32 may
 // err in a picture so many pixels wide (Agreement of GpuMathTest.cxx).
@@ -41,53 +44,9 @@ constexpr double BetweenCorners = 1.5;
 // Radians: edges that are off their great circles by more are not looked into.
 constexpr double LargestAside = 1e-3;
 
-// True where a small triangle, whose corners these are, may meet a tear of the map, its edges so
-// far off their great circles. Poles and antipodes are the business of LocalBend, which has no
-// bound there.
-bool MayTear(Family family, const vec3 d[3], double aside)
-{
-  const double beside = Beside + aside;
-  if (family == Family::Meridian)
-  {
-    const double low = std::min({ d[0].x, d[1].x, d[2].x });
-    const double high = std::max({ d[0].x, d[1].x, d[2].x });
-    return low <= beside && high >= -beside && std::max({ d[0].z, d[1].z, d[2].z }) >= 0;
-  }
-  if (family != Family::Faces)
-  {
-    return false;
-  }
-  const vec3 a = glm::abs(d[0]);
-  const int axis = a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
-  const double sign = d[0][axis] < 0 ? -1 : 1;
-  for (int i = 0; i < 3; i++)
-  {
-    const double others = std::max(std::abs(d[i][(axis + 1) % 3]), std::abs(d[i][(axis + 2) % 3]));
-    if (!(sign * d[i][axis] > others + beside))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
 double Square(double x)
 {
   return x * x;
-}
-
-// Of edges, the longest over the distance of its ends, squared; places as the shaders have them.
-double LargestEdge2(const vec3 p[3])
-{
-  double largest = 0;
-  for (int i = 0; i < 3; i++)
-  {
-    const vec3& a = p[i];
-    const vec3& b = p[(i + 1) % 3];
-    largest =
-      std::max(largest, glm::dot(b - a, b - a) / std::sqrt(glm::dot(a, a) * glm::dot(b, b)));
-  }
-  return largest;
 }
 
 double Longest2(const vec3 p[3])
@@ -117,13 +76,59 @@ bool SortView::operator==(const SortView& o) const
 // A triangle may come nearer than its corners, by an eighth of its angle squared.
 TriangleJudge::TriangleJudge(const SortView& view)
   : V(view)
-  , Near(view.View.radii.x * (1 + Square(LongestMeasured)))
+  , Near(view.View.radii.x * (1 + Square(LongestPlain)))
   , Far(view.View.radii.y * (1 - 10 * Beside))
 {
   const vec2 half = 0.5 * view.Pixels;
   this->Scale = half * half / 64.0; // of (a^2 / 8)^2, pixels
   this->Circle = view.Own ? std::abs(view.View.stereo.x) : 0;
-  this->Pad = Snap + PlaceError * std::max(view.Pixels.x, view.Pixels.y) / PlaceErrorWidth;
+  this->Pad = GetPad(view.Pixels);
+}
+
+bool TriangleJudge::MayTear(Family family, const vec3 d[3], double aside)
+{
+  const double beside = Beside + aside;
+  if (family == Family::Meridian)
+  {
+    const double low = std::min({ d[0].x, d[1].x, d[2].x });
+    const double high = std::max({ d[0].x, d[1].x, d[2].x });
+    return low <= beside && high >= -beside && std::max({ d[0].z, d[1].z, d[2].z }) >= 0;
+  }
+  if (family == Family::Planar)
+  {
+    return std::max({ d[0].z, d[1].z, d[2].z }) > -LeastAhead;
+  }
+  if (family != Family::Faces)
+  {
+    return false;
+  }
+  const vec3 a = glm::abs(d[0]);
+  const int axis = a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
+  const double sign = d[0][axis] < 0 ? -1 : 1;
+  for (int i = 0; i < 3; i++)
+  {
+    const double others = std::max(std::abs(d[i][(axis + 1) % 3]), std::abs(d[i][(axis + 2) % 3]));
+    if (!(sign * d[i][axis] > others + beside))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool TriangleJudge::IsInDomain(const SortView& view, const vec3 d[3])
+{
+  if (view.Map->Axis != Family::Azimuthal)
+  {
+    return true;
+  }
+  const double rim = std::cos(view.View.maxAngle) + std::sqrt(Longest2(d));
+  return -d[0].z >= rim && -d[1].z >= rim && -d[2].z >= rim;
+}
+
+double TriangleJudge::GetPad(const vec2& pixels)
+{
+  return Snap + PlaceError * std::max(pixels.x, pixels.y) / PlaceErrorWidth;
 }
 
 TriangleJudge::Corner TriangleJudge::See(const vec3& place) const
@@ -182,25 +187,25 @@ TriangleJudge::Verdict TriangleJudge::Judge(const Corner* const c[3]) const
   const vec2 sum = c[0]->At + c[1]->At + c[2]->At;
   const bool known = std::isfinite(sum.x + sum.y); // comparisons would pass over a corner
   const double aside = this->V.Own ? this->GetAside(c) : 0;
-  if (!known || !(angle2 <= Square(LongestMeasured)) || !(aside <= LargestAside) ||
+  if (!known || !(angle2 <= Square(2 * LongestMeasured)) || !(aside <= LargestAside) ||
     MayTear(this->V.Map->Axis, d, aside))
   {
     return verdict;
   }
   const double nearest = std::min({ c[0]->Distance, c[1]->Distance, c[2]->Distance });
-  double off[3];
+  const Local local = this->LookAt(d, angle2, aside);
+  const bool tiny = angle2 <= Square(LocalBend::LongestEdge);
+  const double moved = this->GetMoved(nearest, local.Stretch * (tiny ? 1 : BetweenCorners));
+  Bulge off[3];
   double worst = std::numeric_limits<double>::infinity();
-  double moved = this->GetMoved(nearest, worst);
-  if (angle2 <= Square(LocalBend::LongestEdge))
+  if (tiny)
   {
-    const Local local = this->LookAt(d, angle2, aside);
     worst = std::sqrt(local.Bound2);
-    moved = this->GetMoved(nearest, local.Stretch);
     verdict.Empty = this->IsEmpty(c, worst + moved + this->Pad);
     for (int i = 0; i < 3; i++)
     {
       const vec3 edge = d[(i + 1) % 3] - d[i];
-      off[i] = angle2 > 0 ? worst * (glm::dot(edge, edge) / angle2) : 0;
+      off[i].Left = off[i].Right = angle2 > 0 ? worst * (glm::dot(edge, edge) / angle2) : 0;
     }
   }
   if (!verdict.Empty)
@@ -212,30 +217,68 @@ TriangleJudge::Verdict TriangleJudge::Judge(const Corner* const c[3]) const
 
 // worst, off: pixels of the edges from their chords, so far as known.
 void TriangleJudge::JudgeEdges(const Corner* const c[3], double angle2, double worst, double moved,
-  double off[3], Verdict& verdict) const
+  Bulge off[3], Verdict& verdict) const
 {
+  if (worst > SortView::PlainError && !this->V.Own && this->Measure(c, angle2, off))
+  {
+    worst = std::max({ off[0].GetMost(), off[1].GetMost(), off[2].GetMost() });
+  }
+  const double sure = moved + this->Pad;
+  verdict.Calm = this->V.Calm && angle2 > 0 && worst + sure <= CalmError;
+  verdict.Reach = verdict.Calm ? GetReach(c, off, sure) : 0;
   const double nearest = std::min({ c[0]->Distance, c[1]->Distance, c[2]->Distance });
   const double farthest = std::max({ c[0]->Distance, c[1]->Distance, c[2]->Distance });
-  const bool looks = this->V.Plain && nearest > this->Near && farthest < this->Far;
-  const double allowed = SortView::PlainError;
-  if (looks && worst > allowed && this->Measure(c, angle2, off))
-  {
-    worst = std::max({ off[0], off[1], off[2] });
-  }
-  verdict.Calm = this->V.Calm && angle2 > 0 && worst <= CalmError;
-  const vec3 places[3] = { c[0]->Place, c[1]->Place, c[2]->Place };
-  verdict.Bend = verdict.Calm ? worst / (this->V.Own ? LargestEdge2(places) : angle2) : 0;
-  if (!looks)
+  if (!this->V.Plain || !(nearest > this->Near) || !(farthest < this->Far))
   {
     return;
   }
-  verdict.Plain = worst <= allowed && !IsTurned(c);
+  verdict.Plain = worst <= SortView::PlainError && angle2 <= Square(LongestPlain) && !IsTurned(c);
   verdict.Known = worst <= MostKnown && moved <= MostKnown;
-  verdict.Sure = moved + this->Pad;
+  verdict.Sure = sure;
   for (int i = 0; i < 3; i++)
   {
-    verdict.Widths[i] = off[i] + verdict.Sure;
+    verdict.Widths[i] = off[i].GetMost() + sure;
   }
+}
+
+// A triangle is between its chords and what bulges out from them. Of one so thin that its edges may
+// have changed sides that is not so: all sides move by all that any edge is off.
+unsigned int TriangleJudge::GetReach(const Corner* const c[3], const Bulge off[3], double sure)
+{
+  const vec2 a = c[1]->At - c[0]->At;
+  const vec2 b = c[2]->At - c[0]->At;
+  const double twice = a.x * b.y - a.y * b.x;
+  const double longest = std::max({ glm::length(a), glm::length(b), glm::length(b - a) });
+  const double most = std::max({ off[0].GetMost(), off[1].GetMost(), off[2].GetMost() });
+  const bool thin = !(std::abs(twice) > 2 * sure * longest) || IsTurned(c) ||
+    GetSide(c[0]->Place, c[1]->Place, c[2]->Place) == 0;
+  unsigned int reach = 0;
+  for (int i = 0; i < 3; i++)
+  {
+    const Bulge& edge = off[(i + 1) % 3]; // from the next corner to the one after it
+    const double out = thin ? most : twice > 0 ? edge.Right : edge.Left;
+    reach |= static_cast<unsigned int>(std::ceil(Reaches * (out + sure))) << (ReachBits * i);
+  }
+  return reach;
+}
+
+double TriangleJudge::GetCalmArea(const Corner* const c[3], unsigned int reach)
+{
+  const vec2 a = c[1]->At - c[0]->At;
+  const vec2 b = c[2]->At - c[0]->At;
+  const double area = 0.5 * std::abs(a.x * b.y - a.y * b.x);
+  double longest = 0;
+  double most = 0;
+  double times = 1;
+  for (int i = 0; i < 3; i++)
+  {
+    const double side = glm::length(c[(i + 2) % 3]->At - c[(i + 1) % 3]->At);
+    const double grow = ((reach >> (ReachBits * i)) & ((1u << ReachBits) - 1)) / Reaches;
+    longest = std::max(longest, side);
+    most = std::max(most, grow);
+    times += grow * side / (2 * area);
+  }
+  return std::min(area * times * times, (longest + 2 * most) * (2 * area / longest + 2 * most));
 }
 
 TriangleJudge::Local TriangleJudge::LookAt(const vec3 d[3], double angle2, double aside) const
@@ -276,48 +319,64 @@ bool TriangleJudge::IsTurned(const Corner* const c[3])
 
 // The bound of a cell of directions is coarse near poles, and knows no directions of edges. False
 // where the quarters of the edges say too little.
-bool TriangleJudge::Measure(const Corner* const c[3], double angle2, double off[3]) const
+bool TriangleJudge::Measure(const Corner* const c[3], double angle2, Bulge off[3]) const
 {
-  const Projection& p = *this->V.Map;
+  const vec3 d[3] = { c[0]->Direction, c[1]->Direction, c[2]->Direction };
+  if (!IsInDomain(this->V, d))
+  {
+    return false;
+  }
   for (int i = 0; i < 3; i++)
   {
-    const double sine = SineToSingularity(p.Axis, c[i]->Direction);
-    if (!(angle2 <= Square(PartOfSine * sine)))
+    const double sine = SineToSingularity(this->V.Map->Axis, d[i]);
+    if (!(angle2 <= Square(2 * PartOfSine * sine)))
     {
       return false;
     }
   }
+  Bulge measured[3];
   for (int i = 0; i < 3; i++)
   {
-    off[i] = this->MeasureEdge(*c[i], *c[(i + 1) % 3]);
-    if (!(off[i] < MostKnown))
+    measured[i] = this->MeasureEdge(*c[i], *c[(i + 1) % 3], CalmError);
+    if (!(measured[i].GetMost() < CalmError))
     {
       return false;
     }
   }
+  std::copy_n(measured, 3, off);
   return true;
 }
 
-// Pixels between an edge and its chord, by the quarters of its angle; MostKnown for all that is
-// more.
-double TriangleJudge::MeasureEdge(const Corner& a, const Corner& b) const
+// `most` on both sides for all that is more than that.
+TriangleJudge::Bulge TriangleJudge::MeasureEdge(const Corner& a, const Corner& b, double most) const
 {
+  const vec3 chord = b.Direction - a.Direction;
+  const double sine = std::min({ 1.0, SineToSingularity(this->V.Map->Axis, a.Direction),
+    SineToSingularity(this->V.Map->Axis, b.Direction) });
+  const bool little =
+    glm::dot(chord, chord) <= Square(std::min(LongestMeasured, PartOfSine * sine));
+  const int parts = little ? 4 : 8;
   const vec2 along = b.At - a.At;
   const double length = glm::length(along);
-  double off = 0;
-  for (const double t : { 0.5, 0.25, 0.75 })
+  Bulge off;
+  for (int i = 1; i < parts; i++)
   {
+    const double t = double(i) / parts;
     const vec3 place = glm::normalize(a.Direction * (1 - t) + b.Direction * t);
     const vec2 at = this->V.Samples.At(this->V.Map->Project(place, this->V.View)) - a.At;
-    const double beside =
-      length > 0 ? std::abs(along.x * at.y - along.y * at.x) / length : glm::length(at);
-    off = std::max(off, BetweenQuarters * beside);
-    if (!(off < MostKnown))
+    const double way = length > 0 ? glm::dot(along, at) / length : 0;
+    const double left = length > 0 ? (along.x * at.y - along.y * at.x) / length : 0;
+    // where a map folds at its rim, beyond an end
+    const double ends = std::max({ way - length, -way, 0.0 });
+    off.Left = std::max(off.Left, std::max(left, 0.0) + ends);
+    off.Right = std::max(off.Right, std::max(-left, 0.0) + ends);
+    if (!(off.GetMost() < most))
     {
-      return MostKnown;
+      return { most, most };
     }
   }
-  return off;
+  const double between = (BetweenParts - 1) * off.GetMost();
+  return { off.Left + between, off.Right + between };
 }
 
 bool TriangleJudge::MayTearBetween(const Corner& a, const Corner& b) const

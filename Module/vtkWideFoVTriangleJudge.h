@@ -38,7 +38,7 @@ struct SortView
 };
 
 // Decides on single triangles.
-class TriangleJudge
+class WFV_EXPORT TriangleJudge
 {
 public:
   // The view outlives the judge, and has bends.
@@ -55,7 +55,12 @@ public:
   Corner See(const vec3& place) const;
 
   // Pixels: how far a chord of a calm triangle may be from its edge.
-  static constexpr double CalmError = 0.25;
+  static constexpr double CalmError = 15;
+
+  // In a pixel, what says how far a side is moved out: WFV_REACHES of calm_triangles.glsl; so many
+  // bits a side.
+  static constexpr double Reaches = 64;
+  static constexpr unsigned int ReachBits = 10;
 
   // Pixels: chords that are farther from their edges are not looked at for samples; radians: edges
   // that are longer are cut, as long as they are longer than this.
@@ -65,23 +70,43 @@ public:
 
   struct Verdict
   {
-    bool Empty = false; // surely covers no sample, drawn in whatever way
-    bool Plain = false; // no discontinuity, between the clip spheres, chords within PlainError
-    bool Calm = false;  // small, no discontinuity, chords within CalmError
-    double Bend = 0;    // of a calm one, pixels that its chords may be off, over its angle squared
-    bool Known = false; // Widths are known: the edges are chords, more or less
-    double Sure = 0;    // pixels, by which a rasterizer and float32 move chords
+    bool Empty = false;     // surely covers no sample, drawn in whatever way
+    bool Plain = false;     // no discontinuity, between the clip spheres, chords within PlainError
+    bool Calm = false;      // small, no discontinuity, chords within CalmError
+    unsigned int Reach = 0; // of a calm one: how far the sides of its chords are to be moved out to
+                            // hold it, ReachBits for the one opposite to each corner
+    bool Known = false;     // Widths are known: the edges are chords, more or less
+    double Sure = 0;        // pixels, by which a rasterizer and float32 move chords
     double Widths[3] = { 0, 0,
       0 }; // pixels, of the edge from each corner: samples so near its chord may lie
            // on the other side of the edge, or of the chord as it is drawn
   };
   Verdict Judge(const Corner* const corners[3]) const;
 
+  // Square pixels of the shape that covers a calm triangle (preclip_narrow.glsl).
+  static double GetCalmArea(const Corner* const corners[3], unsigned int reach);
+
   // Calls visit(from, to, width, sure) for the pieces of an edge of which is not known how far it
   // is off its chord: places in pixels, between which samples so near are in doubt, pixels; Sure of
   // the verdict. What is torn, or runs to where the map stretches without bound, is left out.
   template <typename Visit>
   void ForEachPiece(const Corner& from, const Corner& to, const Visit& visit) const;
+
+  // On the distance of an edge from its chord, at its quarters or eighths, for what lies between.
+  static constexpr double BetweenParts = 1.2;
+
+  // Over the distance from a singular point: edges that their quarters say enough of.
+  static constexpr double PartOfSine = 0.25;
+
+  // True where a triangle, whose corners these are, may meet a tear of the map, its edges so far
+  // off their great circles, radians. Poles and antipodes are another matter.
+  static bool MayTear(Family family, const vec3 d[3], double aside);
+
+  // True where no part of a triangle is beyond the rim of a round map, which may fold there.
+  static bool IsInDomain(const SortView& view, const vec3 d[3]);
+
+  // Pixels by which a rasterizer and float32 may move what is drawn in a picture so large.
+  static double GetPad(const vec2& pixels);
 
   // -1, 1: which side is seen. 0: nearly edge-on.
   static int GetSide(const vec3& a, const vec3& b, const vec3& c);
@@ -98,11 +123,19 @@ private:
   // Of a triangle seen by rays of its own, radians: how far its edges may be off the great circles
   // between its corners. Infinite as near to the circle where rays begin as it is wide.
   double GetAside(const Corner* const c[3]) const;
-  void JudgeEdges(const Corner* const c[3], double angle2, double worst, double moved,
-    double off[3], Verdict& verdict) const;
+  // Pixels that an edge may be off its chord, on the two sides of the way from end to end.
+  struct Bulge
+  {
+    double Left = 0;
+    double Right = 0;
+    double GetMost() const { return std::max(this->Left, this->Right); }
+  };
+  void JudgeEdges(const Corner* const c[3], double angle2, double worst, double moved, Bulge off[3],
+    Verdict& verdict) const;
   bool IsEmpty(const Corner* const c[3], double reach) const;
-  bool Measure(const Corner* const c[3], double angle2, double off[3]) const;
-  double MeasureEdge(const Corner& a, const Corner& b) const;
+  bool Measure(const Corner* const c[3], double angle2, Bulge off[3]) const;
+  Bulge MeasureEdge(const Corner& a, const Corner& b, double most) const;
+  static unsigned int GetReach(const Corner* const c[3], const Bulge off[3], double sure);
   bool MayTearBetween(const Corner& a, const Corner& b) const;
   double GetMoved(double nearest, double stretch) const;
   static bool IsTurned(const Corner* const c[3]);
@@ -122,7 +155,7 @@ void TriangleJudge::ForEachPiece(const Corner& from, const Corner& to, const Vis
   const double angle2 = glm::dot(chord, chord);
   const bool small = angle2 <= LongestPiece * LongestPiece;
   const bool whole = small && !this->MayTearBetween(from, to);
-  const double off = whole ? this->MeasureEdge(from, to) : MostKnown;
+  const double off = whole ? this->MeasureEdge(from, to, MostKnown).GetMost() : MostKnown;
   if (off < MostKnown)
   {
     const double stretch = 2 * glm::length(to.At - from.At) / std::sqrt(std::max(angle2, 1e-300));

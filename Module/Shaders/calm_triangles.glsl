@@ -4,8 +4,17 @@
 // preclip_triangles.glsl finds that out for each, and has an answer for all; software rendering
 // runs through all these answers every time.
 
-// Pixels by which an edge of one radian might be off its chord, and by which none is.
-uniform vec2 wfvCalm;
+// Of every triangle, ten bits for the side opposite to each corner: how far to move it out from its
+// chord (TriangleJudge::Verdict).
+uniform usamplerBuffer wfvReaches;
+
+// Of these numbers, in a pixel.
+const float WFV_REACHES = 64.0;
+
+// In their place where the two uppermost bits are set: the number of a rectangle that covers a part
+// of the triangle (TrianglePieces), pixels; its first corner and its side, and how high it is.
+uniform samplerBuffer wfvPieces;
+const uint WFV_PIECE = 3u << 30u;
 
 void main()
 {
@@ -27,9 +36,17 @@ void main()
   wfvSetSpans(wfvT.w > 0.0 ? 1.0 : -1.0);
 #endif
   wfvVertexMode = WFV_COVERED;
-  vec3 edges = vec3(dot(wfvP[1] - wfvP[2], wfvP[1] - wfvP[2]) / (lengths.y * lengths.z),
-    dot(wfvP[2] - wfvP[0], wfvP[2] - wfvP[0]) / (lengths.z * lengths.x),
-    dot(wfvP[0] - wfvP[1], wfvP[0] - wfvP[1]) / (lengths.x * lengths.y));
-  float reach = min(wfvCalm.x * max(edges.x, max(edges.y, edges.z)), wfvCalm.y);
-  wfvCoverTight(reach + WFV_TIGHT_PAD, wfvT.w < 0.0);
+  uint reaches = texelFetch(wfvReaches, gl_PrimitiveIDIn).x;
+  vec3 grow = vec3(reaches & 1023u, (reaches >> 10u) & 1023u, reaches >> 20u) / WFV_REACHES;
+  bool front = wfvT.w < 0.0;
+  int corners = wfvTightShape(grow, front);
+  if (reaches >= WFV_PIECE)
+  {
+    int piece = 2 * int(reaches & ~WFV_PIECE);
+    vec4 side = texelFetch(wfvPieces, piece);
+    float height = texelFetch(wfvPieces, piece + 1).x;
+    wfvRectangle(side.xy, side.zw, height * normalize(vec2(-side.w, side.z)), front);
+    corners = 4;
+  }
+  wfvEmitShape(corners);
 }

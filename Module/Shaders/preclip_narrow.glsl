@@ -23,72 +23,87 @@ bool wfvBetweenCentres(vec2 low, vec2 high)
 
 vec2 wfvShape[4]; // pixels of the tile, from its centre
 
-// A rectangle along the longest chord, grown by so many pixels: narrower than one along the
-// axes for what lies askew. From the corners wfvC.
-void wfvShapeAlong(float grow, bool front)
+// A rectangle, by its first corner and its sides; the right one, then to the left of it.
+void wfvRectangle(vec2 first, vec2 right, vec2 up, bool front)
 {
-  vec2 along = wfvC[1] - wfvC[0];
-  along = length(wfvC[2] - wfvC[1]) > length(along) ? wfvC[2] - wfvC[1] : along;
-  along = length(wfvC[0] - wfvC[2]) > length(along) ? wfvC[0] - wfvC[2] : along;
-  float l = length(along);
-  along = l > 1e-6 ? along / l : vec2(1.0, 0.0);
-  vec2 across = vec2(-along.y, along.x);
-  vec2 low = vec2(1e9);
-  vec2 high = vec2(-1e9);
-  for (int i = 0; i < 3; i++)
-  {
-    vec2 at = vec2(dot(wfvC[i], along), dot(wfvC[i], across));
-    low = min(low, at - grow);
-    high = max(high, at + grow);
-  }
-  vec2 right = along * (high.x - low.x);
-  vec2 up = across * (high.y - low.y);
-  wfvShape[0] = along * low.x + across * low.y;
-  wfvShape[1] = wfvShape[0] + (front ? right : up);
-  wfvShape[2] = wfvShape[0] + (front ? up : right);
-  wfvShape[3] = wfvShape[0] + right + up;
+  wfvShape[0] = first;
+  wfvShape[1] = first + (front ? right : up);
+  wfvShape[2] = first + (front ? up : right);
+  wfvShape[3] = first + right + up;
 }
 
-// grow: pixels to move the sides out by. Grown from the centre of its inscribed circle, the
-// sides of a triangle move out evenly; a needle would grow far beyond its ends, and takes the
-// rectangle along its longest side, as everything does that is smaller so.
-void wfvCoverTight(float grow, bool front)
+// So many corners of it; none is no shape.
+void wfvEmitShape(int corners)
 {
-  for (int i = 0; i < 3; i++)
-  {
-    wfvC[i] = wfvPixel(wfvP[i]);
-  }
-  if (wfvBetweenCentres(min(wfvC[0], min(wfvC[1], wfvC[2])) - grow,
-        max(wfvC[0], max(wfvC[1], wfvC[2])) + grow))
-  {
-    return;
-  }
-  vec3 sides = vec3(length(wfvC[2] - wfvC[1]), length(wfvC[0] - wfvC[2]), length(wfvC[1] - wfvC[0]));
-  float sum = sides.x + sides.y + sides.z;
-  vec2 centre = (sides.x * wfvC[0] + sides.y * wfvC[1] + sides.z * wfvC[2]) / sum;
-  vec2 a = wfvC[1] - wfvC[0];
-  vec2 b = wfvC[2] - wfvC[0];
-  float twice = a.x * b.y - a.y * b.x;
-  float times = grow * sum / abs(twice); // grow, in radii of the inscribed circle
-  float longest = max(sides.x, max(sides.y, sides.z));
-  float rectangle = (longest + 2.0 * grow) * (abs(twice) / longest + 2.0 * grow);
-  bool triangle = 0.5 * abs(twice) * (1.0 + times) * (1.0 + times) < rectangle;
-  wfvShapeAlong(grow, front);
-  bool turned = (twice > 0.0) != front;
-  for (int i = 0; i < 3; i++)
-  {
-    vec2 c = turned ? wfvC[2 - i] : wfvC[i];
-    wfvShape[i] = triangle ? c + times * (c - centre) : wfvShape[i];
-  }
   vec2 ndc = 2.0 / wfvViewport.zw;
   for (int i = 0; i < 4; i++)
   {
-    if (i < 3 || !triangle)
+    if (i < corners)
     {
       wfvEmit(vec4(wfvShape[i] * ndc, 0.0, 1.0), vec3(0.0));
     }
   }
   wfvEnd();
+}
+
+// A rectangle along the longest chord, which begins at a place: narrower than one along the axes
+// for what lies askew. grow: pixels, beyond that chord and elsewhere.
+void wfvShapeAlong(vec2 from, vec2 way, vec2 third, vec2 grow, bool front)
+{
+  float l = length(way);
+  vec2 along = l > 1e-6 ? way / l : vec2(1.0, 0.0);
+  vec2 across = vec2(-along.y, along.x);
+  float high = dot(third - from, across);
+  vec2 sides = high > 0.0 ? vec2(-grow.x, high + grow.y) : vec2(high - grow.y, grow.x);
+  wfvRectangle(from - along * grow.y + across * sides.x, along * (l + 2.0 * grow.y),
+    across * (sides.y - sides.x), front);
+}
+
+// grow: pixels to move the side opposite to corner i out by. The sides next to the largest angle
+// move alike: what bulges from one of them may lie beyond the line of the other. A needle's would
+// meet far beyond its ends, and it takes the rectangle along its longest side, as everything does
+// that is smaller so. Returns the number of corners.
+int wfvTightShape(vec3 grow, bool front)
+{
+  for (int i = 0; i < 3; i++)
+  {
+    wfvC[i] = wfvPixel(wfvP[i]);
+  }
+  float most = max(grow.x, max(grow.y, grow.z));
+  if (wfvBetweenCentres(min(wfvC[0], min(wfvC[1], wfvC[2])) - most,
+        max(wfvC[0], max(wfvC[1], wfvC[2])) + most))
+  {
+    return 0;
+  }
+  vec3 sides = vec3(length(wfvC[2] - wfvC[1]), length(wfvC[0] - wfvC[2]), length(wfvC[1] - wfvC[0]));
+  float longest = max(sides.x, max(sides.y, sides.z));
+  bool first = sides.x == longest;
+  bool second = !first && sides.y == longest;
+  // the longest side is the one opposite to c[0]; the others move alike
+  vec2 c[3] = vec2[3](first ? wfvC[0] : second ? wfvC[1] : wfvC[2],
+    first ? wfvC[1] : second ? wfvC[2] : wfvC[0], first ? wfvC[2] : second ? wfvC[0] : wfvC[1]);
+  vec3 out_ = first ? grow : second ? grow.yzx : grow.zxy;
+  out_.yz = vec2(max(out_.y, out_.z));
+  vec2 a = c[1] - c[0];
+  vec2 b = c[2] - c[0];
+  float twice = a.x * b.y - a.y * b.x;
+  vec3 times = out_ * vec3(longest, length(b), length(a)) / abs(twice); // over the heights
+  float all_ = 1.0 + times.x + times.y + times.z;
+  float rectangle = (longest + 2.0 * out_.y) * (abs(twice) / longest + out_.x + out_.y);
+  bool triangle = 0.5 * abs(twice) * all_ * all_ < rectangle;
+  wfvShapeAlong(c[1], c[2] - c[1], c[0], out_.xy, front);
+  vec2 weighed = times.x * c[0] + times.y * c[1] + times.z * c[2];
+  bool turned = (twice > 0.0) != front;
+  for (int i = 0; i < 3 && triangle; i++)
+  {
+    wfvShape[i] = all_ * (turned ? c[2 - i] : c[i]) - weighed;
+  }
+  return triangle ? 3 : 4;
+}
+
+void wfvCoverTight(float grow, bool front)
+{
+  wfvEmitShape(wfvTightShape(vec3(grow), front));
 }
 
 // By the sampled distance of the edges. False where that is unknown or large.

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What threads do with the clusters of a mesh while its triangles are sorted.
+#ifndef vtkWideFoVSortWork_h
+#define vtkWideFoVSortWork_h
+
+#include "vtkWideFoVEdgeDoubts.h"
+#include "vtkWideFoVSortScene.h"
+#include "vtkWideFoVTrianglePieces.h"
+
+#include "vtkSMPThreadLocal.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace wfv
+{
+namespace sorting
+{
+enum Kind : unsigned char
+{
+  Unseen = 0,
+  Plain = 1,
+  Cover = 2, // both: 3
+  Aside = 4, // and drawn nevertheless: what is seen does not depend on it
+  Calm = 8,  // easy to cover
+  Cut = 16,  // better covered in pieces, if it has to be
+};
+
+// The side that the eye sees; nearly edge-on, both.
+enum Side : unsigned char
+{
+  Front = 1,
+  Back = 2,
+  BothSides = Front | Back
+};
+
+// Points as they were last seen, by their numbers: neighbours share most of theirs.
+class LastSeen
+{
+public:
+  template <typename Make>
+  const TriangleJudge::Corner& Get(unsigned int point, const Make& make)
+  {
+    Entry& e = this->Entries[point % Kept];
+    if (e.Point != point)
+    {
+      e.Seen = make();
+      e.Point = point;
+    }
+    return e.Seen;
+  }
+
+private:
+  static constexpr unsigned int Kept = 512;
+  struct Entry
+  {
+    unsigned int Point = ~0u;
+    TriangleJudge::Corner Seen;
+  };
+  std::array<Entry, Kept> Entries;
+};
+
+// Where front meets back, or the mesh ends, or goes on where it is not looked at.
+inline bool IsOutline(const std::vector<unsigned char>& sides,
+  const std::vector<unsigned int>& neighbours, unsigned int edge)
+{
+  const unsigned int other = neighbours[edge];
+  const int beside = other == Clusters::NoTriangle ? 0 : sides[other];
+  return beside == 0 || (beside | sides[edge / 3]) == BothSides;
+}
+
+using Doubts = vtkSMPThreadLocal<std::vector<EdgeDoubts::Doubt>>;
+
+// Finds which sides of triangles are seen, 0 where nothing is: before their edges are looked at. A
+// functor for threads.
+template <typename Real>
+struct FindSides
+{
+  const Scene<Real>& In;
+  std::vector<unsigned char>& Sides;
+
+  void operator()(vtkIdType from, vtkIdType to) const
+  {
+    for (int c = static_cast<int>(from); c < to; c++)
+    {
+      const bool unseen = this->In.IsUnseen(c);
+      for (vtkIdType i = this->In.GetFirst(c); i < this->In.GetEnd(c); i++)
+      {
+        this->Sides[i] = unseen ? 0 : this->SidesOf(3 * i);
+      }
+    }
+  }
+
+  unsigned char SidesOf(vtkIdType corner) const
+  {
+    const int side = TriangleJudge::GetSide(
+      this->In.PlaceOf(corner), this->In.PlaceOf(corner + 1), this->In.PlaceOf(corner + 2));
+    return side == 0 ? BothSides : side < 0 ? Front : Back;
+  }
+};
+
+// Sorts clusters; a functor for threads.
+template <typename Real>
+class Work
+{
+public:
+  Work(const Scene<Real>& scene, const std::vector<unsigned char>& sides,
+    const std::vector<unsigned int>& neighbours, unsigned char* kinds, unsigned int* reaches,
+    Doubts& doubts)
+    : In(scene)
+    , All(scene.All)
+    , V(scene.V)
+    , Sides(sides)
+    , Neighbours(neighbours)
+    , Kinds(kinds)
+    , Reaches(reaches)
+    , InDoubt(doubts)
+  {
+  }
+
+  void operator()(vtkIdType from, vtkIdType to) const
+  {
+    const TriangleJudge judge(this->V);
+    LastSeen seen;
+    for (vtkIdType c = from; c < to; c++)
+    {
+      this->Sort(static_cast<int>(c), judge, seen);
+    }
+  }
+
+private:
+  void Sort(int cluster, const TriangleJudge& judge, LastSeen& seen) const
+  {
+    const vtkIdType first = this->In.GetFirst(cluster);
+    const vtkIdType end = this->In.GetEnd(cluster);
+    const bool unseen = this->In.IsUnseen(cluster);
+    const int aside = unseen ? Aside : 0;
+    const bool left = unseen && this->V.Culls;
+    if (left || !this->V.Bends)
+    {
+      const int kind = left ? Unseen : Cover | aside;
+      std::fill(this->Kinds + first, this->Kinds + end, static_cast<unsigned char>(kind));
+      return;
+    }
+    for (vtkIdType i = first; i < end; i++)
+    {
+      TriangleJudge::Verdict verdict;
+      const int kind = this->GetKind(3 * i, aside != 0, judge, seen, verdict);
+      this->Kinds[i] = static_cast<unsigned char>(kind | aside);
+      if (this->Reaches)
+      {
+        this->Reaches[i] = verdict.Reach;
+      }
+    }
+  }
+
+  int GetKind(vtkIdType corner, bool aside, const TriangleJudge& judge, LastSeen& seen,
+    TriangleJudge::Verdict& verdict) const
+  {
+    TriangleJudge::Corner corners[3];
+    const TriangleJudge::Corner* c[3];
+    for (int j = 0; j < 3; j++)
+    {
+      const unsigned int point = this->All.GetCorners()[corner + j];
+      corners[j] = seen.Get(point, [&] { return judge.See(this->In.PlaceOf(corner + j)); });
+      c[j] = &corners[j];
+    }
+    verdict = judge.Judge(c);
+    const bool plain = verdict.Plain && this->Sides[corner / 3] != BothSides;
+    const int empty = this->V.Culls ? 0 : Cover | Aside;
+    const int drawn = verdict.Empty ? empty : plain ? Plain : Cover;
+    if (this->V.Plain && !aside && !verdict.Empty)
+    {
+      this->Doubt(corner, c, judge, verdict);
+    }
+    const bool large = this->V.Calm && !this->V.Own &&
+      (!verdict.Calm || TriangleJudge::GetCalmArea(c, verdict.Reach) > TrianglePieces::LeastArea);
+    return drawn | (verdict.Calm ? Calm : 0) | (large ? Cut : 0);
+  }
+
+  // Collects the samples that are in doubt at the edges.
+  void Doubt(vtkIdType corner, const TriangleJudge::Corner* const c[3], const TriangleJudge& judge,
+    const TriangleJudge::Verdict& verdict) const
+  {
+    std::vector<EdgeDoubts::Doubt>& doubts = this->InDoubt.Local();
+    for (int j = 0; j < 3; j++)
+    {
+      const auto edge = static_cast<unsigned int>(corner + j);
+      const double beyond = IsOutline(this->Sides, this->Neighbours, edge)
+        ? SortView::PlainError + verdict.Sure
+        : EdgeDoubts::OutlineWidth;
+      const auto look = [&](const vec2& from, const vec2& to, double width, double sure) {
+        this->V.Samples.ForEachNear(
+          from, to, width + beyond, [&](unsigned int sample, double beside) {
+            doubts.push_back({ sample, edge, static_cast<float>(beside), static_cast<float>(width),
+              static_cast<float>(sure) });
+          });
+      };
+      const TriangleJudge::Corner& next = *c[(j + 1) % 3];
+      if (verdict.Known)
+      {
+        look(c[j]->At, next.At, verdict.Widths[j], verdict.Sure);
+      }
+      else
+      {
+        judge.ForEachPiece(*c[j], next, look);
+      }
+    }
+  }
+
+  const Scene<Real>& In;
+  const Clusters& All;
+  const SortView& V;
+  const std::vector<unsigned char>& Sides; // with Plain
+  const std::vector<unsigned int>& Neighbours;
+  unsigned char* Kinds;
+  unsigned int* Reaches; // with Calm
+  Doubts& InDoubt;
+};
+
+using ThreadPieces = vtkSMPThreadLocal<std::vector<CoverPiece>>;
+
+// Finds pieces that cover triangles; those that have none are no longer said to be better so. A
+// functor for threads.
+template <typename Real>
+struct CutWork
+{
+  const Scene<Real>& In;
+  const std::vector<unsigned int>& Reaches;
+  std::vector<unsigned char>& Kinds;
+  ThreadPieces& Found;
+
+  void operator()(vtkIdType from, vtkIdType to) const
+  {
+    const TriangleJudge judge(this->In.V);
+    const TrianglePieces pieces(this->In.V);
+    std::vector<CoverPiece>& found = this->Found.Local();
+    for (vtkIdType i = this->In.GetFirst(static_cast<int>(from));
+         i < this->In.GetEnd(static_cast<int>(to) - 1); i++)
+    {
+      if ((this->Kinds[i] & (Cover | Cut)) == (Cover | Cut) &&
+        !this->CutOne(i, judge, pieces, found))
+      {
+        this->Kinds[i] &= static_cast<unsigned char>(~Cut);
+      }
+    }
+  }
+
+  bool CutOne(vtkIdType i, const TriangleJudge& judge, const TrianglePieces& pieces,
+    std::vector<CoverPiece>& found) const
+  {
+    TriangleJudge::Corner corners[3];
+    const TriangleJudge::Corner* c[3];
+    for (int j = 0; j < 3; j++)
+    {
+      corners[j] = judge.See(this->In.PlaceOf(3 * i + j));
+      c[j] = &corners[j];
+    }
+    const double most = (this->Kinds[i] & Calm) ? TriangleJudge::GetCalmArea(c, this->Reaches[i])
+                                                : std::numeric_limits<double>::infinity();
+    return pieces.Cover(static_cast<unsigned int>(i), c, most, found);
+  }
+};
+}
+}
+
+#endif

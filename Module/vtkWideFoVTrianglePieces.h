@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Covers a triangle whose edges bend by many pixels with several shapes.
+#ifndef vtkWideFoVTrianglePieces_h
+#define vtkWideFoVTrianglePieces_h
+
+#include "vtkWideFoVTriangleJudge.h"
+
+#include <array>
+#include <vector>
+
+namespace wfv
+{
+// A rectangle of the picture, pixels from the middle of the framebuffer's viewport: its first
+// corner, the side from there, and how high it is to the left of that.
+struct CoverPiece
+{
+  unsigned int Triangle = 0;
+  vec2 From{ 0 };
+  vec2 Side{ 0 };
+  double Height = 0;
+};
+
+// What is within a closed curve of the picture is within the hull of the curve: so a triangle that
+// nothing tears, and that holds no pole, is cut across its longest edge, and each slab is in the
+// rectangle round its own boundary, which is looked at place by place.
+class WFV_EXPORT TrianglePieces
+{
+public:
+  explicit TrianglePieces(const SortView& view);
+
+  // Square pixels of a covering shape above which it is worth to look for several.
+  static constexpr double LeastArea = 160;
+
+  // Appends rectangles that together surely hold the picture of a triangle, and what float32 and
+  // the vertex buffer may move of it. Returns false, and appends none, where a few such do not do,
+  // or are larger together than `most`, square pixels. They overlap a little: what is opaque may be
+  // drawn twice.
+  bool Cover(unsigned int triangle, const TriangleJudge::Corner* const corners[3], double most,
+    std::vector<CoverPiece>& pieces) const;
+
+private:
+  struct Boundary;
+  struct Slab;
+
+  bool IsWhole(const vec3 d[3]) const;
+  double Measure(const vec3& from, const vec3& to) const;
+  bool Look(const vec3& from, const vec3& to, Boundary& boundary) const;
+  bool Enclose(const Slab& slab, double nearest, CoverPiece& piece) const;
+  bool Cut(const std::array<vec3, 3>& d, int slabs, unsigned int triangle, double nearest,
+    double most, std::vector<CoverPiece>& pieces) const;
+  vec2 PlaceOf(const vec3& direction) const;
+
+  const SortView& V;
+  vec2 Middle; // of the viewport
+  double Pad;  // pixels
+};
+}
+
+#endif

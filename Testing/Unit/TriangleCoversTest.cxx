@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is said to hold the picture of a triangle does: every place of it is in there.
+#include "Views.h"
+#include "vtkWideFoVTrianglePieces.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <random>
+
+using namespace wfv;
+using namespace wfv::test;
+
+namespace
+{
+constexpr int Triangles = 3000; // a view
+constexpr int PlacesEach = 60;
+const vec2 Size(1024, 512);
+
+// Pixels: that much of what is added for float32 and rasterizers is left for what lies between the
+// places that were looked at; nothing of the rest may be used up.
+constexpr double Slack = 0.005;
+
+double Cross(const vec2& a, const vec2& b)
+{
+  return a.x * b.y - a.y * b.x;
+}
+
+SortView MakeSortView(const View& view)
+{
+  SortView s;
+  s.Map = &view.GetProjection();
+  s.View = view.GetParameters();
+  s.Pixels = Size;
+  s.Bends = std::make_shared<LocalBend>(*s.Map, s.View);
+  s.Calm = true;
+  s.Samples.SetPlace(0.5 * Size, 0.5 * Size, Size);
+  return s;
+}
+
+// Needles and others, of all sizes and everywhere; many beside a pole.
+struct Shapes
+{
+  std::mt19937_64 Engine{ 11 };
+  std::uniform_real_distribution<double> Unit{ -1, 1 };
+
+  vec3 Direction()
+  {
+    return glm::normalize(vec3(this->Unit(Engine), this->Unit(Engine), this->Unit(Engine)));
+  }
+
+  void Make(int number, vec3 d[3])
+  {
+    const double size = std::pow(10, -1.4 + 1.4 * this->Unit(Engine));
+    const double width = number % 3 == 0 ? 1 : std::pow(10, -2 + this->Unit(Engine));
+    vec3 at = this->Direction();
+    if (number % 5 == 0)
+    {
+      at = glm::normalize(vec3(0, at.y < 0 ? -1 : 1, 0) + 0.3 * at);
+    }
+    const vec3 along = glm::normalize(glm::cross(at, this->Direction()));
+    const vec3 across = glm::cross(at, along);
+    for (int i = 0; i < 3; i++)
+    {
+      const vec3 step = along * this->Unit(Engine) + across * (width * this->Unit(Engine));
+      d[i] = glm::normalize(at + size * step);
+    }
+  }
+
+  // In the triangle, on its edges as well.
+  vec3 Inside(const vec3 d[3])
+  {
+    vec3 weights = glm::abs(vec3(this->Unit(Engine), this->Unit(Engine), this->Unit(Engine)));
+    const int edge = static_cast<int>(8 * std::abs(this->Unit(Engine)));
+    if (edge < 3)
+    {
+      weights[edge] = 0;
+    }
+    return glm::normalize(d[0] * weights.x + d[1] * weights.y + d[2] * weights.z);
+  }
+};
+
+// Pixels by which a place is outside the shape of a calm triangle: the farther of the triangle that
+// its sides make, moved out, and the rectangle (preclip_narrow.glsl takes the smaller).
+double OutsideCalm(const TriangleJudge::Corner c[3], unsigned int reach, const vec2& at)
+{
+  double sides[3];
+  double grow[3];
+  for (int i = 0; i < 3; i++)
+  {
+    sides[i] = glm::length(c[(i + 2) % 3].At - c[(i + 1) % 3].At);
+    grow[i] = ((reach >> (TriangleJudge::ReachBits * i)) & 1023u) / TriangleJudge::Reaches;
+  }
+  const auto l = static_cast<int>(std::max_element(sides, sides + 3) - sides);
+  const double others = std::max(grow[(l + 1) % 3], grow[(l + 2) % 3]);
+  double outside = -1e9;
+  for (int i = 0; i < 3; i++)
+  {
+    const vec2 from = c[(i + 1) % 3].At;
+    const vec2 side = (c[(i + 2) % 3].At - from) / sides[i];
+    const double height = Cross(side, c[i].At - from);
+    const double beyond = Cross(side, at - from) * (height > 0 ? -1 : 1);
+    outside = std::max(outside, beyond - (i == l ? grow[i] : others));
+    if (i == l)
+    {
+      const double along = glm::dot(side, at - from);
+      outside = std::max({ outside, -along - others, along - sides[i] - others,
+        -beyond - std::abs(height) - others });
+    }
+  }
+  return outside;
+}
+
+// The same of the nearest of several pieces.
+double OutsidePieces(const std::vector<CoverPiece>& pieces, const vec2& at)
+{
+  double outside = 1e9;
+  for (const CoverPiece& p : pieces)
+  {
+    const double length = glm::length(p.Side);
+    const vec2 from = at - 0.5 * Size - p.From;
+    const double along = glm::dot(p.Side, from) / length;
+    const double up = Cross(p.Side, from) / length;
+    outside = std::min(outside, std::max({ -along, along - length, -up, up - p.Height }));
+  }
+  return outside;
+}
+
+struct Found
+{
+  int Calm = 0;
+  int Cut = 0;
+  double WorstCalm = -1e9;
+  double WorstCut = -1e9;
+};
+
+void LookAt(const SortView& view, const vec3 d[3], Shapes& shapes, Found& found)
+{
+  const TriangleJudge judge(view);
+  const TriangleJudge::Corner c[3] = { judge.See(d[0]), judge.See(d[1]), judge.See(d[2]) };
+  const TriangleJudge::Corner* const corners[3] = { &c[0], &c[1], &c[2] };
+  const TriangleJudge::Verdict verdict = judge.Judge(corners);
+  std::vector<CoverPiece> pieces;
+  const bool cut = TrianglePieces(view).Cover(0, corners, 1e9, pieces);
+  EXPECT_EQ(cut, !pieces.empty());
+  found.Calm += verdict.Calm;
+  found.Cut += cut;
+  for (int i = 0; i < PlacesEach; i++)
+  {
+    const vec2 at = judge.See(shapes.Inside(d)).At;
+    if (verdict.Calm)
+    {
+      found.WorstCalm = std::max(found.WorstCalm, OutsideCalm(c, verdict.Reach, at));
+    }
+    if (cut)
+    {
+      found.WorstCut = std::max(found.WorstCut, OutsidePieces(pieces, at));
+    }
+  }
+}
+}
+
+TEST(TriangleCovers, HoldEveryPlace)
+{
+  const double pad = TriangleJudge::GetPad(Size);
+  for (const NamedView& named : AllViews())
+  {
+    const SortView view = MakeSortView(named.TheView);
+    if (view.Map->Axis == Family::Sampled || view.View.halfFov.x < Degree ||
+      view.View.tilt != vec2(1, 0))
+    {
+      continue;
+    }
+    Shapes shapes;
+    Found found;
+    for (int i = 0; i < Triangles; i++)
+    {
+      vec3 d[3];
+      shapes.Make(i, d);
+      LookAt(view, d, shapes, found);
+    }
+    EXPECT_LT(found.WorstCalm, Slack - pad) << named.Name;
+    EXPECT_LT(found.WorstCut, Slack - pad) << named.Name;
+    std::cout << named.Name << ": " << found.Calm << " calm, " << found.WorstCalm << "; "
+              << found.Cut << " cut, " << found.WorstCut << " pixels beyond\n";
+    EXPECT_GT(found.Calm, Triangles / 10) << named.Name;
+    EXPECT_GT(found.Cut, Triangles / 100) << named.Name;
+  }
+}
