@@ -9,8 +9,8 @@ struct PropFacts
 {
   bool Known = false;
   bool Prepared = false;   // its buffer
-  bool Bounded = false;    // its bounds hold what it draws, but for the widths
-  double Width = 0;        // of its lines or points, pixels
+  bool Bounded = false;    // its bounds hold what it draws, but for its reach
+  double Reach = 0;        // by which its lines and points may be wider than they are, pixels
   double PointSize = 1;    // pixels
   double LongestEdge = -1; // scene units; negative: not asked for yet
 };

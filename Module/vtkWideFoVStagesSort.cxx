@@ -11,6 +11,7 @@
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkMapper.h"
+#include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProperty.h"
@@ -21,8 +22,12 @@
 namespace
 {
 // Pixels beyond the window that still count: what rounding, and the chords of the neighbours of
-// what is seen, may reach. Times a pixel of the line's or the point's own width.
+// what is seen, may reach.
 constexpr double Margin = 2;
+
+// Of the width of a line or point: how far it may reach, with its corners and beyond a slanting
+// border.
+constexpr double WidthMargin = 2;
 
 // Mappers whose bounds hold all that they draw, but for the widths of lines and points.
 bool KeepsItsBounds(vtkActor* actor)
@@ -39,6 +44,16 @@ bool KeepsItsBounds(vtkActor* actor)
   return std::any_of(std::begin(known), std::end(known),
            [name](const char* other) { return std::strcmp(name, other) == 0; }) &&
     !property->GetRenderLinesAsTubes() && !property->GetRenderPointsAsSpheres();
+}
+
+// Lines and points, which are as wide as they are told; of blocks it is not known.
+bool DrawsOutlines(vtkActor* actor)
+{
+  auto* const mesh = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
+  vtkProperty* const property = actor->GetProperty();
+  return !mesh || mesh->GetNumberOfVerts() > 0 || mesh->GetNumberOfLines() > 0 ||
+    property->GetRepresentation() != VTK_SURFACE || property->GetEdgeVisibility() ||
+    property->GetVertexVisibility();
 }
 
 // Shaders of a user's own may move vertices anywhere.
@@ -109,7 +124,8 @@ void vtkWideFoVStages::FindFacts(vtkProp* prop, wfv::PropFacts& facts)
     vtkProperty* const property = actor->GetProperty();
     facts.Bounded = KeepsItsBounds(actor) && !HasOwnShaders(actor);
     facts.PointSize = property->GetPointSize();
-    facts.Width = std::max<double>(property->GetLineWidth(), facts.PointSize);
+    const double width = std::max<double>(property->GetLineWidth(), facts.PointSize);
+    facts.Reach = facts.Bounded && DrawsOutlines(actor) ? WidthMargin * width : 0;
   }
   facts.Known = true;
 }
@@ -135,10 +151,8 @@ bool vtkWideFoVStages::IsUnseen(vtkProp* prop, const double* b, wfv::PropFacts& 
     box.Add(wfv::vec3(p[0], p[1], p[2]));
   }
   box.Grow(this->Reach);
-  const double width = facts.Width;
   wfv::Window window = this->Part;
-  window.Low -= 2 * width / this->Pixels;
-  window.High += 2 * width / this->Pixels;
+  window.Reach = facts.Reach / this->Pixels;
   return wfv::IsUnseen(*this->Projection, this->View, box, window);
 }
 

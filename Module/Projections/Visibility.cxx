@@ -45,8 +45,10 @@ Range TurnsOf(const Range& u, const Range& v)
 
 bool Meets(const vec4& bounds, const Window& w)
 {
+  const vec2 low = w.Low - w.Reach;
+  const vec2 high = w.High + w.Reach;
   // written so that what is no number meets
-  return !(bounds.x > w.High.x || bounds.z < w.Low.x || bounds.y > w.High.y || bounds.w < w.Low.y);
+  return !(bounds.x > high.x || bounds.z < low.x || bounds.y > high.y || bounds.w < low.y);
 }
 
 bool MeetsMeridian(const Projection& p, const WfvView& v, const Box& b, const Window& w)
@@ -55,6 +57,8 @@ bool MeetsMeridian(const Projection& p, const WfvView& v, const Box& b, const Wi
   const Range ahead{ -b.High.z, -b.Low.z };
   const Range flat = RadiiOf(x, ahead);
   const Range lambda = TurnsOf(ahead, x);
+  // what reaches over the seam shows at the other border as well
+  const bool both = w.Reach.x > 0 && std::max(-lambda.Low, lambda.High) > 0.5 * WFV_PI;
   const double endX = 0.5 * p.MaxHorizontalFov * WFV_PI / 180;
   const double endY = 0.5 * p.MaxVerticalFov * WFV_PI / 180;
   const double low = std::atan2(b.Low.y, b.Low.y < 0 ? flat.Low : flat.High);
@@ -63,7 +67,7 @@ bool MeetsMeridian(const Projection& p, const WfvView& v, const Box& b, const Wi
   {
     const double from = lambda.Low + 2 * WFV_PI * turn;
     const double to = lambda.High + 2 * WFV_PI * turn;
-    if (to < -WFV_PI || from > WFV_PI)
+    if ((to < -WFV_PI || from > WFV_PI) && !both)
     {
       continue;
     }
@@ -85,15 +89,17 @@ bool MeetsAzimuthal(const Projection& p, const WfvView& v, const Box& b, const W
   const Range radii = RadiiOf(x, y);
   const double nearest = std::atan2(ahead.High > 0 ? radii.Low : radii.High, ahead.High);
   const double farthest = std::atan2(ahead.Low > 0 ? radii.High : radii.Low, ahead.Low);
-  if (nearest > v.maxAngle * (1 + Rounding))
+  // what is wide shows inside a rim that its place is outside of
+  const double outside =
+    p.Map(vec2(0, std::max(nearest, v.maxAngle)), v).x - p.Map(vec2(0, v.maxAngle), v).x;
+  if (nearest > v.maxAngle * (1 + Rounding) && outside >= w.Reach.x)
   {
     return false;
   }
+  const double end = w.Reach.x > 0 ? WFV_PI : v.maxAngle;
   const Range azimuth = TurnsOf(x, y);
-  return Meets(p.Bounds(vec4(azimuth.Low, std::min(nearest, v.maxAngle), azimuth.High,
-                          std::min(farthest, v.maxAngle)),
-                 v),
-    w);
+  const vec4 sector(azimuth.Low, std::min(nearest, end), azimuth.High, std::min(farthest, end));
+  return Meets(p.Bounds(sector, v), w);
 }
 }
 

@@ -27,11 +27,12 @@ struct Box
   }
 };
 
-// The part of the picture that is drawn, NDC, with a margin for what is drawn larger than it is.
+// The part of the picture that is drawn, NDC, with a margin.
 struct Window
 {
   vec2 Low{ -1 };
   vec2 High{ 1 };
+  vec2 Reach{ 0 }; // how far a thing may be drawn from its place: wide lines and points
 };
 
 // True where no point of the box is between the clip spheres and in the window. Never where one

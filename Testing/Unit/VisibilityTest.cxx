@@ -139,3 +139,39 @@ TEST(Visibility, KnowsTheClipSpheres)
   EXPECT_TRUE(unseen(vec3(10.1, -1, -1), vec3(11, 1, 1)));
   EXPECT_FALSE(unseen(vec3(9.9, -1, -1), vec3(11, 1, 1)));
 }
+
+// A point beside the rim whose square reaches inside, and one that stands across the seam from the
+// part of the picture that it reaches over to.
+TEST(Visibility, ReckonsWithWhatIsWide)
+{
+  const auto at = [](double longitude) {
+    Box box;
+    const double a = longitude * WFV_PI / 180;
+    box.Add(3.0 * vec3(std::sin(a), 0, -std::cos(a)));
+    return box;
+  };
+  ViewOptions o;
+  o.Radii = { { 0.1, 10 } };
+  Window wide;
+  wide.Reach = vec2(0.03);
+  o.HorizontalFov = o.VerticalFov = 170;
+  const View round(*FindProjection("azimuthal-equidistant"), o);
+  const auto unseen = [](const View& view, const Box& box, const Window& window) {
+    return IsUnseen(view.GetProjection(), view.GetParameters(), box, window);
+  };
+  EXPECT_TRUE(unseen(round, at(86), Window()));
+  EXPECT_FALSE(unseen(round, at(86), wide));
+  EXPECT_TRUE(unseen(round, at(100), wide));
+  o.HorizontalFov = 360;
+  o.VerticalFov = 180;
+  for (const char* const name : { "equirectangular", "hammer" })
+  {
+    const View all(*FindProjection(name), o);
+    Window left = wide;
+    left.High.x = -0.5;
+    EXPECT_FALSE(unseen(all, at(179), left)) << name;
+    EXPECT_TRUE(unseen(all, at(80), left)) << name;
+    left.Reach = vec2(0);
+    EXPECT_TRUE(unseen(all, at(179), left)) << name;
+  }
+}
