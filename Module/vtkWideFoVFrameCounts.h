@@ -13,7 +13,7 @@ struct FrameCounts
   int UnseenClusters = 0;
   vtkIdType Triangles = 0; // of them
   vtkIdType UnseenTriangles = 0;
-  int JudgedProps = 0;  // anew
+  int ChosenProps = 0;  // anew
   int SortedMeshes = 0; // anew
 
   void Add(const FrameCounts& other)
@@ -22,7 +22,7 @@ struct FrameCounts
     this->UnseenClusters += other.UnseenClusters;
     this->Triangles += other.Triangles;
     this->UnseenTriangles += other.UnseenTriangles;
-    this->JudgedProps += other.JudgedProps;
+    this->ChosenProps += other.ChosenProps;
     this->SortedMeshes += other.SortedMeshes;
   }
 };

@@ -142,7 +142,7 @@ void FrameProps::Choose(vtkWideFoVStages& stages, std::uint64_t view)
       entry.Unseen = stages.IsUnseen(entry.Prop, bounds, entry.Facts);
       entry.Stage = entry.Unseen ? nullptr : stages.Choose(entry.Prop, bounds, entry.Facts);
       entry.View = view;
-      stages.Counts.JudgedProps += entry.Times[0] > 0; // an actor
+      stages.Counts.ChosenProps += entry.Times[0] > 0; // an actor
     }
   }
 }

@@ -256,7 +256,7 @@ void vtkWideFoVPass::TakeCounts()
   this->NumberOfCulledClusters = stages.Counts.UnseenClusters;
   this->NumberOfTriangles = stages.Counts.Triangles;
   this->NumberOfCulledTriangles = stages.Counts.UnseenTriangles;
-  this->NumberOfChosenProps = stages.Counts.JudgedProps;
+  this->NumberOfChosenProps = stages.Counts.ChosenProps;
   this->NumberOfSortedMeshes = stages.Counts.SortedMeshes;
   this->NumberOfMadePrograms = stages.Shaders.GetNumberOfPrograms();
   this->ShaderTime = stages.Shaders.GetSeconds();
