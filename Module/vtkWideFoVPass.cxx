@@ -6,6 +6,7 @@
 #include "vtkWideFoVCompositeHelper.h"
 #include "vtkWideFoVFrameProps.h"
 #include "vtkWideFoVHeadlights.h"
+#include "vtkWideFoVPropKeys.h"
 #include "vtkWideFoVScreenCamera.h"
 #include "vtkWideFoVStages.h"
 
@@ -30,6 +31,7 @@ struct vtkWideFoVPass::Internals
   wfv::FrameProps Props;                   // as they came
   wfv::Billboards Texts;                   // that stand in the scene
   std::vector<vtkWideFoVStage*> Chosen;    // one a prop that is seen, kept for its memory
+  std::vector<wfv::PropKeys> Keys;         // the same, as many as there ever were
 };
 
 namespace
@@ -141,9 +143,10 @@ int vtkWideFoVPass::Cull(vtkProp** props)
 void vtkWideFoVPass::DrawProps(const vtkRenderState* s, vtkProp** props, int count)
 {
   Internals& in = *this->Internal;
+  in.Keys.resize(std::max<std::size_t>(in.Keys.size(), count));
   for (int i = 0; i < count; i++)
   {
-    vtkWideFoVStages::Attach(props[i], in.Chosen[i]);
+    in.Keys[i].Attach(props[i], in.Chosen[i]);
     if (auto* const actor = vtkActor::SafeDownCast(props[i]))
     {
       vtkWideFoVCompositeHelper::GiveTo(actor->GetMapper(), s->GetRenderer()->GetRenderWindow());
@@ -156,7 +159,7 @@ void vtkWideFoVPass::DrawProps(const vtkRenderState* s, vtkProp** props, int cou
   this->DrawDelegate(&seen);
   for (int i = 0; i < count; i++)
   {
-    vtkWideFoVStages::Detach(props[i], in.Chosen[i]);
+    in.Keys[i].Detach(props[i], in.Chosen[i]);
   }
 }
 

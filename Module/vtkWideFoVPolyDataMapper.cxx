@@ -3,6 +3,7 @@
 
 #include "vtkWideFoVCamera.h"
 #include "vtkWideFoVPass.h"
+#include "vtkWideFoVPropKeys.h"
 #include "vtkWideFoVSortedDraw.h"
 #include "vtkWideFoVStages.h"
 #include "vtkWideFoVTessellation.h"
@@ -27,6 +28,7 @@ vtkStandardNewMacro(vtkWideFoVPolyDataMapper);
 struct vtkWideFoVPolyDataMapper::Internals
 {
   vtkWideFoVStages Stages;
+  wfv::PropKeys Keys; // of the actor that is drawn, where no pass draws it
   wfv::SortedDraw Polygons{ false };
   wfv::SortedDraw Strips{ true };
   vtkWindow* Window = nullptr; // that is drawn to
@@ -70,9 +72,9 @@ void vtkWideFoVPolyDataMapper::RenderPiece(vtkRenderer* renderer, vtkActor* acto
     return;
   }
   vtkWideFoVStage* stage = stages.Choose(actor, bounds, facts);
-  vtkWideFoVStages::Attach(actor, stage);
+  this->Internal->Keys.Attach(actor, stage);
   this->Superclass::RenderPiece(renderer, actor);
-  vtkWideFoVStages::Detach(actor, stage);
+  this->Internal->Keys.Detach(actor, stage);
   stages.End();
 }
 

@@ -8,7 +8,6 @@
 #include "vtkWideFoVTile.h"
 
 #include "vtkActor.h"
-#include "vtkActor2D.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkMath.h"
@@ -167,37 +166,6 @@ vtkWideFoVStage* vtkWideFoVStages::Choose(
   // no bound on chords is one on depth: along an edge that runs away from the eye it is off by
   // the square of the edge's share of the distance, however near chord and edge are
   return this->Technique == vtkWideFoVPass::AUTO ? this->PlainAmong : this->Plain;
-}
-
-void vtkWideFoVStages::Attach(vtkProp* prop, vtkWideFoVStage* stage)
-{
-  // assemblies and level-of-detail actors hand their keys on to what they draw
-  vtkInformation* info = prop->GetPropertyKeys();
-  if (!info)
-  {
-    vtkNew<vtkInformation> fresh;
-    prop->SetPropertyKeys(fresh);
-    info = fresh;
-  }
-  info->Append(vtkOpenGLRenderPass::RenderPasses(), stage);
-}
-
-void vtkWideFoVStages::Detach(vtkProp* prop, vtkWideFoVStage* stage)
-{
-  vtkInformation* info = prop->GetPropertyKeys();
-  vtkInformationObjectBaseVectorKey* const key = vtkOpenGLRenderPass::RenderPasses();
-  if (!info || !info->Has(key))
-  {
-    return;
-  }
-  info->Remove(key, stage);
-  // of actors an empty list stays for the next frame: to make one anew for each of many takes its
-  // time. The mappers of volumes, which assemblies may draw, take any list for a pass
-  const bool actor = vtkActor::SafeDownCast(prop) || vtkActor2D::SafeDownCast(prop);
-  if (info->Length(key) == 0 && !actor)
-  {
-    info->Remove(key);
-  }
 }
 
 vtkWideFoVStage* vtkWideFoVStages::FindAttached(vtkProp* prop)

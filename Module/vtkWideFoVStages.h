@@ -71,9 +71,6 @@ public:
   // Puts one stage in the place of another in the prop's keys.
   static void Replace(vtkProp* prop, vtkWideFoVStage* from, vtkWideFoVStage* to);
 
-  // Appends the stage to the prop's keys, and takes it away again.
-  static void Attach(vtkProp* prop, vtkWideFoVStage* stage);
-  static void Detach(vtkProp* prop, vtkWideFoVStage* stage);
   static bool IsAttached(vtkProp* prop) { return FindAttached(prop) != nullptr; }
 
   // The stage in the prop's keys, or nullptr.

@@ -4,6 +4,7 @@
 #include "WideFoVTestScene.h"
 
 #include "vtkActor.h"
+#include "vtkAssembly.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkInformation.h"
@@ -12,6 +13,7 @@
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkShaderProgram.h"
 #include "vtkSphereSource.h"
+#include "vtkTextActor.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
@@ -190,13 +192,68 @@ TEST(Pipeline, TheFirstFrameReckonsWithItsSamples)
   }
 }
 
+// Not even an empty list is left.
 TEST(Pipeline, PropsAreLeftAsTheyWere)
 {
   WideFoVTestWindow test("hammer", 64, 32);
   auto ball = Ball(0, 0, 2);
+  auto named = Ball(0.5, 0, 2);
+  vtkNew<vtkInformation> keys;
+  keys->Set(vtkProp::GeneralTextureUnit(), 7);
+  named->SetPropertyKeys(keys);
+  auto part = Ball(-0.5, 0, 2);
+  vtkNew<vtkAssembly> assembly; // hands its keys on
+  assembly->AddPart(part);
+  vtkNew<vtkTextActor> text;
+  text->SetInput("beside");
+  for (vtkProp* prop : { static_cast<vtkProp*>(ball), static_cast<vtkProp*>(named),
+         static_cast<vtkProp*>(assembly), static_cast<vtkProp*>(text) })
+  {
+    test.Renderer->AddViewProp(prop);
+  }
+  for (int i = 0; i < 3; i++)
+  {
+    test.Window->Render();
+    EXPECT_EQ(test.Pass()->GetNumberOfDrawnProps(), 4);
+    EXPECT_EQ(ball->GetPropertyKeys(), nullptr);
+    EXPECT_EQ(named->GetPropertyKeys(), keys);
+    EXPECT_EQ(keys->Get(vtkProp::GeneralTextureUnit()), 7);
+    EXPECT_EQ(keys->GetNumberOfKeys(), 1);
+    for (vtkProp* prop :
+      { static_cast<vtkProp*>(part), static_cast<vtkProp*>(assembly), static_cast<vtkProp*>(text) })
+    {
+      vtkInformation* const left = prop->GetPropertyKeys();
+      EXPECT_TRUE(!left || !left->Has(vtkOpenGLRenderPass::RenderPasses()));
+    }
+    test.Camera->Yaw(30);
+  }
+}
+
+// A pass of somebody else's stays in the list, and is called beside the stage.
+TEST(Pipeline, OtherPassesOfAPropStay)
+{
+  struct Counts : public vtkOpenGLRenderPass
+  {
+    static Counts* New() { return new Counts; }
+    void Render(const vtkRenderState*) override {}
+    bool PostReplaceShaderValues(
+      std::string&, std::string&, std::string&, vtkAbstractMapper*, vtkProp*) override
+    {
+      this->Calls++;
+      return true;
+    }
+    int Calls = 0;
+  };
+  WideFoVTestWindow test("hammer", 64, 32);
+  auto ball = Ball(0, 0, 2);
   test.Renderer->AddActor(ball);
+  vtkNew<Counts> other;
+  vtkNew<vtkInformation> keys;
+  keys->Append(vtkOpenGLRenderPass::RenderPasses(), other);
+  ball->SetPropertyKeys(keys);
   test.Window->Render();
-  vtkInformation* keys = ball->GetPropertyKeys();
-  // an empty list is none
-  EXPECT_TRUE(!keys || keys->Length(vtkOpenGLRenderPass::RenderPasses()) == 0);
+  EXPECT_GT(other->Calls, 0);
+  ASSERT_EQ(keys->Length(vtkOpenGLRenderPass::RenderPasses()), 1);
+  EXPECT_EQ(keys->Get(vtkOpenGLRenderPass::RenderPasses(), 0), other);
+  EXPECT_GT(test.Pass()->GetNumberOfPreClipDraws(), 0);
 }
