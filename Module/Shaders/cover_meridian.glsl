@@ -8,6 +8,11 @@
 // Sine of the angle to the axis at which the plane of an edge counts as upright.
 const float WFV_UPRIGHT = 1e-6;
 
+// Pixels: a rasterizer moves the border of a column by as much (1/256 for eight bits below the
+// pixel, and what float32 rounds of its place). A column takes its heights from so much more on
+// either side, or what is narrower than this would be drawn as high as it is somewhere else.
+const float WFV_COLUMN_SNAP = 1.0 / 64.0;
+
 #if WFV_OWN_RAYS
 // Radians: a column widened by more on both sides is no longer less than half a turn wide.
 const float WFV_WIDEST_TURN = 0.9;
@@ -34,9 +39,12 @@ vec2 wfvEdgeRange(vec3 n, vec2 lambda)
   return n.y > 0.0 ? vec2(-high / n.y, 1e30) : vec2(-1e30, high / -n.y);
 }
 
-// NDC of the lowest and the highest latitude of the triangle between two longitudes.
+// NDC of the lowest and the highest latitude of the triangle between two longitudes, or as near to
+// them as a rasterizer moves them.
 vec2 wfvColumn(vec2 lambda)
 {
+  float snap = 2.0 * WFV_COLUMN_SNAP / (wfvViewport.z * wfvTile.x * wfvView.scale.x);
+  lambda += vec2(-snap, snap);
   vec2 r = vec2(-1e30, 1e30);
   float pad = WFV_ANGLE_PAD;
 #if WFV_OWN_RAYS

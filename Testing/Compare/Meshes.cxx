@@ -134,6 +134,31 @@ vtkSmartPointer<vtkPolyData> MakeRoom(int n, const Placement& where)
   return mesh.Finish();
 }
 
+vtkSmartPointer<vtkPolyData> MakeSplinter(double aside, double below)
+{
+  MeshMaker mesh({});
+  const vtkIdType right = mesh.Point(vec3(aside < 0 ? -1 : 1, 0, 0));
+  const vtkIdType left = mesh.Point(vec3(aside < 0 ? 1 : -1, 0, 0));
+  const vtkIdType top = mesh.Point(vec3(0, 1, 0));
+  const vtkIdType pole = mesh.Point(vec3(0, -1, 0));
+  const vtkIdType back = mesh.Point(vec3(0, 0, 1));
+  const vtkIdType ahead = mesh.Point(vec3(0, 0, -1));
+  const double level = std::cos(below);
+  const vtkIdType beside =
+    mesh.Point(vec3(std::sin(aside) * level, -std::sin(below), -std::cos(aside) * level));
+  for (const vtkIdType side : { right, left })
+  {
+    mesh.Triangle(side, top, back);
+    mesh.Triangle(side, top, ahead);
+    mesh.Triangle(side, pole, back);
+  }
+  mesh.Triangle(left, pole, ahead);
+  mesh.Triangle(beside, pole, ahead);
+  mesh.Triangle(beside, right, pole);
+  mesh.Triangle(beside, right, ahead);
+  return mesh.Finish();
+}
+
 double LongestEdge(const reference::TriangleSoup& soup, double nearRadius)
 {
   double longest = 0;

@@ -32,6 +32,11 @@ vtkSmartPointer<vtkPolyData> MakeGlobe(int n, const Placement& where = {});
 // as seen from its centre; n even puts a vertex into the middle of each face.
 vtkSmartPointer<vtkPolyData> MakeRoom(int n, const Placement& where = {});
 
+// The globe of one cell a face with one vertex more: so far beside the meridian x = 0 ahead, to the
+// right or, where it is negative, to the left, and so far below the equator (radians). One triangle
+// from the equator to the pole is no wider than that.
+vtkSmartPointer<vtkPolyData> MakeSplinter(double aside, double below);
+
 // The longest edge of the mesh as seen from the origin of view coordinates, degrees; edges
 // that reach inside the given radius do not count.
 double LongestEdge(const reference::TriangleSoup& soup, double nearRadius);

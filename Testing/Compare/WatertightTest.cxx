@@ -8,7 +8,9 @@
 
 #include <vtkPolyData.h>
 
+#include <algorithm>
 #include <iostream>
+#include <sstream>
 
 using namespace wfv;
 using namespace wfv::test;
@@ -140,6 +142,29 @@ TEST_P(Watertight, AtVertices)
       {
         Check(*Picture, MakeShot(p.Name, fov, pose), "room of " + std::to_string(n));
       }
+    }
+  }
+  Picture->SetTechnique(vtkWideFoVPass::PRECLIP);
+}
+
+// Triangles much narrower than a pixel beside a meridian that pixels look along: where a
+// rasterizer puts the borders of what covers them must not matter.
+TEST_P(Watertight, Splinters)
+{
+  const Projection& p = *FindProjection(this->GetParam());
+  Picture->SetTechnique(vtkWideFoVPass::EXACT);
+  const double fov = std::min(350.0, p.MaxHorizontalFov);
+  Shot shot = MakeShot(p.Name, fov, PlainPoses()[0]);
+  shot.Width = shot.Height == shot.Width ? 191 : 255;
+  shot.Height = shot.Width == 191 ? 191 : 127;
+  for (const double aside : { 1e-6, 1e-5, 1e-4, 1e-3, -1e-6, -1e-5, -1e-4, -1e-3 })
+  {
+    for (const double degrees : { 10.0, 48.0, 80.0 })
+    {
+      Picture->SetMesh(MakeSplinter(aside, degrees * WFV_PI / 180));
+      std::ostringstream scene;
+      scene << "splinter of " << aside << " at " << degrees << " degrees";
+      Check(*Picture, shot, scene.str());
     }
   }
   Picture->SetTechnique(vtkWideFoVPass::PRECLIP);
