@@ -6,7 +6,12 @@ flat in vec3 wfvEdge0;
 flat in vec3 wfvEdge1;
 flat in vec3 wfvEdge2;
 flat in vec3 wfvPlane;
+#if WFV_OWN_RAYS || WFV_WARPED
 flat in vec3 wfvAnchor;
+#else
+flat in vec3 wfvToward;
+flat in vec2 wfvMeets;
+#endif
 #if WFV_OWN_RAYS
 flat in vec3 wfvSpan0;
 flat in vec3 wfvSpan1;
@@ -131,9 +136,16 @@ void wfvSetDistance(float rho)
                                                             : wfvDepthOf(rho * wfvScale(), wfvView);
 }
 
+#if WFV_OWN_RAYS || WFV_WARPED
+// The plane times a direction: above 0 for one that goes towards it.
+float wfvApproach(vec3 direction)
+{
+  return dot(direction, wfvPlane);
+}
+
 // Distance at which a ray meets the plane, from the anchor on: what is rounded then is a share
 // of the way from there, not of the whole distance.
-float wfvMeet(vec3 direction, float sum)
+float wfvMeet(vec3 direction, float approach)
 {
 #if WFV_OWN_RAYS
   vec3 anchor = wfvAnchor - wfvStart(direction);
@@ -141,8 +153,22 @@ float wfvMeet(vec3 direction, float sum)
   vec3 anchor = wfvAnchor;
 #endif
   float along = dot(direction, anchor);
-  return along + dot(wfvPlane, anchor - along * direction) / sum;
+  return along + dot(wfvPlane, anchor - along * direction) / approach;
 }
+#else
+// The same, from the known direction on: of a surface seen nearly edge-on the terms of a product
+// with the whole direction would cancel, and what they are rounded by would decide its distance.
+float wfvApproach(vec3 direction)
+{
+  return wfvMeets.x + dot(wfvPlane, direction - wfvToward);
+}
+
+// Distance at which a ray meets the plane.
+float wfvMeet(vec3 direction, float approach)
+{
+  return wfvMeets.y / approach;
+}
+#endif
 
 #if WFV_EXACT
 // The point itself and the direction from the eye to it, view coordinates.
@@ -262,21 +288,21 @@ void wfvPrepare()
   ray.direction = wfvShown;
   e = wfvEdgesAt(ray.direction);
 #endif
-  float sum = dot(ray.direction, wfvPlane);
+  float approach = wfvApproach(ray.direction);
 #if WFV_OWN_RAYS
   wfvFacing = wfvTurn;
 #endif
 #if WFV_EXACT
   wfvFront = gl_FrontFacing == (wfvFacing > 0.0);
   wfvB = wfvWeigh(e);
-  wfvSetDistance(wfvMeet(ray.direction, sum));
+  wfvSetDistance(wfvMeet(ray.direction, approach));
   wfvSetSurface(ray.direction);
-  bool meets = wfvFacing * sum > 0.0;
+  bool meets = wfvFacing * approach > 0.0;
 #else
   wfvFront = gl_FrontFacing;
   wfvB = wfvByChord ? wfvBary / (wfvBary.x + wfvBary.y + wfvBary.z) : wfvWeigh(e);
-  wfvSetDistance(wfvByChord ? length(wfvPosition) : wfvMeet(ray.direction, sum));
-  bool meets = wfvByChord || sum > 0.0;
+  wfvSetDistance(wfvByChord ? length(wfvPosition) : wfvMeet(ray.direction, approach));
+  bool meets = wfvByChord || approach > 0.0;
 #endif
 #if WFV_EDGES
   wfvEdgePixels = wfvEdgeDistances();

@@ -19,7 +19,12 @@ flat out vec3 wfvEdge0;  // planes through the eye and the edge opposite to corn
 flat out vec3 wfvEdge1;
 flat out vec3 wfvEdge2;
 flat out vec3 wfvPlane;  // normal of the triangle, away from the eye
+#if WFV_OWN_RAYS || WFV_WARPED
 flat out vec3 wfvAnchor; // a point of its plane
+#else
+flat out vec3 wfvToward; // a direction near it, or 0
+flat out vec2 wfvMeets;  // the plane times that direction, and times any of its points
+#endif
 #if !WFV_EXACT
 out vec3 wfvBary;        // barycentric coordinates, used where not covered
 out vec3 wfvPosition;    // the surface, where not covered
@@ -55,6 +60,8 @@ int wfvVertexMode;
 vec3 wfvN[3];
 vec4 wfvT; // the plane, and dot(xyz, p) of its points: below 0 where seen from its front
 vec3 wfvA;
+vec3 wfvD; // as wfvToward, wfvMeets
+vec2 wfvM;
 vec3 wfvS;
 vec3 wfvSpans[3]; // as wfvSpan0, ..
 vec2 wfvC[3]; // corners in the picture
@@ -74,7 +81,12 @@ void wfvWriteFlat()
   wfvEdge1 = wfvN[1];
   wfvEdge2 = wfvN[2];
   wfvPlane = wfvT.xyz;
+#if WFV_OWN_RAYS || WFV_WARPED
   wfvAnchor = wfvA;
+#else
+  wfvToward = wfvD;
+  wfvMeets = wfvM;
+#endif
 #if WFV_WARPED
   wfvDepths = wfvDepthsHere;
 #endif

@@ -16,6 +16,23 @@ uniform vec3 wfvEyeHigh;
 uniform vec3 wfvEyeLow;
 #endif
 
+// Of the nearest corner's distance: a triangle with a longer edge may pass the eye much nearer
+// than its corners do.
+const float WFV_LONG = 0.5;
+
+bool wfvIsLong(vec3 lengths)
+{
+  float nearest = min(lengths.x, min(lengths.y, lengths.z));
+  vec3 edges = vec3(length(wfvP[2] - wfvP[1]), length(wfvP[0] - wfvP[2]), length(wfvP[1] - wfvP[0]));
+  return max(edges.x, max(edges.y, edges.z)) > WFV_LONG * nearest;
+}
+
+// Of a small triangle the direction to one of its corners, for the fragment stage.
+vec3 wfvTowardOf(vec3 lengths)
+{
+  return wfvIsLong(lengths) ? vec3(0.0) : wfvP[0] / lengths.x;
+}
+
 #ifdef GL_ARB_gpu_shader_fp64
 // Share of the product of the corners' distances below which a determinant is rounding:
 // the eye has 48 bits here, there are three corners, and some room.
@@ -63,7 +80,17 @@ vec3 wfvEdgePlane(int i, int j)
   return ordered ? rounded : -rounded;
 }
 
-// The triangle's own plane; w is 0 where it is seen edge-on.
+dvec3 wfvTiltWhole(dvec3 p)
+{
+  if (!WFV_TILTED)
+  {
+    return p;
+  }
+  dvec2 t = dvec2(wfvView.tilt);
+  return dvec3(p.x, t.x * p.y + t.y * p.z, t.x * p.z - t.y * p.y);
+}
+
+// The triangle's own plane; w is 0 where it is seen edge-on. Sets wfvD and wfvM.
 vec4 wfvTrianglePlane(vec3 lengths)
 {
   dvec3 p = wfvWhole(0);
@@ -72,6 +99,8 @@ vec4 wfvTrianglePlane(vec3 lengths)
   dvec3 normal = cross(q - p, r - p);
   double w = dot(normal, p);
   bool edgeOn = abs(w) <= WFV_EDGE_ON * length(p) * length(q) * length(r);
+  wfvD = wfvTowardOf(lengths);
+  wfvM = vec2(float(dot(wfvTiltWhole(normal), dvec3(wfvD))), float(w));
   return vec4(wfvTilt(vec3(normal), wfvView), edgeOn ? 0.0 : float(w));
 }
 #else
@@ -93,29 +122,29 @@ vec4 wfvTrianglePlane(vec3 lengths)
   int nearest = lengths.x < lengths.y ? 0 : 1;
   nearest = lengths.z < min(lengths.x, lengths.y) ? 2 : nearest;
   vec3 normal = cross(wfvP[1] - wfvP[0], wfvP[2] - wfvP[0]);
-  return vec4(normal, dot(normal, nearest == 0 ? wfvP[0] : (nearest == 1 ? wfvP[1] : wfvP[2])));
+  float w = dot(normal, nearest == 0 ? wfvP[0] : (nearest == 1 ? wfvP[1] : wfvP[2]));
+  wfvD = wfvTowardOf(lengths);
+  wfvM = vec2(dot(normal, wfvD), w);
+  return vec4(normal, w);
 }
 #endif
 
-// Of the nearest corner's distance: a triangle with a longer edge may pass the eye much nearer
-// than its corners do.
-const float WFV_LONG = 0.5;
-
+#if WFV_OWN_RAYS || WFV_WARPED
 // A point of the plane, for the fragment stage: the nearest corner; of a long triangle the foot
 // of the perpendicular from the eye.
 vec3 wfvAnchorOf(vec4 plane, vec3 lengths)
 {
-  float nearest = min(lengths.x, min(lengths.y, lengths.z));
-  vec3 edges = vec3(length(wfvP[2] - wfvP[1]), length(wfvP[0] - wfvP[2]), length(wfvP[1] - wfvP[0]));
-  if (max(edges.x, max(edges.y, edges.z)) > WFV_LONG * nearest)
+  if (wfvIsLong(lengths))
   {
     // in parts: squares of a small one's products are below the least float
     float largest = max(abs(plane.x), max(abs(plane.y), abs(plane.z)));
     vec3 n = plane.xyz / largest;
     return n * (plane.w / largest / dot(n, n));
   }
+  float nearest = min(lengths.x, min(lengths.y, lengths.z));
   return lengths.x == nearest ? wfvP[0] : (lengths.y == nearest ? wfvP[1] : wfvP[2]);
 }
+#endif
 
 void wfvReadCorners()
 {
@@ -131,7 +160,10 @@ void wfvReadCorners()
 void wfvFacePlanes(vec3 lengths)
 {
   float facing = wfvT.w > 0.0 ? 1.0 : -1.0;
+#if WFV_OWN_RAYS || WFV_WARPED
   wfvA = wfvAnchorOf(wfvT, lengths);
+#endif
+  wfvM *= facing;
   wfvT = vec4(facing * wfvT.xyz, wfvT.w);
   wfvN[0] = facing * wfvEdgePlane(1, 2);
   wfvN[1] = facing * wfvEdgePlane(2, 0);
