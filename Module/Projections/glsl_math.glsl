@@ -26,22 +26,48 @@ WFV_FN float wfvAtan2(float y, float x)
   return y < 0.0 ? -r : r;
 }
 
+// The sine s and the cosine c of an angle, or both times anything, k quarter turns farther on.
+WFV_FN vec2 wfvQuartersOn(float s, float c, float k)
+{
+  int quarters = int(k);
+  float sign_ = (quarters & 2) != 0 ? -1.0 : 1.0;
+  return (quarters & 1) != 0 ? vec2(sign_ * c, -sign_ * s) : vec2(sign_ * s, sign_ * c);
+}
+
 // Sine and cosine with absolute errors below 2e-7 for |x| up to 10: x without its whole
-// quarter turns, taken off in two parts, and Taylor's polynomials to r^9 and r^8 on
-// [-pi/4, pi/4], whose remainders are below 2e-9 and 3e-8. Both for less than either alone
+// quarter turns, taken off in two parts, and minimax polynomials to r^7 and r^8 on
+// [-pi/4, pi/4], off by 2e-9 and 1e-10. Both for less than either alone
 // costs in software; the accuracy of sin and cos is left open, and often 5e-7.
 WFV_FN vec2 wfvSinCosOf(float r, float k) // of r and k quarter turns
 {
   float t = r * r;
-  float s = (2.7557319e-6 * t - 1.9841270e-4) * t + 8.3333333e-3;
-  s = r + r * t * (s * t - 0.16666667);
-  float c = (2.4801587e-5 * t - 1.3888889e-3) * t + 4.1666667e-2;
+  float s = r + r * t * ((-1.9495636e-4 * t + 8.3319787e-3) * t - 0.16666651);
+  float c = (2.4438451e-5 * t - 1.3887368e-3) * t + 4.1666647e-2;
   c = 1.0 - t * (0.5 - c * t);
-  float odd = k - 2.0 * floor(0.5 * k);
-  float half_ = floor(0.5 * k);
-  float turned = half_ - 2.0 * floor(0.5 * half_);
-  float sign_ = 1.0 - 2.0 * turned;
-  return odd > 0.5 ? vec2(sign_ * c, -sign_ * s) : vec2(sign_ * s, sign_ * c);
+  return wfvQuartersOn(s, c, k);
+}
+
+// x, at most 1, to twelve binary places: the product of two such numbers has no rounding.
+WFV_FN float wfvCut(float x)
+{
+  return floor(x * 4096.0) * (1.0 / 4096.0);
+}
+
+// Sine and cosine of f quarter turns, from -1/2 to 1/2, and what the two were rounded by: within
+// 1e-8 where f is exact. First factors have so few digits that their product with an f of few has no
+// rounding.
+WFV_FN vec4 wfvSinCosOfQuarters(float f)
+{
+  float t = f * f;
+  float a = 1.57080078125 * f;
+  float s = (((-4.5922891e-3 * t + 7.9675903e-2) * t - 0.64596294) * t - 4.4761644e-6) * f;
+  float b = 1.234375 * t;
+  float near = 1.0 - b;
+  float c = (((9.0402167e-4 * t - 2.0860289e-2) * t + 0.25366924) * t + 6.744499e-4) * t;
+  c = ((1.0 - near) - b) + c;
+  float sine = a + s;
+  float cosine = near + c;
+  return vec4(sine, cosine, (a - sine) + s, (near - cosine) + c);
 }
 
 WFV_FN vec2 wfvSinCos(float x)
