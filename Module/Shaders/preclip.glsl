@@ -11,6 +11,15 @@ uniform float wfvTolerance; // pixels
 // Safety over the three points at which the distance to the chord is sampled.
 const float WFV_CURVE_SAFETY = 1.2;
 
+// Beside shares of their chord no nearer to its ends than this are the quarters of an edge that is
+// like an arc of a parabola, which stays between the ends; and they are no farther from the chord
+// than its middle, by more than this factor.
+const float WFV_EVEN_SHARE = 0.1;
+const float WFV_EVEN_BEND = 1.1;
+
+// Pixels: of an edge that is nearer to its chord nothing else is asked.
+const float WFV_NEAR_CHORD = 0.5;
+
 // Round a pole or the antipode, inside so many pixels or this angle (radians),
 // whichever is more, edges are never drawn as chords.
 const float WFV_SINGULAR_PIXELS = 16.0;
@@ -66,6 +75,14 @@ float wfvChordDistance(vec2 a, vec2 b, vec2 p)
   return l > 0.01 ? abs(ab.x * ap.y - ab.y * ap.x) / l : length(ap);
 }
 
+// Share of the chord a, b beside which p lies.
+float wfvChordShare(vec2 a, vec2 b, vec2 p)
+{
+  vec2 half_ = 0.5 * wfvViewport.zw * wfvTile.xy;
+  vec2 ab = (b - a) * half_;
+  return dot((p - a) * half_, ab) / max(dot(ab, ab), 1e-12);
+}
+
 // Map of p, continued across the seam from the longitude of the point before it.
 #if WFV_MERIDIAN && WFV_STRAIGHT_SEAM
 vec2 wfvContinued(vec3 p, vec2 from)
@@ -76,7 +93,7 @@ vec2 wfvContinued(vec3 p, vec2 from)
 #endif
 
 // Largest distance, in pixels, between the chord of a and b in the map and the places of an edge
-// between them, in this order: p, m, q.
+// between them, in this order: p, m, q; WFV_UNKNOWN where these say little of what is between.
 float wfvSampledError(vec3 a, vec3 p, vec3 m, vec3 q, vec3 b)
 {
 #if WFV_MERIDIAN && WFV_STRAIGHT_SEAM
@@ -98,9 +115,12 @@ float wfvSampledError(vec3 a, vec3 p, vec3 m, vec3 q, vec3 b)
   vec2 nq = wfvProject(q, wfvView);
   vec2 nb = wfvProject(b, wfvView);
 #endif
-  float e = max(wfvChordDistance(na, nb, nm),
-    max(wfvChordDistance(na, nb, np), wfvChordDistance(na, nb, nq)));
-  return WFV_CURVE_SAFETY * e;
+  float middle = wfvChordDistance(na, nb, nm);
+  float quarters = max(wfvChordDistance(na, nb, np), wfvChordDistance(na, nb, nq));
+  float e = max(middle, quarters);
+  bool even = quarters <= WFV_EVEN_BEND * middle &&
+    min(wfvChordShare(na, nb, np), 1.0 - wfvChordShare(na, nb, nq)) >= WFV_EVEN_SHARE;
+  return e > WFV_NEAR_CHORD && !even ? WFV_UNKNOWN : WFV_CURVE_SAFETY * e;
 }
 
 // The same of a great circle's arc.
