@@ -147,11 +147,6 @@ TriangleJudge::Corner TriangleJudge::See(const vec3& place) const
   return c;
 }
 
-vec2 TriangleJudge::PlaceOf(const vec3& way) const
-{
-  return this->V.Samples.At(this->V.Map->Project(glm::normalize(way), this->V.View));
-}
-
 // From each corner another ray looks, by as much as the circle turns between them.
 double TriangleJudge::GetAside(const Corner* const c[3]) const
 {
@@ -372,10 +367,9 @@ TriangleJudge::Bulge TriangleJudge::MeasureEdge(const Corner& a, const Corner& b
   for (int i = 1; i < parts; i++)
   {
     const double t = double(i) / parts;
-    // where rays begin in several places an edge is no great circle
-    const vec2 at = (this->V.Own ? this->See(a.Place * (1 - t) + b.Place * t).At
-                                 : this->PlaceOf(a.Direction * (1 - t) + b.Direction * t)) -
-      a.At;
+    const vec3 place = this->V.Own ? this->See(a.Place * (1 - t) + b.Place * t).Direction
+                                   : glm::normalize(a.Direction * (1 - t) + b.Direction * t);
+    const vec2 at = this->V.Samples.At(this->V.Map->Project(place, this->V.View)) - a.At;
     const double way = length > 0 ? glm::dot(along, at) / length : 0;
     const double left = length > 0 ? (along.x * at.y - along.y * at.x) / length : 0;
     // where a map folds at its rim, beyond an end

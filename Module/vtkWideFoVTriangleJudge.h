@@ -139,9 +139,9 @@ private:
     Verdict& verdict) const;
   bool IsEmpty(const Corner* const c[3], double reach) const;
   bool Measure(const Corner* const c[3], double angle2, Bulge off[3]) const;
+  // (an edge seen by rays of its own is no great circle)
   Bulge MeasureEdge(const Corner& a, const Corner& b, double most) const;
   unsigned int GetReach(const Corner* const c[3], const Bulge off[3], double sure) const;
-  vec2 PlaceOf(const vec3& way) const; // of a direction seen from the origin, pixels
   bool MayTearBetween(const Corner& a, const Corner& b) const;
   static bool IsTurned(const Corner* const c[3]);
 
