@@ -73,6 +73,21 @@ TrianglePieces::TrianglePieces(const SortView& view)
   , Middle(0.5 * view.Samples.GetSize())
   , Pad(TriangleJudge::GetPad(view.Pixels))
 {
+  const Projection& map = *view.Map;
+  if (view.Own && map.Axis == Family::Meridian && map.StraightSeam)
+  {
+    this->Round = map.Map(vec2(WFV_PI, 0), view.View).x * view.Pixels.x;
+  }
+}
+
+// On the same side of a straight seam, which a triangle may cross.
+vec2 TrianglePieces::Unroll(vec2 at, const vec2& beside) const
+{
+  if (this->Round > 0)
+  {
+    at.x -= this->Round * std::round((at.x - beside.x) / this->Round);
+  }
+  return at;
 }
 
 vec3 TrianglePieces::Between(const vec3& a, const vec3& b, double t) const
@@ -111,12 +126,13 @@ bool TrianglePieces::IsWhole(const vec3 d[3]) const
 double TrianglePieces::Measure(const vec3& from, const vec3& to) const
 {
   const vec2 first = this->PlaceOf(from);
-  const vec2 way = this->PlaceOf(to) - first;
+  const vec2 way = this->Unroll(this->PlaceOf(to), first) - first;
   const double length = std::max(glm::length(way), 1e-9);
   double off = 0;
   for (int i = 1; i < FirstPlaces - 1; i++)
   {
-    const vec2 at = this->PlaceOf(this->Between(from, to, double(i) / (FirstPlaces - 1)));
+    const double t = double(i) / (FirstPlaces - 1);
+    const vec2 at = this->Unroll(this->PlaceOf(this->Between(from, to, t)), first);
     off = std::max(off, std::abs(Cross(way, at - first)) / length);
   }
   return off;
@@ -140,6 +156,7 @@ bool TrianglePieces::Look(const vec3& from, const vec3& to, Boundary& b) const
   {
     const vec3 place = this->Between(from, to, double(i) / (Places - 1));
     seen[i] = this->PlaceOf(place);
+    seen[i] = this->Unroll(seen[i], b.Seen[0]);
     if (this->V.Rounding > 0)
     {
       b.Stretch = std::max(b.Stretch, double(this->V.Bends->At(this->DirectionOf(place))[2]));
@@ -178,21 +195,25 @@ double TrianglePieces::GetTurn(const Slab& slab) const
   return part > 0 && part < PartOfWay ? 0.5 * part * part : std::numeric_limits<double>::infinity();
 }
 
-// As IsWhole, of a slab that is seen by rays of its own. One whose arcs are short holds no pole.
-bool TrianglePieces::IsWhole(const Slab& slab) const
+// Whether a slab is seen by rays of its own as it has to be: at most a straight seam goes through
+// it. One whose arcs are short holds no pole.
+bool TrianglePieces::IsWhole(const Slab& slab, bool& torn) const
 {
   const vec3 seen[4] = { this->DirectionOf(slab.Low[0]), this->DirectionOf(slab.Low[1]),
     this->DirectionOf(slab.High[0]), this->DirectionOf(slab.High[1]) };
   const double turn = this->GetTurn(slab);
-  return std::isfinite(turn) && !TriangleJudge::MayTear(this->V.Map->Axis, seen, turn) &&
-    !TriangleJudge::MayTear(this->V.Map->Axis, seen + 1, turn) &&
+  const Family family = this->V.Map->Axis;
+  torn =
+    TriangleJudge::MayTear(family, seen, turn) || TriangleJudge::MayTear(family, seen + 1, turn);
+  return std::isfinite(turn) && (!torn || this->Round > 0) &&
     TriangleJudge::IsInDomain(this->V, seen) && TriangleJudge::IsInDomain(this->V, seen + 1);
 }
 
-bool TrianglePieces::Enclose(const Slab& slab, double moved, CoverPiece& piece) const
+bool TrianglePieces::Enclose(const Slab& slab, double moved, CoverPiece& piece, bool& torn) const
 {
   Boundary b;
-  if ((this->V.Own && !this->IsWhole(slab)) || !this->Look(slab.Low[0], slab.Low[1], b) ||
+  torn = false;
+  if ((this->V.Own && !this->IsWhole(slab, torn)) || !this->Look(slab.Low[0], slab.Low[1], b) ||
     !this->Look(slab.High[0], slab.High[1], b) || !this->Look(slab.Low[0], slab.High[0], b) ||
     !this->Look(slab.Low[1], slab.High[1], b))
   {
@@ -235,7 +256,8 @@ bool TrianglePieces::Cover(unsigned int triangle, const TriangleJudge::Corner* c
   {
     d[i] = corners[i]->Direction;
     ends[i] = this->V.Own ? corners[i]->Place : d[i];
-    sides[i] = glm::length(corners[(i + 1) % 3]->At - corners[i]->At);
+    const vec2& at = corners[i]->At;
+    sides[i] = glm::length(this->Unroll(corners[(i + 1) % 3]->At, at) - at);
   }
   // seen by rays of its own each slab is asked; one whose arcs are short holds no pole
   if (!this->V.Own && !this->IsWhole(d))
@@ -281,7 +303,8 @@ bool TrianglePieces::Cut(const std::array<vec3, 3>& d, int slabs, unsigned int t
     slab.High[1] = left ? this->Between(d[0], d[2], t) : this->Between(d[2], d[1], t);
     CoverPiece piece;
     piece.Triangle = triangle;
-    if (!this->Enclose(slab, moved, piece))
+    bool torn;
+    if (!this->Enclose(slab, moved, piece, torn))
     {
       return false;
     }
@@ -291,6 +314,13 @@ bool TrianglePieces::Cut(const std::array<vec3, 3>& d, int slabs, unsigned int t
       return false;
     }
     pieces.push_back(piece);
+    if (torn)
+    {
+      piece.From.x += this->Round;
+      pieces.push_back(piece);
+      piece.From.x -= 2 * this->Round;
+      pieces.push_back(piece);
+    }
   }
   return true;
 }

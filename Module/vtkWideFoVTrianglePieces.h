@@ -46,8 +46,8 @@ private:
   double Measure(const vec3& from, const vec3& to) const;
   bool Look(const vec3& from, const vec3& to, Boundary& boundary) const;
   double GetTurn(const Slab& slab) const;
-  bool IsWhole(const Slab& slab) const;
-  bool Enclose(const Slab& slab, double moved, CoverPiece& piece) const;
+  bool IsWhole(const Slab& slab, bool& torn) const;
+  bool Enclose(const Slab& slab, double moved, CoverPiece& piece, bool& torn) const;
   bool Cut(const std::array<vec3, 3>& d, int slabs, unsigned int triangle, double moved,
     double most, std::vector<CoverPiece>& pieces) const;
 
@@ -56,10 +56,13 @@ private:
   vec2 PlaceOf(const vec3& place) const;
   vec3 DirectionOf(const vec3& place) const;
 
+  vec2 Unroll(vec2 at, const vec2& beside) const;
+
   const SortView& V;
   TriangleJudge Judge;
-  vec2 Middle; // of the viewport
-  double Pad;  // pixels
+  vec2 Middle;      // of the viewport
+  double Pad;       // pixels
+  double Round = 0; // pixels, of a turn about a map with a straight seam; 0: seams are left alone
 };
 }
 
