@@ -49,7 +49,7 @@ void Sorter::SortPoints(
     this->SettleDoubts(scene, clusters, lists);
   }
   this->Pieces.clear();
-  if (view.Calm && !view.Own)
+  if (view.Calm)
   {
     this->CutCovers(scene);
   }

@@ -195,7 +195,9 @@ TriangleJudge::Verdict TriangleJudge::Judge(const Corner* const c[3]) const
   const double nearest = std::min({ c[0]->Distance, c[1]->Distance, c[2]->Distance });
   const Local local = this->LookAt(d, angle2, aside);
   const bool tiny = angle2 <= Square(LocalBend::LongestEdge);
-  const double moved = this->GetMoved(nearest, local.Stretch * (tiny ? 1 : BetweenCorners));
+  // seen by rays of its own a triangle may fold: its inside is as far off as its edges are
+  const double stretch = local.Stretch * (tiny ? 1 : BetweenCorners);
+  const double moved = this->GetMoved(nearest, stretch) + aside * stretch;
   Bulge off[3];
   double worst = std::numeric_limits<double>::infinity();
   if (tiny)
@@ -219,7 +221,7 @@ TriangleJudge::Verdict TriangleJudge::Judge(const Corner* const c[3]) const
 void TriangleJudge::JudgeEdges(const Corner* const c[3], double angle2, double worst, double moved,
   Bulge off[3], Verdict& verdict) const
 {
-  if (worst > SortView::PlainError && !this->V.Own && this->Measure(c, angle2, off))
+  if (worst > SortView::PlainError && this->Measure(c, angle2, off))
   {
     worst = std::max({ off[0].GetMost(), off[1].GetMost(), off[2].GetMost() });
   }
@@ -243,15 +245,18 @@ void TriangleJudge::JudgeEdges(const Corner* const c[3], double angle2, double w
 
 // A triangle is between its chords and what bulges out from them. Of one so thin that its edges may
 // have changed sides that is not so: all sides move by all that any edge is off.
-unsigned int TriangleJudge::GetReach(const Corner* const c[3], const Bulge off[3], double sure)
+unsigned int TriangleJudge::GetReach(
+  const Corner* const c[3], const Bulge off[3], double sure) const
 {
   const vec2 a = c[1]->At - c[0]->At;
   const vec2 b = c[2]->At - c[0]->At;
   const double twice = a.x * b.y - a.y * b.x;
   const double longest = std::max({ glm::length(a), glm::length(b), glm::length(b - a) });
   const double most = std::max({ off[0].GetMost(), off[1].GetMost(), off[2].GetMost() });
-  const bool thin = !(std::abs(twice) > 2 * sure * longest) || IsTurned(c) ||
-    GetSide(c[0]->Place, c[1]->Place, c[2]->Place) == 0;
+  // by rays of its own it may be seen from both sides
+  const double least = 2 * (sure + (this->V.Own ? most : 0));
+  const bool thin = !(std::abs(twice) > least * longest) ||
+    (!this->V.Own && (IsTurned(c) || GetSide(c[0]->Place, c[1]->Place, c[2]->Place) == 0));
   unsigned int reach = 0;
   for (int i = 0; i < 3; i++)
   {
@@ -362,7 +367,8 @@ TriangleJudge::Bulge TriangleJudge::MeasureEdge(const Corner& a, const Corner& b
   for (int i = 1; i < parts; i++)
   {
     const double t = double(i) / parts;
-    const vec3 place = glm::normalize(a.Direction * (1 - t) + b.Direction * t);
+    const vec3 place = this->V.Own ? this->See(a.Place * (1 - t) + b.Place * t).Direction
+                                   : glm::normalize(a.Direction * (1 - t) + b.Direction * t);
     const vec2 at = this->V.Samples.At(this->V.Map->Project(place, this->V.View)) - a.At;
     const double way = length > 0 ? glm::dot(along, at) / length : 0;
     const double left = length > 0 ? (along.x * at.y - along.y * at.x) / length : 0;
@@ -385,8 +391,6 @@ bool TriangleJudge::MayTearBetween(const Corner& a, const Corner& b) const
   return MayTear(this->V.Map->Axis, d, 0);
 }
 
-// Pixels by which the vertex buffer may move a corner, where the map stretches so much (pixels a
-// radian).
 double TriangleJudge::GetMoved(double nearest, double stretch) const
 {
   const double rounding = this->V.Own ? BetweenCorners * this->V.Rounding : this->V.Rounding;

@@ -108,10 +108,18 @@ public:
   // Pixels by which a rasterizer and float32 may move what is drawn in a picture so large.
   static double GetPad(const vec2& pixels);
 
+  // Pixels by which the vertex buffer may move a corner, where the map stretches so much (pixels a
+  // radian).
+  double GetMoved(double nearest, double stretch) const;
+
   // -1, 1: which side is seen. 0: nearly edge-on.
   static int GetSide(const vec3& a, const vec3& b, const vec3& c);
 
 private:
+  // Of a triangle seen by rays of its own, radians: how far its edges may be off the great circles
+  // between its corners. Infinite as near to the circle where rays begin as it is wide.
+  double GetAside(const Corner* const c[3]) const;
+
   // Of the map beside the corners of a triangle.
   struct Local
   {
@@ -120,9 +128,6 @@ private:
   };
   Local LookAt(const vec3 d[3], double angle2, double aside) const;
 
-  // Of a triangle seen by rays of its own, radians: how far its edges may be off the great circles
-  // between its corners. Infinite as near to the circle where rays begin as it is wide.
-  double GetAside(const Corner* const c[3]) const;
   // Pixels that an edge may be off its chord, on the two sides of the way from end to end.
   struct Bulge
   {
@@ -134,10 +139,10 @@ private:
     Verdict& verdict) const;
   bool IsEmpty(const Corner* const c[3], double reach) const;
   bool Measure(const Corner* const c[3], double angle2, Bulge off[3]) const;
+  // (an edge seen by rays of its own is no great circle)
   Bulge MeasureEdge(const Corner& a, const Corner& b, double most) const;
-  static unsigned int GetReach(const Corner* const c[3], const Bulge off[3], double sure);
+  unsigned int GetReach(const Corner* const c[3], const Bulge off[3], double sure) const;
   bool MayTearBetween(const Corner& a, const Corner& b) const;
-  double GetMoved(double nearest, double stretch) const;
   static bool IsTurned(const Corner* const c[3]);
 
   const SortView& V;

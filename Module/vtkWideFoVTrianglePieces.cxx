@@ -23,13 +23,11 @@ constexpr int MostSlabs = 16;
 // Square pixels that a shape more costs about as much as.
 constexpr double ShapeCost = 32;
 
+// Of the level way from the circle where rays of their own begin: slabs whose places say enough.
+constexpr double PartOfWay = 0.25;
+
 // Of the rays' lengths, so small a product of three is rounding.
 constexpr double Flat = 1e-12;
-
-vec3 Between(const vec3& a, const vec3& b, double t)
-{
-  return glm::normalize(a * (1 - t) + b * t);
-}
 
 double Cross(const vec2& a, const vec2& b)
 {
@@ -71,14 +69,42 @@ struct TrianglePieces::Slab
 
 TrianglePieces::TrianglePieces(const SortView& view)
   : V(view)
+  , Judge(view)
   , Middle(0.5 * view.Samples.GetSize())
   , Pad(TriangleJudge::GetPad(view.Pixels))
 {
+  const Projection& map = *view.Map;
+  if (view.Own && map.Axis == Family::Meridian && map.StraightSeam)
+  {
+    this->Round = map.Map(vec2(WFV_PI, 0), view.View).x * view.Pixels.x;
+  }
 }
 
-vec2 TrianglePieces::PlaceOf(const vec3& direction) const
+// On the same side of a straight seam, which a triangle may cross.
+vec2 TrianglePieces::Unroll(vec2 at, const vec2& beside) const
 {
-  return this->V.Samples.At(this->V.Map->Project(direction, this->V.View));
+  if (this->Round > 0)
+  {
+    at.x -= this->Round * std::round((at.x - beside.x) / this->Round);
+  }
+  return at;
+}
+
+vec3 TrianglePieces::Between(const vec3& a, const vec3& b, double t) const
+{
+  const vec3 place = a * (1 - t) + b * t;
+  return this->V.Own ? place : glm::normalize(place);
+}
+
+vec2 TrianglePieces::PlaceOf(const vec3& place) const
+{
+  return this->V.Own ? this->Judge.See(place).At
+                     : this->V.Samples.At(this->V.Map->Project(place, this->V.View));
+}
+
+vec3 TrianglePieces::DirectionOf(const vec3& place) const
+{
+  return this->V.Own ? this->Judge.See(place).Direction : place;
 }
 
 // No tear, no pole, and not at the rim of the map.
@@ -100,12 +126,13 @@ bool TrianglePieces::IsWhole(const vec3 d[3]) const
 double TrianglePieces::Measure(const vec3& from, const vec3& to) const
 {
   const vec2 first = this->PlaceOf(from);
-  const vec2 way = this->PlaceOf(to) - first;
+  const vec2 way = this->Unroll(this->PlaceOf(to), first) - first;
   const double length = std::max(glm::length(way), 1e-9);
   double off = 0;
   for (int i = 1; i < FirstPlaces - 1; i++)
   {
-    const vec2 at = this->PlaceOf(Between(from, to, double(i) / (FirstPlaces - 1)));
+    const double t = double(i) / (FirstPlaces - 1);
+    const vec2 at = this->Unroll(this->PlaceOf(this->Between(from, to, t)), first);
     off = std::max(off, std::abs(Cross(way, at - first)) / length);
   }
   return off;
@@ -115,9 +142,11 @@ double TrianglePieces::Measure(const vec3& from, const vec3& to) const
 bool TrianglePieces::Look(const vec3& from, const vec3& to, Boundary& b) const
 {
   const Family family = this->V.Map->Axis;
-  const double sine = std::min(SineToSingularity(family, from), SineToSingularity(family, to));
+  const vec3 ends[2] = { this->DirectionOf(from), this->DirectionOf(to) };
+  const double sine =
+    std::min(SineToSingularity(family, ends[0]), SineToSingularity(family, ends[1]));
   const double longest = TriangleJudge::PartOfSine * std::min(1.0, sine);
-  const vec3 chord = to - from;
+  const vec3 chord = ends[1] - ends[0];
   if (!(glm::dot(chord, chord) <= longest * longest))
   {
     return false;
@@ -125,11 +154,12 @@ bool TrianglePieces::Look(const vec3& from, const vec3& to, Boundary& b) const
   vec2* const seen = b.Seen.data() + b.Count;
   for (int i = 0; i < Places; i++)
   {
-    const vec3 direction = Between(from, to, double(i) / (Places - 1));
-    seen[i] = this->PlaceOf(direction);
+    const vec3 place = this->Between(from, to, double(i) / (Places - 1));
+    seen[i] = this->PlaceOf(place);
+    seen[i] = this->Unroll(seen[i], b.Seen[0]);
     if (this->V.Rounding > 0)
     {
-      b.Stretch = std::max(b.Stretch, double(this->V.Bends->At(direction)[2]));
+      b.Stretch = std::max(b.Stretch, double(this->V.Bends->At(this->DirectionOf(place))[2]));
     }
   }
   b.Count += Places;
@@ -143,11 +173,49 @@ bool TrianglePieces::Look(const vec3& from, const vec3& to, Boundary& b) const
   return std::isfinite(b.Off);
 }
 
-bool TrianglePieces::Enclose(const Slab& slab, double nearest, CoverPiece& piece) const
+// Radians that the edges of a slab, seen by rays of its own, may be off great circles; infinite
+// where it is as near to the circle where rays begin as it is wide.
+double TrianglePieces::GetTurn(const Slab& slab) const
+{
+  const WfvView& v = this->V.View;
+  const vec3 up(0, v.tilt.x, -v.tilt.y);
+  const vec3 places[4] = { slab.Low[0], slab.Low[1], slab.High[1], slab.High[0] };
+  double way2 = std::numeric_limits<double>::infinity();
+  double edge2 = 0;
+  for (int i = 0; i < 4; i++)
+  {
+    const vec3& p = places[i];
+    const vec3 side = places[(i + 1) % 4] - p;
+    const vec3 across = places[(i + 2) % 4] - p;
+    const double height = glm::dot(p, up);
+    way2 = std::min(way2, glm::dot(p, p) - height * height);
+    edge2 = std::max({ edge2, glm::dot(side, side), glm::dot(across, across) });
+  }
+  const double part = std::sqrt(edge2) / (std::sqrt(way2) - std::abs(v.stereo.x));
+  return part > 0 && part < PartOfWay ? 0.5 * part * part : std::numeric_limits<double>::infinity();
+}
+
+// Whether a slab is seen by rays of its own as it has to be: at most a straight seam goes through
+// it. One whose arcs are short holds no pole.
+bool TrianglePieces::IsWhole(const Slab& slab, bool& torn) const
+{
+  const vec3 seen[4] = { this->DirectionOf(slab.Low[0]), this->DirectionOf(slab.Low[1]),
+    this->DirectionOf(slab.High[0]), this->DirectionOf(slab.High[1]) };
+  const double turn = this->GetTurn(slab);
+  const Family family = this->V.Map->Axis;
+  torn =
+    TriangleJudge::MayTear(family, seen, turn) || TriangleJudge::MayTear(family, seen + 1, turn);
+  return std::isfinite(turn) && (!torn || this->Round > 0) &&
+    TriangleJudge::IsInDomain(this->V, seen) && TriangleJudge::IsInDomain(this->V, seen + 1);
+}
+
+bool TrianglePieces::Enclose(const Slab& slab, double moved, CoverPiece& piece, bool& torn) const
 {
   Boundary b;
-  if (!this->Look(slab.Low[0], slab.Low[1], b) || !this->Look(slab.High[0], slab.High[1], b) ||
-    !this->Look(slab.Low[0], slab.High[0], b) || !this->Look(slab.Low[1], slab.High[1], b))
+  torn = false;
+  if ((this->V.Own && !this->IsWhole(slab, torn)) || !this->Look(slab.Low[0], slab.Low[1], b) ||
+    !this->Look(slab.High[0], slab.High[1], b) || !this->Look(slab.Low[0], slab.High[0], b) ||
+    !this->Look(slab.Low[1], slab.High[1], b))
   {
     return false;
   }
@@ -164,8 +232,11 @@ bool TrianglePieces::Enclose(const Slab& slab, double nearest, CoverPiece& piece
     high = glm::max(high, turned);
   }
   const double pixels = 0.5 * std::max(this->V.Pixels.x, this->V.Pixels.y);
-  const double moved = this->V.Rounding > 0 ? this->V.Rounding / nearest * b.Stretch * pixels : 0;
-  const double grow = (TriangleJudge::BetweenParts - 1) * b.Off + moved + this->Pad;
+  const double shift = moved > 0 ? moved * b.Stretch * pixels : 0;
+  // seen by rays of its own it may fold, and what is within bulges as its edges do
+  const double parts =
+    this->V.Own ? 2 * TriangleJudge::BetweenParts - 1 : TriangleJudge::BetweenParts - 1;
+  const double grow = parts * b.Off + shift + this->Pad;
   low -= grow;
   high += grow;
   const vec2 up(-along.y, along.x);
@@ -179,28 +250,33 @@ bool TrianglePieces::Cover(unsigned int triangle, const TriangleJudge::Corner* c
   double most, std::vector<CoverPiece>& pieces) const
 {
   vec3 d[3];
+  vec3 ends[3];
   double sides[3];
   for (int i = 0; i < 3; i++)
   {
     d[i] = corners[i]->Direction;
-    sides[i] = glm::length(corners[(i + 1) % 3]->At - corners[i]->At);
+    ends[i] = this->V.Own ? corners[i]->Place : d[i];
+    const vec2& at = corners[i]->At;
+    sides[i] = glm::length(this->Unroll(corners[(i + 1) % 3]->At, at) - at);
   }
-  if (!this->IsWhole(d))
+  // seen by rays of its own each slab is asked; one whose arcs are short holds no pole
+  if (!this->V.Own && !this->IsWhole(d))
   {
     return false;
   }
   const auto longest = static_cast<int>(std::max_element(sides, sides + 3) - sides);
-  const vec3& p = d[longest];
-  const vec3& q = d[(longest + 1) % 3];
-  const vec3& r = d[(longest + 2) % 3];
+  const vec3& p = ends[longest];
+  const vec3& q = ends[(longest + 1) % 3];
+  const vec3& r = ends[(longest + 2) % 3];
   const double off = std::max({ this->Measure(p, q), this->Measure(q, r), this->Measure(r, p) });
   const double nearest =
     std::min({ corners[0]->Distance, corners[1]->Distance, corners[2]->Distance });
+  const double moved = this->Judge.GetMoved(nearest, 1);
   const std::size_t before = pieces.size();
   const int first = std::clamp(int(std::ceil(std::sqrt(off / SlabError))), 2, MostSlabs);
   for (int n = first; n <= MostSlabs; n *= 2)
   {
-    if (this->Cut({ p, q, r }, n, triangle, nearest, most, pieces))
+    if (this->Cut({ p, q, r }, n, triangle, moved, most, pieces))
     {
       return true;
     }
@@ -210,7 +286,7 @@ bool TrianglePieces::Cover(unsigned int triangle, const TriangleJudge::Corner* c
 }
 
 bool TrianglePieces::Cut(const std::array<vec3, 3>& d, int slabs, unsigned int triangle,
-  double nearest, double most, std::vector<CoverPiece>& pieces) const
+  double moved, double most, std::vector<CoverPiece>& pieces) const
 {
   const double first = glm::length(d[2] - d[0]);
   const double apex = first / (first + glm::length(d[1] - d[2]));
@@ -223,11 +299,12 @@ bool TrianglePieces::Cut(const std::array<vec3, 3>& d, int slabs, unsigned int t
     const double t = left ? double(i) / before : double(i - before) / (slabs - before);
     slab.Low[0] = slab.Low[1];
     slab.High[0] = slab.High[1];
-    slab.Low[1] = Between(d[0], d[1], left ? t * apex : apex + t * (1 - apex));
-    slab.High[1] = left ? Between(d[0], d[2], t) : Between(d[2], d[1], t);
+    slab.Low[1] = this->Between(d[0], d[1], left ? t * apex : apex + t * (1 - apex));
+    slab.High[1] = left ? this->Between(d[0], d[2], t) : this->Between(d[2], d[1], t);
     CoverPiece piece;
     piece.Triangle = triangle;
-    if (!this->Enclose(slab, nearest, piece))
+    bool torn;
+    if (!this->Enclose(slab, moved, piece, torn))
     {
       return false;
     }
@@ -237,6 +314,13 @@ bool TrianglePieces::Cut(const std::array<vec3, 3>& d, int slabs, unsigned int t
       return false;
     }
     pieces.push_back(piece);
+    if (torn)
+    {
+      piece.From.x += this->Round;
+      pieces.push_back(piece);
+      piece.From.x -= 2 * this->Round;
+      pieces.push_back(piece);
+    }
   }
   return true;
 }

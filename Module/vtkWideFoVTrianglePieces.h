@@ -45,14 +45,24 @@ private:
   bool IsWhole(const vec3 d[3]) const;
   double Measure(const vec3& from, const vec3& to) const;
   bool Look(const vec3& from, const vec3& to, Boundary& boundary) const;
-  bool Enclose(const Slab& slab, double nearest, CoverPiece& piece) const;
-  bool Cut(const std::array<vec3, 3>& d, int slabs, unsigned int triangle, double nearest,
+  double GetTurn(const Slab& slab) const;
+  bool IsWhole(const Slab& slab, bool& torn) const;
+  bool Enclose(const Slab& slab, double moved, CoverPiece& piece, bool& torn) const;
+  bool Cut(const std::array<vec3, 3>& d, int slabs, unsigned int triangle, double moved,
     double most, std::vector<CoverPiece>& pieces) const;
-  vec2 PlaceOf(const vec3& direction) const;
+
+  // A place between two: a direction, or, seen by rays of its own, a point of the edge.
+  vec3 Between(const vec3& a, const vec3& b, double t) const;
+  vec2 PlaceOf(const vec3& place) const;
+  vec3 DirectionOf(const vec3& place) const;
+
+  vec2 Unroll(vec2 at, const vec2& beside) const;
 
   const SortView& V;
-  vec2 Middle; // of the viewport
-  double Pad;  // pixels
+  TriangleJudge Judge;
+  vec2 Middle;      // of the viewport
+  double Pad;       // pixels
+  double Round = 0; // pixels, of a turn about a map with a straight seam; 0: seams are left alone
 };
 }
 

@@ -39,6 +39,10 @@ vec2 wfvEdgeRange(vec3 n, vec2 lambda)
   return n.y > 0.0 ? vec2(-high / n.y, 1e30) : vec2(-1e30, high / -n.y);
 }
 
+#if WFV_OWN_RAYS
+vec2 wfvLatitudes; // of all of the triangle, seen from the circle
+#endif
+
 // NDC of the lowest and the highest latitude of the triangle between two longitudes, or as near to
 // them as a rasterizer moves them.
 vec2 wfvColumn(vec2 lambda)
@@ -65,6 +69,9 @@ vec2 wfvColumn(vec2 lambda)
     return vec2(1e9, -1e9);
   }
   vec2 phi = vec2(wfvAtan2(r.x, 1.0) - pad, wfvAtan2(r.y, 1.0) + pad);
+#if WFV_OWN_RAYS
+  phi = clamp(phi, wfvLatitudes.x, wfvLatitudes.y);
+#endif
   phi = clamp(phi, -0.5 * WFV_PI, 0.5 * WFV_PI);
   vec4 b = wfvBounds(vec4(lambda.x, phi.x, lambda.y, phi.y), wfvView);
   float border = 2.0 * WFV_PAD / (wfvViewport.w * wfvTile.y);
@@ -111,6 +118,9 @@ void wfvCover(bool front)
 #if WFV_OWN_RAYS
   wfvTurnPad = wfvGrowAzimuth(0.5 * WFV_PI - max(abs(a.y), abs(a.w)));
   a += vec4(-wfvTurnPad, 0.0, wfvTurnPad, 0.0);
+  wfvLatitudes = wfvOwnLatitudes(a.yw);
+  wfvLatitudes.x = wfvHolds(1, -1.0) ? -0.5 * WFV_PI : wfvLatitudes.x;
+  wfvLatitudes.y = wfvHolds(1, 1.0) ? 0.5 * WFV_PI : wfvLatitudes.y;
 #endif
   bool round_ = pole || a.z - a.x >= 2.0 * WFV_PI;
   vec2 here = round_ ? vec2(-WFV_PI, WFV_PI) : vec2(max(a.x, -WFV_PI), min(a.z, WFV_PI));
@@ -138,7 +148,9 @@ void wfvCover(bool front)
   bool south = wfvHolds(1, -1.0);
   vec4 a = wfvAngularBounds(vec3(0.0, 1.0, 0.0));
 #if WFV_OWN_RAYS
+  vec2 latitudes = wfvOwnLatitudes(a.yw);
   a = wfvGrowAngles(a, 0.5 * WFV_PI - max(abs(a.y), abs(a.w)));
+  a.yw = latitudes;
 #endif
   a = vec4(a.x, south ? -0.5 * WFV_PI : max(a.y, -0.5 * WFV_PI), a.z,
     north ? 0.5 * WFV_PI : min(a.w, 0.5 * WFV_PI));

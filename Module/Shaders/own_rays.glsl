@@ -74,6 +74,14 @@ vec4 wfvGrowAngles(vec4 a, float toPole)
   return a + vec4(-turn, -wfvGrow, turn, wfvGrow);
 }
 
+// A range of latitudes, as seen from anywhere on the circle. Where the circle is level in the map, it
+// sees everything nearer to a pole than the origin does, for the level way from there is shorter.
+vec2 wfvOwnLatitudes(vec2 a)
+{
+  bool level = !WFV_TILTED;
+  return vec2(level && a.x > 0.0 ? a.x : a.x - wfvGrow, level && a.y < 0.0 ? a.y : a.y + wfvGrow);
+}
+
 // The easy bound (wfvEasy) of a triangle that is seen from the circle. How much farther than from
 // the origin its corners may be from a singular point, radians, and how far its edges are off the
 // great circles between them, times the way a place of the map moves: pixels at sine 1. As

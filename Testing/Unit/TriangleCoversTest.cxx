@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is said to hold the picture of a triangle does: every place of it is in there.
+#include "Stereo.h"
 #include "Views.h"
 #include "vtkWideFoVTrianglePieces.h"
 
@@ -16,7 +17,9 @@ using namespace wfv::test;
 namespace
 {
 constexpr int Triangles = 3000; // a view
+constexpr int OwnTriangles = 1000;
 constexpr int PlacesEach = 60;
+constexpr double Radius = 0.2; // of the eyes' circle
 const vec2 Size(1024, 512);
 
 // Pixels: that much of what is added for float32 and rasterizers is left for what lies between the
@@ -69,6 +72,19 @@ struct Shapes
     }
   }
 
+  // The same at distances from the eyes' circle on, some running away from it.
+  void MakeFar(int number, vec3 d[3])
+  {
+    this->Make(number, d);
+    const double size = glm::length(d[1] - d[0]);
+    const double distance = Radius * std::pow(10, 1 + this->Unit(Engine));
+    const double slope = number % 4 == 0 ? 1 : 0.1;
+    for (int i = 0; i < 3; i++)
+    {
+      d[i] *= distance * (1 + slope * size * this->Unit(Engine));
+    }
+  }
+
   // In the triangle, on its edges as well.
   vec3 Inside(const vec3 d[3])
   {
@@ -78,7 +94,8 @@ struct Shapes
     {
       weights[edge] = 0;
     }
-    return glm::normalize(d[0] * weights.x + d[1] * weights.y + d[2] * weights.z);
+    return (d[0] * weights.x + d[1] * weights.y + d[2] * weights.z) /
+      (weights.x + weights.y + weights.z);
   }
 };
 
@@ -187,5 +204,40 @@ TEST(TriangleCovers, HoldEveryPlace)
               << found.Cut << " cut, " << found.WorstCut << " pixels beyond\n";
     EXPECT_GT(found.Calm, Triangles / 10) << named.Name;
     EXPECT_GT(found.Cut, Triangles / 100) << named.Name;
+  }
+}
+
+// Of an eye whose rays begin on a circle, from there on, and beside its axis.
+TEST(TriangleCovers, HoldEveryPlaceSeenFromACircle)
+{
+  const double pad = TriangleJudge::GetPad(Size);
+  for (const NamedView& named : AllViews())
+  {
+    ViewOptions o = named.Options;
+    o.Stereo.Model = FindStereoModel("omnidirectional");
+    o.Stereo.InterpupillaryDistance = 2 * Radius;
+    o.Stereo.Eye = Eye::Left;
+    const View eye(named.TheView.GetProjection(), o);
+    SortView view = MakeSortView(eye);
+    view.Own = eye.GetStereoModel();
+    if (!view.Own || view.Map->Axis == Family::Sampled || view.View.halfFov.x < Degree ||
+      view.View.tilt != vec2(1, 0))
+    {
+      continue;
+    }
+    Shapes shapes;
+    Found found;
+    for (int i = 0; i < OwnTriangles; i++)
+    {
+      vec3 d[3];
+      shapes.MakeFar(i, d);
+      LookAt(view, d, shapes, found);
+    }
+    EXPECT_LT(found.WorstCalm, Slack - pad) << named.Name;
+    EXPECT_LT(found.WorstCut, Slack - pad) << named.Name;
+    std::cout << named.Name << ": " << found.Calm << " calm, " << found.WorstCalm << "; "
+              << found.Cut << " cut, " << found.WorstCut << " pixels beyond\n";
+    EXPECT_GT(found.Calm, OwnTriangles / 20) << named.Name;
+    EXPECT_GT(found.Cut, OwnTriangles / 100) << named.Name;
   }
 }
