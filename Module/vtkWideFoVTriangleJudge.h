@@ -95,6 +95,9 @@ public:
   // On the distance of an edge from its chord, at its quarters or eighths, for what lies between.
   static constexpr double BetweenParts = 1.2;
 
+  // Radians: edges that their quarters say enough of; the eighths of those that are twice as long.
+  static constexpr double LongestMeasured = 0.25;
+
   // Over the distance from a singular point: edges that their quarters say enough of.
   static constexpr double PartOfSine = 0.25;
 
@@ -128,12 +131,14 @@ private:
   };
   Local LookAt(const vec3 d[3], double angle2, double aside) const;
 
-  // Pixels that an edge may be off its chord, on the two sides of the way from end to end.
+  // Pixels that an edge may be off its chord, on the two sides of the way from end to end, and may
+  // be beyond an end of it.
   struct Bulge
   {
     double Left = 0;
     double Right = 0;
-    double GetMost() const { return std::max(this->Left, this->Right); }
+    double Ends = 0;
+    double GetMost() const { return std::max(this->Left, this->Right) + this->Ends; }
   };
   void JudgeEdges(const Corner* const c[3], double angle2, double worst, double moved, Bulge off[3],
     Verdict& verdict) const;
