@@ -82,6 +82,7 @@ void vtkWideFoVPass::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "KeepUpdateRate: " << this->KeepUpdateRate << "\n"
      << indent << "Relaxation: " << this->Relaxation << "\n"
      << indent << "Culling: " << this->Culling << "\n"
+     << indent << "SortWhileMoving: " << this->SortWhileMoving << "\n"
      << indent << "NumberOfDrawnProps: " << this->NumberOfDrawnProps << "\n"
      << indent << "NumberOfCulledProps: " << this->NumberOfCulledProps << "\n"
      << indent << "NumberOfClusters: " << this->NumberOfClusters << "\n"
@@ -208,6 +209,7 @@ void vtkWideFoVPass::RenderWide(const vtkRenderState* s, vtkWideFoVCamera* camer
   double bounds[6];
   camera->BeginFrame(renderer, in.Props.GetSceneBounds(renderer, bounds) ? bounds : nullptr);
   in.Stages.SetCulling(this->Culling != 0);
+  in.Stages.SetSortWhileMoving(this->SortWhileMoving != 0);
   this->FindRelaxation(renderer);
   const bool relaxed = this->Relaxation > 0;
   in.Stages.Begin(renderer, camera, relaxed ? static_cast<int>(PRECLIP) : this->Technique,

@@ -95,6 +95,18 @@ public:
 
   ///@{
   /**
+   * Sort the triangles of large meshes one by one in every frame, even while the view or the data
+   * change from each to the next (default off). That takes longer than it saves, unless a view is
+   * drawn again: a view that follows one that was drawn once is sorted when it is drawn a second
+   * time. The pictures keep the same tolerance either way.
+   */
+  vtkSetMacro(SortWhileMoving, vtkTypeBool);
+  vtkGetMacro(SortWhileMoving, vtkTypeBool);
+  vtkBooleanMacro(SortWhileMoving, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
    * Keep to the time that the window asks for by vtkRenderWindow::SetDesiredUpdateRate, as VTK's
    * level-of-detail props do (default off). While it asks for a frame a second or more, as an
    * interactor does that moves, and a frame took longer than its share, the next is relaxed:
@@ -190,6 +202,7 @@ protected:
   int NumberOfExactDraws = 0;
   int NumberOfTessellateDraws = 0;
   vtkTypeBool Culling = 1;
+  vtkTypeBool SortWhileMoving = 0;
   vtkTypeBool KeepUpdateRate = 0;
   int Relaxation = 0;
   int NumberOfDrawnProps = 0;

@@ -54,6 +54,8 @@ struct SortedDraw::Entry
   vtkMTimeType Time = 0;
   double ToMap[16] = { 0 };
   SortView View;
+  int Frames = 0;       // drawn since
+  bool Passing = false; // the view before was gone after one frame, and so may be this one
   std::size_t All = 0;
   std::size_t Counts[NumberOfLots] = { 0 }; // one lot follows the other
   FrameCounts Found;
@@ -127,6 +129,23 @@ SortedDraw::SortedDraw(bool strips)
 
 SortedDraw::~SortedDraw() = default;
 
+// What is kept for an actor; nullptr where it is one too many.
+SortedDraw::Entry* SortedDraw::Find(const Key& key)
+{
+  std::unique_ptr<Entry>& entry = this->Entries[key];
+  if (!entry || entry->Actor != key.first)
+  {
+    if (this->Entries.size() > MostEntries)
+    {
+      this->Entries.erase(key);
+      return nullptr;
+    }
+    entry.reset(new Entry);
+    entry->Actor = key.first;
+  }
+  return entry.get();
+}
+
 bool SortedDraw::Prepare(
   vtkPolyData* data, vtkActor* actor, vtkWideFoVStage* stage, double rounding)
 {
@@ -138,45 +157,49 @@ bool SortedDraw::Prepare(
   {
     return false;
   }
-  const Key key(actor, view.Own && view.View.stereo.x > 0);
-  std::unique_ptr<Entry>& entry = this->Entries[key];
-  if (!entry || entry->Actor != actor)
+  Entry* const entry = this->Find(Key(actor, view.Own && view.View.stereo.x > 0));
+  if (!entry)
   {
-    if (this->Entries.size() > MostEntries)
-    {
-      this->Entries.erase(key);
-      return false;
-    }
-    entry.reset(new Entry);
-    entry->Actor = actor;
+    return false;
   }
   Entry& e = *entry;
   double toMap[16];
   stages->GetToMap(actor, toMap);
   view.Rounding = rounding * LongestAxis(toMap);
-  if (e.Data != data || e.Time != data->GetMTime() || !std::equal(toMap, toMap + 16, e.ToMap) ||
-    !(e.View == view))
+  const bool still =
+    e.Data == data && e.Time == data->GetMTime() && std::equal(toMap, toMap + 16, e.ToMap);
+  if (!still || !(e.View == view) || e.Passing)
   {
-    this->Sort(e, data, toMap, view);
-    stages->Counts.SortedMeshes++;
+    const bool moves = !still || !e.View.IsSamePlace(view);
+    e.Passing = moves && e.Frames == 1 && !stages->SortsWhileMoving();
+    e.Frames = 0;
+    e.View = view;
+    std::copy_n(toMap, 16, e.ToMap);
+    this->Sort(e, data);
+    stages->Counts.SortedMeshes += e.Passing ? 0 : 1;
   }
+  e.Frames++;
   this->Current = &e;
   stages->Counts.Add(e.Found);
   return e.All > 0 && e.Counts[Covered] != e.All;
 }
 
-void SortedDraw::Sort(Entry& e, vtkPolyData* data, const double toMap[16], const SortView& view)
+void SortedDraw::Sort(Entry& e, vtkPolyData* data)
 {
   this->Mesh.Update(data);
   e.Data = data;
   e.Time = data->GetMTime();
-  std::copy_n(toMap, 16, e.ToMap);
-  e.View = view;
   e.Found = FrameCounts();
   e.Found.Clusters = this->Mesh.GetNumberOfClusters();
   e.Found.Triangles = this->Mesh.GetNumberOfTriangles();
   e.All = static_cast<std::size_t>(e.Found.Triangles);
-  if (!this->Triangles.Sort(this->Mesh, data->GetPoints(), toMap, view))
+  SortView view = e.View;
+  if (e.Passing)
+  {
+    view.Bends = nullptr; // whole clusters alone
+    view.Plain = view.Calm = false;
+  }
+  if (!this->Triangles.Sort(this->Mesh, data->GetPoints(), e.ToMap, view))
   {
     e.All = 0;
     return;

@@ -43,7 +43,8 @@ public:
   // Whether there are so many cells that sorting them may be.
   static bool IsWorthIt(vtkPolyData* data, bool strips);
 
-  // Sorts the triangles of `data` for this actor and frame where anything has changed. False
+  // Sorts the triangles of `data` for this actor and frame where anything has changed; while the
+  // view or the data change from frame to frame whole clusters alone. False
   // where all of them are drawn as the stage says, as usual. rounding: by how much the vertex
   // buffer moves points at the most, in their own units.
   bool Prepare(vtkPolyData* data, vtkActor* actor, vtkWideFoVStage* stage, double rounding);
@@ -82,13 +83,14 @@ private:
   struct Entry;
 
   void Upload(Entry& entry);
-  void Sort(Entry& entry, vtkPolyData* data, const double toMap[16], const SortView& view);
+  void Sort(Entry& entry, vtkPolyData* data);
   void LoadNumbers(vtkOpenGLRenderWindow* window);
 
   const bool ForStrips;
   Clusters Mesh;
   Sorter Triangles;
   using Key = std::pair<vtkActor*, bool>; // and which eye, where each has its own
+  Entry* Find(const Key& key);
   std::map<Key, std::unique_ptr<Entry>> Entries;
   Entry* Current = nullptr;
   Lot Chosen = All;

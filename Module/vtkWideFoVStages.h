@@ -45,6 +45,10 @@ public:
   // Whether what is not seen is left out (true).
   void SetCulling(bool culling) { this->Culling = culling; }
 
+  // Whether triangles are sorted one by one while the view changes from frame to frame (false).
+  void SetSortWhileMoving(bool sort) { this->SortMoving = sort; }
+  bool SortsWhileMoving() const { return this->SortMoving; }
+
   // The stage for a prop: the cheapest that the technique allows it. Prepares its vertex
   // buffer, too. bounds: the prop's, which have just been asked for; nullptr where it has none.
   vtkWideFoVStage* Choose(vtkProp* prop, const double* bounds, wfv::PropFacts& facts);
@@ -116,6 +120,7 @@ private:
   wfv::vec2 Pixels{ 1 }; // of the whole picture
   wfv::SampleGrid Samples;
   bool Culling = true;
+  bool SortMoving = false;
   void SetEyes(vtkWideFoVCamera* camera, const wfv::StereoModel* stereo); // after SetPart
   double Reach = 0; // of the rays' beginnings from the middle between the eyes, scene units
 

@@ -57,17 +57,21 @@ double Longest2(const vec3 p[3])
 
 namespace wfv
 {
-bool SortView::operator==(const SortView& o) const
+bool SortView::IsSamePlace(const SortView& o) const
 {
   const WfvView& a = this->View;
   const WfvView& b = o.View;
   return this->Map == o.Map && a.halfFov == b.halfFov && a.scale == b.scale && a.tilt == b.tilt &&
     a.radii == b.radii && a.lens == b.lens && a.lens5 == b.lens5 && a.maxAngle == b.maxAngle &&
-    a.map == b.map && this->Part.Low == o.Part.Low && this->Part.High == o.Part.High &&
+    a.map == b.map && this->Own == o.Own && (!this->Own || a.stereo == b.stereo);
+}
+
+bool SortView::operator==(const SortView& o) const
+{
+  return this->IsSamePlace(o) && this->Part.Low == o.Part.Low && this->Part.High == o.Part.High &&
     this->Pixels == o.Pixels && this->Bends == o.Bends && this->Plain == o.Plain &&
     this->Calm == o.Calm && this->Culls == o.Culls && this->Rounding == o.Rounding &&
-    this->Samples == o.Samples && this->Reach == o.Reach && this->Tolerance == o.Tolerance &&
-    this->Own == o.Own && (!this->Own || a.stereo == b.stereo);
+    this->Samples == o.Samples && this->Reach == o.Reach && this->Tolerance == o.Tolerance;
 }
 
 // A triangle may come nearer than its corners, by an eighth of its angle squared.

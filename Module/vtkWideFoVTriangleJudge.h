@@ -33,6 +33,9 @@ struct SortView
   double Tolerance = 0.25;          // pixels
   const StereoModel* Own = nullptr; // of an eye whose rays begin in several places; else none
 
+  // True where nothing moved: another part of the picture at the most, or another tolerance.
+  bool IsSamePlace(const SortView& other) const;
+
   // Two are the same where they sort alike; the time that it took to make them apart.
   bool operator==(const SortView& other) const;
 };

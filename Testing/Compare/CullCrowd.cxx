@@ -25,6 +25,7 @@ LeftOut& LeftOut::operator+=(const LeftOut& other)
 CullCrowd::CullCrowd(unsigned int seed, int width, int height, int samples)
   : Engine(seed)
 {
+  this->Pass->SortWhileMovingOn(); // both pictures of a sight are to be drawn alike
   this->Window->SetOffScreenRendering(1);
   this->Window->SetMultiSamples(samples);
   this->Window->SetSize(width, height);

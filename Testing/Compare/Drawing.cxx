@@ -45,6 +45,7 @@ Drawing::Drawing()
   in.Actor->SetMapper(in.Mapper);
   in.Renderer->AddActor(in.Actor);
   in.Pass->SetTechniqueToPreClip();
+  in.Pass->SortWhileMovingOn(); // every picture is to show what sorting does
   in.Data->SetPropIndex(in.Actor, 0);
   in.Data->SetDelegatePass(in.Pass);
   in.Renderer->SetPass(in.Data);

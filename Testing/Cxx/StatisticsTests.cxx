@@ -79,6 +79,30 @@ TEST(Statistics, CountsPropsRunsAndTriangles)
   EXPECT_EQ(pass->GetNumberOfTriangles(), 3 * BallTriangles);
 }
 
+// One by one where a view may be drawn again, which is not so after one that was drawn but once.
+TEST(Statistics, ViewsThatPassAreNotSortedTriangleByTriangle)
+{
+  Half half;
+  vtkWideFoVPass* const pass = half.Test.Pass();
+  const auto sorted = [&](double degrees) {
+    half.Test.Camera->Yaw(degrees);
+    half.Test.Window->Render();
+    return pass->GetNumberOfSortedMeshes();
+  };
+  EXPECT_EQ(sorted(0), 2);
+  EXPECT_EQ(sorted(0), 0);
+  EXPECT_EQ(sorted(1), 2);
+  EXPECT_EQ(sorted(1), 0); // moving
+  EXPECT_EQ(sorted(1), 0);
+  EXPECT_GT(pass->GetNumberOfCulledClusters(), 4);
+  EXPECT_EQ(sorted(0), 2); // still
+  EXPECT_EQ(sorted(0), 0);
+  EXPECT_EQ(sorted(1), 2);
+  pass->SortWhileMovingOn();
+  EXPECT_EQ(sorted(1), 2);
+  EXPECT_EQ(sorted(1), 2);
+}
+
 TEST(Statistics, ThePictureTellsOfItsOwnFrame)
 {
   Half half;
