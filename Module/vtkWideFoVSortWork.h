@@ -176,7 +176,7 @@ private:
     {
       this->Doubt(corner, c, judge, verdict);
     }
-    const bool large = this->V.Calm &&
+    const bool large = this->V.Calm && this->V.Measures &&
       (!verdict.Calm || TriangleJudge::GetCalmArea(c, verdict.Reach) > TrianglePieces::LeastArea);
     return drawn | (verdict.Calm ? Calm : 0) | (large ? Cut : 0);
   }

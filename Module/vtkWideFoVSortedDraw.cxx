@@ -196,8 +196,7 @@ void SortedDraw::Sort(Entry& e, vtkPolyData* data)
   SortView view = e.View;
   if (e.Passing)
   {
-    view.Bends = nullptr; // whole clusters alone
-    view.Plain = view.Calm = false;
+    view.Plain = view.Measures = false; // neither chords nor pieces: what the table of bends says
   }
   if (!this->Triangles.Sort(this->Mesh, data->GetPoints(), e.ToMap, view))
   {

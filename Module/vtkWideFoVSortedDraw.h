@@ -44,7 +44,7 @@ public:
   static bool IsWorthIt(vtkPolyData* data, bool strips);
 
   // Sorts the triangles of `data` for this actor and frame where anything has changed; while the
-  // view or the data change from frame to frame whole clusters alone. False
+  // view or the data change from frame to frame in haste. False
   // where all of them are drawn as the stage says, as usual. rounding: by how much the vertex
   // buffer moves points at the most, in their own units.
   bool Prepare(vtkPolyData* data, vtkActor* actor, vtkWideFoVStage* stage, double rounding);

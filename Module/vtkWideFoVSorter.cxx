@@ -49,7 +49,7 @@ void Sorter::SortPoints(
     this->SettleDoubts(scene, clusters, lists);
   }
   this->Pieces.clear();
-  if (view.Calm)
+  if (view.Calm && view.Measures)
   {
     this->CutCovers(scene);
   }

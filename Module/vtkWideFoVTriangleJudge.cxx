@@ -222,7 +222,7 @@ TriangleJudge::Verdict TriangleJudge::Judge(const Corner* const c[3]) const
 void TriangleJudge::JudgeEdges(const Corner* const c[3], double angle2, double worst, double moved,
   Bulge off[3], Verdict& verdict) const
 {
-  if (worst > SortView::PlainError && this->Measure(c, angle2, off))
+  if (this->V.Measures && worst > SortView::PlainError && this->Measure(c, angle2, off))
   {
     worst = std::max({ off[0].GetMost(), off[1].GetMost(), off[2].GetMost() });
   }

@@ -26,6 +26,7 @@ struct SortView
   std::shared_ptr<const LocalBend> Bends; // none: all triangles are alike
   bool Plain = false;                     // some may be drawn by the vertex stage alone
   bool Calm = false;                      // those that are easy to cover are told apart
+  bool Measures = true;                   // edges of which the bends say too little
   bool Culls = true;                      // leaves out what is not seen
   double Rounding = 0;                    // by which the vertex buffer moves points, scene units
   SampleGrid Samples;
