@@ -97,8 +97,8 @@ public:
   /**
    * Sort the triangles of large meshes as well as can be in every frame, even while the view or the
    * data change from each to the next (default off). That takes longer than it saves, unless a view
-   * is drawn again: one that follows a view that was drawn once is sorted in haste, and well when it
-   * is drawn a second time. The pictures keep the same tolerance either way.
+   * is drawn again: one that follows a view that was drawn once is sorted in haste, and well when
+   * it is drawn a second time. The pictures keep the same tolerance either way.
    */
   vtkSetMacro(SortWhileMoving, vtkTypeBool);
   vtkGetMacro(SortWhileMoving, vtkTypeBool);
