@@ -35,7 +35,8 @@ TriangleJudge::Bulge TriangleJudge::MeasureEdge(const Corner& a, const Corner& b
     const vec3 place = this->V.Own ? this->See(a.Place * (1 - t) + b.Place * t).Direction
                                    : glm::normalize(a.Direction * (1 - t) + b.Direction * t);
     const vec2 at = this->V.Samples.At(this->V.Map->Project(place, this->V.View)) - a.At;
-    const double way = length > 0 ? glm::dot(along, at) / length : 0;
+    // of a chord without length all that is seen is beyond its ends
+    const double way = length > 0 ? glm::dot(along, at) / length : glm::length(at);
     const double left = length > 0 ? (along.x * at.y - along.y * at.x) / length : 0;
     off.Left = std::max(off.Left, left);
     off.Right = std::max(off.Right, -left);
