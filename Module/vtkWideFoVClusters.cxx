@@ -171,6 +171,7 @@ void Clusters::Update(vtkPolyData* data)
   this->Time = data->GetMTime();
   this->Corners.clear();
   this->Neighbours.clear();
+  this->Places.clear();
   this->Bounds.clear();
   if (data->GetPoints())
   {
@@ -226,12 +227,20 @@ void Clusters::Add(vtkPoints* points, const vtkIdType corners[3])
   }
 }
 
+const std::vector<unsigned int>& Clusters::GetPlaces()
+{
+  if (this->Places.empty() && !this->Corners.empty())
+  {
+    this->Places = FindPlaces(this->Data->GetPoints());
+  }
+  return this->Places;
+}
+
 const std::vector<unsigned int>& Clusters::GetNeighbours()
 {
   if (this->Neighbours.empty() && !this->Corners.empty())
   {
-    this->Places = FindPlaces(this->Data->GetPoints());
-    this->Neighbours = EdgeLinks(this->Corners, this->Places).Find();
+    this->Neighbours = EdgeLinks(this->Corners, this->GetPlaces()).Find();
   }
   return this->Neighbours;
 }

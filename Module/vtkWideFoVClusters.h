@@ -51,8 +51,8 @@ public:
   static constexpr unsigned int NoTriangle = ~0u;
   const std::vector<unsigned int>& GetNeighbours();
 
-  // For each point the first one at its place; after GetNeighbours.
-  const std::vector<unsigned int>& GetPlaces() const { return this->Places; }
+  // For each point the first one at its place; found when it is first asked for.
+  const std::vector<unsigned int>& GetPlaces();
 
 private:
   void Build(vtkPolyData* data);

@@ -210,6 +210,7 @@ void vtkWideFoVPass::RenderWide(const vtkRenderState* s, vtkWideFoVCamera* camer
   camera->BeginFrame(renderer, in.Props.GetSceneBounds(renderer, bounds) ? bounds : nullptr);
   in.Stages.SetCulling(this->Culling != 0);
   in.Stages.SetSortWhileMoving(this->SortWhileMoving != 0);
+  in.Stages.SetHurries(renderer->GetAllocatedRenderTime() <= LongestShare);
   this->FindRelaxation(renderer);
   const bool relaxed = this->Relaxation > 0;
   in.Stages.Begin(renderer, camera, relaxed ? static_cast<int>(PRECLIP) : this->Technique,

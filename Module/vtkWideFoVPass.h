@@ -95,10 +95,13 @@ public:
 
   ///@{
   /**
-   * Sort the triangles of large meshes as well as can be in every frame, even while the view or the
-   * data change from each to the next (default off). That takes longer than it saves, unless a view
-   * is drawn again: one that follows a view that was drawn once is sorted in haste, and well when
-   * it is drawn a second time. The pictures keep the same tolerance either way.
+   * Sort the triangles of large meshes one by one in every frame, even while the view or the data
+   * change from each to the next (default off). That takes longer than it saves in some ten frames,
+   * so a view is sorted in haste until it has been drawn as often. The picture is the same, and
+   * as exact, but for one thing: while the window asks for a frame a second or more by
+   * vtkRenderWindow::SetDesiredUpdateRate, as an interactor does that moves, triangles are
+   * drawn by their chords where these are within the tolerance of their edges, and beside an
+   * outline a pixel may show a face that is hidden there.
    */
   vtkSetMacro(SortWhileMoving, vtkTypeBool);
   vtkGetMacro(SortWhileMoving, vtkTypeBool);

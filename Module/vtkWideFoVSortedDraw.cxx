@@ -40,6 +40,10 @@ double LongestAxis(const double m[16])
   return std::sqrt(sum);
 }
 
+// Frames of one view that are drawn in haste: to sort triangles one by one takes as long as it
+// saves in some ten frames.
+constexpr int HastyFrames = 10;
+
 // Actors that may share a mapper and each keep what was sorted for them, once an eye.
 constexpr std::size_t MostEntries = 16;
 }
@@ -54,8 +58,8 @@ struct SortedDraw::Entry
   vtkMTimeType Time = 0;
   double ToMap[16] = { 0 };
   SortView View;
-  int Frames = 0;       // drawn since
-  bool Passing = false; // the view before was gone after one frame, and so may be this one
+  int Frames = 0;     // drawn since
+  bool Haste = false; // sorted so
   std::size_t All = 0;
   std::size_t Counts[NumberOfLots] = { 0 }; // one lot follows the other
   FrameCounts Found;
@@ -166,17 +170,17 @@ bool SortedDraw::Prepare(
   double toMap[16];
   stages->GetToMap(actor, toMap);
   view.Rounding = rounding * LongestAxis(toMap);
-  const bool still =
-    e.Data == data && e.Time == data->GetMTime() && std::equal(toMap, toMap + 16, e.ToMap);
-  if (!still || !(e.View == view) || e.Passing)
+  const bool still = e.Data == data && e.Time == data->GetMTime() &&
+    std::equal(toMap, toMap + 16, e.ToMap) && e.View == view;
+  e.Frames = still ? e.Frames : 0;
+  const bool haste = !stages->SortsWhileMoving() && e.Frames < HastyFrames;
+  if (!still || (e.Haste && !haste))
   {
-    const bool moves = !still || !e.View.IsSamePlace(view);
-    e.Passing = moves && e.Frames == 1 && !stages->SortsWhileMoving();
-    e.Frames = 0;
+    e.Haste = haste;
     e.View = view;
     std::copy_n(toMap, 16, e.ToMap);
     this->Sort(e, data);
-    stages->Counts.SortedMeshes += e.Passing ? 0 : 1;
+    stages->Counts.SortedMeshes += haste ? 0 : 1;
   }
   e.Frames++;
   this->Current = &e;
@@ -193,12 +197,12 @@ void SortedDraw::Sort(Entry& e, vtkPolyData* data)
   e.Found.Clusters = this->Mesh.GetNumberOfClusters();
   e.Found.Triangles = this->Mesh.GetNumberOfTriangles();
   e.All = static_cast<std::size_t>(e.Found.Triangles);
-  SortView view = e.View;
-  if (e.Passing)
-  {
-    view.Plain = view.Measures = false; // neither chords nor pieces: what the table of bends says
-  }
-  if (!this->Triangles.Sort(this->Mesh, data->GetPoints(), e.ToMap, view))
+  SortView still = e.View;
+  still.Moving = 0;
+  const bool sorted = e.Haste
+    ? this->Triangles.SortInHaste(this->Mesh, data->GetPoints(), e.ToMap, e.View)
+    : this->Triangles.Sort(this->Mesh, data->GetPoints(), e.ToMap, still);
+  if (!sorted)
   {
     e.All = 0;
     return;

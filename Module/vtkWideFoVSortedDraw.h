@@ -43,10 +43,10 @@ public:
   // Whether there are so many cells that sorting them may be.
   static bool IsWorthIt(vtkPolyData* data, bool strips);
 
-  // Sorts the triangles of `data` for this actor and frame where anything has changed; while the
-  // view or the data change from frame to frame in haste. False
-  // where all of them are drawn as the stage says, as usual. rounding: by how much the vertex
-  // buffer moves points at the most, in their own units.
+  // Sorts the triangles of `data` for this actor and frame where anything has changed: in haste,
+  // and well once a view has been drawn so often that it pays. False where all of them are drawn as
+  // the stage says, as usual. rounding: by how much the vertex buffer moves points at the most, in
+  // their own units.
   bool Prepare(vtkPolyData* data, vtkActor* actor, vtkWideFoVStage* stage, double rounding);
 
   // Which triangles the next programs draw: those to be covered, those of them that are easy,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVSorter.h"
 
+#include "vtkWideFoVHastyWork.h"
 #include "vtkWideFoVSortScene.h"
 #include "vtkWideFoVSortWork.h"
 
@@ -108,6 +109,85 @@ bool Sorter::Sort(
   {
     return false;
   }
+  this->Finish();
+  return true;
+}
+
+template <typename Real>
+void Sorter::SortPointsInHaste(
+  Clusters& clusters, const Real* points, const double toMap[16], const SortView& view)
+{
+  const Scene<Real> scene{ clusters, points, Affine(toMap), view };
+  HastyWork<Real> work(scene, this->Kinds.data(), view.Calm ? this->Reaches.data() : nullptr);
+  vtkSMPTools::For(0, clusters.GetNumberOfClusters(), Grain, work);
+  if (view.Moving > 0)
+  {
+    this->CoverBeside(clusters);
+  }
+  if (view.Calm)
+  {
+    this->CutCovers(scene);
+  }
+}
+
+// Plain triangles that share an edge with a covered one are drawn both ways: a sample between the
+// edge and its chord may else be in neither.
+void Sorter::CoverBeside(Clusters& clusters)
+{
+  const std::vector<unsigned int>& places = clusters.GetPlaces();
+  const std::vector<unsigned int>& corners = clusters.GetCorners();
+  std::vector<bool> covered(places.size());
+  for (std::size_t i = 0; i < this->Kinds.size(); i++)
+  {
+    for (std::size_t j = 3 * i; j < 3 * i + 3 && (this->Kinds[i] & Cover); j++)
+    {
+      covered[places[corners[j]]] = true;
+    }
+  }
+  for (std::size_t i = 0; i < this->Kinds.size(); i++)
+  {
+    const auto at = [&](int j) { return static_cast<int>(covered[places[corners[3 * i + j]]]); };
+    if ((this->Kinds[i] & Plain) && at(0) + at(1) + at(2) > 1)
+    {
+      this->Kinds[i] |= Cover;
+    }
+  }
+}
+
+bool Sorter::SortInHaste(
+  Clusters& clusters, vtkPoints* points, const double toMap[16], const SortView& view)
+{
+  if (!view.Bends || view.Own)
+  {
+    // by rays of their own edges are no great circles: neither chords nor pieces
+    SortView looks = view;
+    looks.Plain = looks.Measures = false;
+    return this->Sort(clusters, points, toMap, looks);
+  }
+  const auto n = static_cast<std::size_t>(clusters.GetNumberOfTriangles());
+  this->Kinds.resize(n);
+  this->Reaches.resize(view.Calm ? n : 0);
+  this->Pieces.clear();
+  if (auto* singles = vtkFloatArray::SafeDownCast(points->GetData()))
+  {
+    this->SortPointsInHaste(clusters, singles->GetPointer(0), toMap, view);
+  }
+  else if (auto* doubles = vtkDoubleArray::SafeDownCast(points->GetData()))
+  {
+    this->SortPointsInHaste(clusters, doubles->GetPointer(0), toMap, view);
+  }
+  else
+  {
+    return false;
+  }
+  this->Finish();
+  return true;
+}
+
+// What has been found, counted and in order.
+void Sorter::Finish()
+{
+  const std::size_t n = this->Kinds.size();
   this->Unseen = 0;
   for (std::size_t i = 0; i < n; i += Clusters::Size)
   {
@@ -116,7 +196,6 @@ bool Sorter::Sort(
   this->MakeOrder();
   this->LeftOut = std::count_if(this->Kinds.begin(), this->Kinds.end(),
     [](unsigned char kind) { return (kind & (Plain | Cover)) == 0; });
-  return true;
 }
 
 void Sorter::CoverTriangle(unsigned int triangle)

@@ -28,6 +28,11 @@ public:
   // coordinates to the map's own frame. Returns false where the kind of points is not known.
   bool Sort(Clusters& clusters, vtkPoints* points, const double toMap[16], const SortView& view);
 
+  // The same in haste, for a view that may be gone with the next frame: no triangle is looked into
+  // for samples, and plain ones are those whose chords are within view.Moving of their edges.
+  bool SortInHaste(
+    Clusters& clusters, vtkPoints* points, const double toMap[16], const SortView& view);
+
   // Numbers of triangles: those to be covered first, calm ones after the others, and among those
   // once a piece the ones that are covered in pieces; then the plain ones. A few are both.
   const std::vector<unsigned int>& GetOrder() const { return this->Order; }
@@ -50,6 +55,11 @@ private:
   template <typename Real>
   void SortPoints(
     Clusters& clusters, const Real* points, const double toMap[16], const SortView& view);
+  template <typename Real>
+  void SortPointsInHaste(
+    Clusters& clusters, const Real* points, const double toMap[16], const SortView& view);
+  void CoverBeside(Clusters& clusters);
+  void Finish();
   void CoverTriangle(unsigned int triangle);
   template <typename Take>
   void VisitPlain(const EdgeDoubts::Lists& doubts, const Take& take) const;

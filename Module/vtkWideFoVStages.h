@@ -49,6 +49,9 @@ public:
   void SetSortWhileMoving(bool sort) { this->SortMoving = sort; }
   bool SortsWhileMoving() const { return this->SortMoving; }
 
+  // Whether chords within the tolerance are drawn while triangles are sorted in haste (false).
+  void SetHurries(bool hurries) { this->Hurries = hurries; }
+
   // The stage for a prop: the cheapest that the technique allows it. Prepares its vertex
   // buffer, too. bounds: the prop's, which have just been asked for; nullptr where it has none.
   vtkWideFoVStage* Choose(vtkProp* prop, const double* bounds, wfv::PropFacts& facts);
@@ -121,6 +124,7 @@ private:
   wfv::SampleGrid Samples;
   bool Culling = true;
   bool SortMoving = false;
+  bool Hurries = false;
   void SetEyes(vtkWideFoVCamera* camera, const wfv::StereoModel* stereo); // after SetPart
   double Reach = 0; // of the rays' beginnings from the middle between the eyes, scene units
 

@@ -199,6 +199,7 @@ bool vtkWideFoVStages::GetSortView(
   view.Plain = opaque && view.Samples.AreKnown() && !own &&
     this->Technique == vtkWideFoVPass::AUTO && stage == this->PreClip;
   view.Tolerance = this->Tolerance;
+  view.Moving = view.Plain && this->Hurries ? this->Tolerance : 0;
   view.Calm = opaque && !this->DebugView && (stage == this->PreClip || stage == this->Exact);
   return true;
 }

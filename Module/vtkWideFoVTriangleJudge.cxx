@@ -11,15 +11,8 @@ namespace
 {
 using namespace wfv;
 
-// Relative to the distance: so near a discontinuity float32 may place a point beyond it.
-constexpr double Beside = 1e-5;
-
 // Of a direction, along the axis of a perspective: nearer to the plane of the eye it has no bound.
 constexpr double LeastAhead = 0.02;
-
-// Radians: beyond that places along a chord, and what is interpolated there, are not those of its
-// edge.
-constexpr double LongestPlain = 0.1;
 
 // Pixels by which a rasterizer snaps corners, and by which the place of a corner in float32 may
 // err in a picture so many pixels wide (Agreement of GpuMathTest.cxx).
@@ -71,14 +64,12 @@ bool SortView::operator==(const SortView& o) const
   return this->IsSamePlace(o) && this->Part.Low == o.Part.Low && this->Part.High == o.Part.High &&
     this->Pixels == o.Pixels && this->Bends == o.Bends && this->Plain == o.Plain &&
     this->Calm == o.Calm && this->Culls == o.Culls && this->Rounding == o.Rounding &&
-    this->Samples == o.Samples && this->Reach == o.Reach && this->Tolerance == o.Tolerance;
+    this->Samples == o.Samples && this->Reach == o.Reach && this->Tolerance == o.Tolerance &&
+    this->Moving == o.Moving;
 }
 
-// A triangle may come nearer than its corners, by an eighth of its angle squared.
 TriangleJudge::TriangleJudge(const SortView& view)
   : V(view)
-  , Near(view.View.radii.x * (1 + Square(LongestPlain)))
-  , Far(view.View.radii.y * (1 - 10 * Beside))
 {
   const vec2 half = 0.5 * view.Pixels;
   this->Scale = half * half / 64.0; // of (a^2 / 8)^2, pixels
@@ -115,6 +106,12 @@ bool TriangleJudge::MayTear(Family family, const vec3 d[3], double aside)
     }
   }
   return false;
+}
+
+bool TriangleJudge::IsBetweenSpheres(
+  const WfvView& view, double nearest, double farthest, double angle2)
+{
+  return nearest > view.radii.x * (1 + angle2) && farthest < view.radii.y * (1 - 10 * Beside);
 }
 
 bool TriangleJudge::IsInDomain(const SortView& view, const vec3 d[3])
@@ -231,11 +228,12 @@ void TriangleJudge::JudgeEdges(const Corner* const c[3], double angle2, double w
   verdict.Reach = verdict.Calm ? GetReach(c, off, sure) : 0;
   const double nearest = std::min({ c[0]->Distance, c[1]->Distance, c[2]->Distance });
   const double farthest = std::max({ c[0]->Distance, c[1]->Distance, c[2]->Distance });
-  if (!this->V.Plain || !(nearest > this->Near) || !(farthest < this->Far))
+  if (!this->V.Plain || !IsBetweenSpheres(this->V.View, nearest, farthest, Square(LongestPlain)))
   {
     return;
   }
-  verdict.Plain = worst <= SortView::PlainError && angle2 <= Square(LongestPlain) && !IsTurned(c);
+  verdict.Plain = worst <= std::max(SortView::PlainError, this->V.Moving) &&
+    angle2 <= Square(LongestPlain) && !IsTurned(c);
   verdict.Known = worst <= MostKnown && moved <= MostKnown;
   verdict.Sure = sure;
   for (int i = 0; i < 3; i++)

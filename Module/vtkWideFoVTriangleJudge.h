@@ -32,6 +32,7 @@ struct SortView
   SampleGrid Samples;
   double Reach = 0;                 // of two eyes from the origin
   double Tolerance = 0.25;          // pixels
+  double Moving = 0;                // pixels: how far chords may be from their edges in haste
   const StereoModel* Own = nullptr; // of an eye whose rays begin in several places; else none
 
   // True where nothing moved: another part of the picture at the most, or another tolerance.
@@ -57,6 +58,13 @@ public:
     vec2 At;         // pixels of the framebuffer
   };
   Corner See(const vec3& place) const;
+
+  // Radians: beyond that places along a chord, and what is interpolated there, are not those of its
+  // edge.
+  static constexpr double LongestPlain = 0.1;
+
+  // Relative to the distance: so near a discontinuity float32 may place a point beyond it.
+  static constexpr double Beside = 1e-5;
 
   // Pixels: how far a chord of a calm triangle may be from its edge.
   static constexpr double CalmError = 15;
@@ -109,6 +117,11 @@ public:
   // off their great circles, radians. Poles and antipodes are another matter.
   static bool MayTear(Family family, const vec3 d[3], double aside);
 
+  // True where all of a triangle, whose corners are so far away and whose edges have such an angle,
+  // squared, is between the clip spheres: it may come nearer than its corners, by an eighth of
+  // that.
+  static bool IsBetweenSpheres(const WfvView& view, double nearest, double farthest, double angle2);
+
   // True where no part of a triangle is beyond the rim of a round map, which may fold there.
   static bool IsInDomain(const SortView& view, const vec3 d[3]);
 
@@ -155,8 +168,6 @@ private:
   static bool IsTurned(const Corner* const c[3]);
 
   const SortView& V;
-  double Near;
-  double Far;
   vec2 Scale;
   double Pad;        // pixels, round what is drawn
   double Circle = 0; // radius of that on which rays begin, scene units

@@ -4,6 +4,7 @@
 #include "Bend.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace wfv
@@ -34,6 +35,56 @@ vec3 FromFace(int face, double s, double t)
   return glm::normalize(d);
 }
 
+// Of a direction, in a level.
+std::size_t CellAt(const vec3& d)
+{
+  const vec3 a = glm::abs(d);
+  const int axis = a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
+  const int face = d[axis] < 0 ? axis : axis + 3;
+  const double scale = 0.5 * Cells / a[axis];
+  const int i = std::min(Cells - 1, int(0.5 * Cells + d[(axis + 1) % 3] * scale));
+  const int j = std::min(Cells - 1, int(0.5 * Cells + d[(axis + 2) % 3] * scale));
+  return static_cast<std::size_t>((face * Cells + i) * Cells + j);
+}
+
+// Of each cell those round it, and itself.
+using Around = std::array<std::size_t, 9>;
+std::vector<Around> FindNeighbours()
+{
+  std::vector<Around> all(6 * Cells * Cells);
+  for (std::size_t cell = 0; cell < all.size(); cell++)
+  {
+    const int face = static_cast<int>(cell / (Cells * Cells));
+    const int i = static_cast<int>(cell / Cells % Cells);
+    const int j = static_cast<int>(cell % Cells);
+    for (int k = 0; k < 9; k++)
+    {
+      const double s = -1 + (2.0 * (i + k % 3) - 1) / Cells;
+      const double t = -1 + (2.0 * (j + k / 3) - 1) / Cells;
+      all[cell][k] = CellAt(FromFace(face, s, t));
+    }
+  }
+  return all;
+}
+
+// Each cell holds for those round it as well.
+std::vector<LocalBend::Cell> Spread(const std::vector<LocalBend::Cell>& table)
+{
+  static const std::vector<Around> neighbours = FindNeighbours();
+  std::vector<LocalBend::Cell> wider(table);
+  for (std::size_t cell = 0; cell < table.size(); cell++)
+  {
+    for (const std::size_t other : neighbours[cell])
+    {
+      for (int k = 0; k < 3; k++)
+      {
+        wider[cell][k] = std::max(wider[cell][k], table[other][k]);
+      }
+    }
+  }
+  return wider;
+}
+
 LocalBend::Cell NodeAt(const Projection& p, const WfvView& v, int face, int i, int j)
 {
   const vec3 d = FromFace(face, -1 + 2.0 * (i - 1) / Cells, -1 + 2.0 * (j - 1) / Cells);
@@ -50,8 +101,9 @@ LocalBend::Cell NodeAt(const Projection& p, const WfvView& v, int face, int i, i
 }
 
 LocalBend::LocalBend(const Projection& p, const WfvView& v)
-  : Table(6 * Cells * Cells, Cell{ { 0, 0, 0 } })
 {
+  std::vector<Cell>& table = this->Tables[0];
+  table.assign(6 * Cells * Cells, Cell{ { 0, 0, 0 } });
   for (int face = 0; face < 6; face++)
   {
     for (int i = 0; i < Nodes; i++)
@@ -64,7 +116,7 @@ LocalBend::LocalBend(const Projection& p, const WfvView& v)
         {
           for (int l = std::max(0, j - 3); l <= std::min(Cells - 1, j); l++)
           {
-            Cell& cell = this->Table[(face * Cells + k) * Cells + l];
+            Cell& cell = table[(face * Cells + k) * Cells + l];
             cell = { { std::max(cell[0], node[0]), std::max(cell[1], node[1]),
               std::max(cell[2], node[2]) } };
           }
@@ -72,16 +124,19 @@ LocalBend::LocalBend(const Projection& p, const WfvView& v)
       }
     }
   }
+  for (int level = 1; level < Levels; level++)
+  {
+    // so many cells farther, and one more: across the faces' borders they do not lie in rows
+    this->Tables[level] = this->Tables[level - 1];
+    for (int i = 0; i <= 1 << (level - 1); i++)
+    {
+      this->Tables[level] = Spread(this->Tables[level]);
+    }
+  }
 }
 
-const LocalBend::Cell& LocalBend::At(const vec3& d) const
+const LocalBend::Cell& LocalBend::At(const vec3& d, int level) const
 {
-  const vec3 a = glm::abs(d);
-  const int axis = a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
-  const int face = d[axis] < 0 ? axis : axis + 3;
-  const double scale = 0.5 * Cells / a[axis];
-  const int i = std::min(Cells - 1, int(0.5 * Cells + d[(axis + 1) % 3] * scale));
-  const int j = std::min(Cells - 1, int(0.5 * Cells + d[(axis + 2) % 3] * scale));
-  return this->Table[(face * Cells + i) * Cells + j];
+  return this->Tables[level][CellAt(d)];
 }
 }

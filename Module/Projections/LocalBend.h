@@ -15,22 +15,37 @@ namespace wfv
 // angle a (radians), which is at most a cell's (LongestEdge), is at most At(d) a^2 / 8 away from
 // its edge on either axis, NDC, with d any direction of the edge, as long as the edge crosses no
 // discontinuity. Infinite near the points that the family stretches without bound. A third number
-// bounds the stretch: how far a place moves, NDC, per radian that the direction turns.
+// bounds the stretch: how far a place moves, NDC, per radian that the direction turns. Of longer
+// edges coarser levels of the table say as much, each with a bound for all that is near its cells.
 class WFV_EXPORT LocalBend
 {
 public:
   static constexpr double LongestEdge = 0.03; // radians; cells measure from 0.031 (corners) on
+
+  static constexpr int Levels = 4; // each is for edges twice as long as the one before it
+
+  // The finest level that is for edges of this angle, squared; Levels where there is none.
+  static int LevelOf(double angle2)
+  {
+    int level = 0;
+    double longest2 = LongestEdge * LongestEdge;
+    for (; level < Levels && !(angle2 <= longest2); level++)
+    {
+      longest2 *= 4;
+    }
+    return level;
+  }
 
   LocalBend(const Projection& projection, const WfvView& view);
 
   // Bend along x and y, NDC per radian squared; stretch, NDC per radian.
   using Cell = std::array<float, 3>;
 
-  // direction: unit length, in the map's own frame (behind the tilt).
-  const Cell& At(const vec3& direction) const;
+  // direction: of any length, in the map's own frame (behind the tilt).
+  const Cell& At(const vec3& direction, int level = 0) const;
 
 private:
-  std::vector<Cell> Table;
+  std::vector<Cell> Tables[Levels];
 };
 }
 

@@ -104,6 +104,16 @@ void Drawing::SetCulling(bool culling)
   this->Internal->Pass->SetCulling(culling);
 }
 
+void Drawing::SetSortWhileMoving(bool sort)
+{
+  this->Internal->Pass->SetSortWhileMoving(sort);
+}
+
+void Drawing::SetUpdateRate(double rate)
+{
+  this->Internal->Window->SetDesiredUpdateRate(rate);
+}
+
 int Drawing::GetNumberOfCulledClusters() const
 {
   return this->Internal->Pass->GetNumberOfCulledClusters();

@@ -71,6 +71,14 @@ public:
   // Whether what is not seen is left out (yes).
   void SetCulling(bool culling);
 
+  // Whether the triangles of every picture are sorted one by one (yes), or in haste until a view
+  // has been drawn many times.
+  void SetSortWhileMoving(bool sort);
+
+  // Frames a second that the window asks for, as an interactor does that moves: in haste chords
+  // are drawn too.
+  void SetUpdateRate(double rate);
+
   // Of the last picture: runs of triangles that were left out, draws by the vertex stage alone.
   int GetNumberOfCulledClusters() const;
   int GetNumberOfPlainDraws() const;

@@ -128,6 +128,7 @@ TEST(IdleCamera, ATurnChoosesAndSortsButCompilesNothing)
 {
   WideFoVTestWindow test("equirectangular", 256, 128);
   AddScene(test);
+  test.Pass()->SortWhileMovingOn();
   test.Window->Render();
   test.Window->Render();
   const int programs = test.Pass()->GetNumberOfMadePrograms();

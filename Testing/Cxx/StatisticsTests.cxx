@@ -80,7 +80,7 @@ TEST(Statistics, CountsPropsRunsAndTriangles)
 }
 
 // One by one where a view may be drawn again, which is not so after one that was drawn but once.
-TEST(Statistics, ViewsThatPassAreNotSortedTriangleByTriangle)
+TEST(Statistics, ViewsAreSortedTriangleByTriangleWhenDrawnOften)
 {
   Half half;
   vtkWideFoVPass* const pass = half.Test.Pass();
@@ -89,15 +89,23 @@ TEST(Statistics, ViewsThatPassAreNotSortedTriangleByTriangle)
     half.Test.Window->Render();
     return pass->GetNumberOfSortedMeshes();
   };
-  EXPECT_EQ(sorted(0), 2);
+  const auto frames = [&] {
+    int count = 1;
+    for (; count < 100 && sorted(0) == 0; count++)
+    {
+    }
+    return count;
+  };
   EXPECT_EQ(sorted(0), 0);
-  EXPECT_EQ(sorted(1), 2);
+  EXPECT_GT(pass->GetNumberOfCulledClusters(), 4);
+  const int patience = frames();
+  EXPECT_GT(patience, 4);
+  EXPECT_LT(patience, 30);
+  EXPECT_EQ(sorted(0), 0); // known by now
   EXPECT_EQ(sorted(1), 0); // moving
   EXPECT_EQ(sorted(1), 0);
   EXPECT_GT(pass->GetNumberOfCulledClusters(), 4);
-  EXPECT_EQ(sorted(0), 2); // still
-  EXPECT_EQ(sorted(0), 0);
-  EXPECT_EQ(sorted(1), 2);
+  EXPECT_EQ(frames(), patience) << "from the last of those that moved on";
   pass->SortWhileMovingOn();
   EXPECT_EQ(sorted(1), 2);
   EXPECT_EQ(sorted(1), 2);

@@ -36,17 +36,18 @@ struct Worst
   int All = 0;
 };
 
-void Add(Worst& worst, const View& view, const LocalBend& bends, const vec3& a, const vec3& b)
+void Add(
+  Worst& worst, const View& view, const LocalBend& bends, int level, const vec3& a, const vec3& b)
 {
   const Projection& p = view.GetProjection();
   const WfvView& v = view.GetParameters();
-  const LocalBend::Cell& at = bends.At(a);
-  worst.All++;
+  const LocalBend::Cell& at = bends.At(a, level);
+  worst.All += level == 0;
   if (!std::isfinite(at[0]) || !std::isfinite(at[1]))
   {
     return;
   }
-  worst.Bounded++;
+  worst.Bounded += level == 0;
   const double angle = std::acos(std::min(1.0, glm::dot(a, b)));
   const vec2 moved = glm::abs(p.Project(b, v) - p.Project(a, v));
   worst.Stretch = std::max(worst.Stretch, std::max(moved.x, moved.y) / (angle * at[2]));
@@ -75,11 +76,12 @@ Worst Measure(const View& view, std::mt19937_64& engine)
     const vec3& a = ray.direction;
     const vec3 t = glm::normalize(other - a * glm::dot(other, a));
     const double share = 0.5 * (1 + Shortest) + 0.5 * (1 - Shortest) * unit(engine);
-    const double angle = LocalBend::LongestEdge * share;
+    const int level = i % LocalBend::Levels;
+    const double angle = LocalBend::LongestEdge * (1 << level) * share;
     const vec3 b = a * std::cos(angle) + t * std::sin(angle);
     if (ray.inside && !Torn(view.GetProjection(), a, b))
     {
-      Add(worst, view, bends, a, b);
+      Add(worst, view, bends, level, a, b);
     }
   }
   return worst;

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What threads do with the clusters of a mesh for a view that may be gone with the next frame: of
+// most triangles the table of bends says enough, and nothing of them is projected.
+#ifndef vtkWideFoVHastyWork_h
+#define vtkWideFoVHastyWork_h
+
+#include "vtkWideFoVSortScene.h"
+#include "vtkWideFoVSortWork.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wfv
+{
+namespace sorting
+{
+// Sorts clusters; a functor for threads.
+template <typename Real>
+class HastyWork
+{
+public:
+  HastyWork(const Scene<Real>& scene, unsigned char* kinds, unsigned int* reaches)
+    : In(scene)
+    , V(scene.V)
+    , HalfPixels(0.5 * scene.V.Pixels)
+    , Pad(TriangleJudge::GetPad(scene.V.Pixels))
+    , IsRound(scene.V.Map->Axis == Family::Azimuthal)
+    , Rim(std::cos(scene.V.View.maxAngle))
+    , Kinds(kinds)
+    , Reaches(reaches)
+  {
+  }
+
+  void operator()(vtkIdType from, vtkIdType to) const
+  {
+    const TriangleJudge judge(this->V);
+    LastSeen seen;
+    for (int c = static_cast<int>(from); c < to; c++)
+    {
+      const vtkIdType first = this->In.GetFirst(c);
+      const vtkIdType end = this->In.GetEnd(c);
+      if (this->V.Culls && this->In.IsUnseen(c))
+      {
+        std::fill(this->Kinds + first, this->Kinds + end, static_cast<unsigned char>(Unseen));
+        continue;
+      }
+      for (vtkIdType i = first; i < end; i++)
+      {
+        const int kind = this->TakeByTable(i);
+        this->Kinds[i] =
+          static_cast<unsigned char>(kind != Open ? kind : this->Look(i, judge, seen));
+      }
+    }
+  }
+
+private:
+  // Pixels: a triangle that the table moves out by more is looked at.
+  static constexpr double MostByTable = 0.5;
+
+  static constexpr int Open = -1; // the table says too little
+
+  // Seen from the eye no edge is longer than it would be at the nearest corner.
+  int TakeByTable(vtkIdType triangle) const
+  {
+    const vec3 p[3] = { this->In.PlaceOf(3 * triangle), this->In.PlaceOf(3 * triangle + 1),
+      this->In.PlaceOf(3 * triangle + 2) };
+    const double squares[3] = { glm::dot(p[0], p[0]), glm::dot(p[1], p[1]), glm::dot(p[2], p[2]) };
+    const double nearest = std::sqrt(std::min({ squares[0], squares[1], squares[2] }));
+    const double farthest = std::sqrt(std::max({ squares[0], squares[1], squares[2] }));
+    const double angle2 = Longest2(p) / (nearest * nearest);
+    const int level = LocalBend::LevelOf(angle2);
+    if (level >= LocalBend::Levels || !(angle2 > 0) ||
+      TriangleJudge::MayTear(this->V.Map->Axis, p, TriangleJudge::Beside * farthest) ||
+      this->MayFold(p, squares, angle2))
+    {
+      return Open;
+    }
+    const LocalBend::Cell& bend = this->V.Bends->At(p[0], level);
+    const double off =
+      angle2 * std::hypot(bend[0] * this->HalfPixels.x, bend[1] * this->HalfPixels.y) / 8;
+    const double stretch = bend[2] * std::max(this->HalfPixels.x, this->HalfPixels.y);
+    const double grow = off + this->Pad + this->V.Rounding / nearest * stretch;
+    const bool plain = off <= this->V.Moving &&
+      angle2 <= TriangleJudge::LongestPlain * TriangleJudge::LongestPlain &&
+      TriangleJudge::IsBetweenSpheres(this->V.View, nearest, farthest, angle2);
+    const bool calm =
+      this->Reaches && (plain || off <= MostByTable) && grow <= TriangleJudge::CalmError;
+    if (calm)
+    {
+      const auto reach = static_cast<unsigned int>(std::ceil(TriangleJudge::Reaches * grow));
+      this->Reaches[triangle] =
+        reach | reach << TriangleJudge::ReachBits | reach << (2 * TriangleJudge::ReachBits);
+    }
+    return plain && this->V.Moving > 0 ? Plain | (calm ? Calm : 0) : calm ? Cover | Calm : Open;
+  }
+
+  // A round map may fold at its rim.
+  bool MayFold(const vec3 p[3], const double squares[3], double angle2) const
+  {
+    bool inside = true;
+    for (int i = 0; i < 3 && this->IsRound; i++)
+    {
+      inside = inside && -p[i].z >= (this->Rim + std::sqrt(angle2)) * std::sqrt(squares[i]);
+    }
+    return !inside;
+  }
+
+  // Its edges are measured. Only what no calm stage could cover is worth to be cut.
+  int Look(vtkIdType triangle, const TriangleJudge& judge, LastSeen& seen) const
+  {
+    TriangleJudge::Corner corners[3];
+    const TriangleJudge::Corner* c[3];
+    for (int j = 0; j < 3; j++)
+    {
+      const unsigned int point = this->In.All.GetCorners()[3 * triangle + j];
+      corners[j] = seen.Get(point, [&] { return judge.See(this->In.PlaceOf(3 * triangle + j)); });
+      c[j] = &corners[j];
+    }
+    const TriangleJudge::Verdict verdict = judge.Judge(c);
+    if (verdict.Empty && this->V.Culls)
+    {
+      return Unseen;
+    }
+    if (this->Reaches)
+    {
+      this->Reaches[triangle] = verdict.Reach;
+    }
+    const int drawn = verdict.Plain && this->V.Moving > 0 ? Plain : Cover;
+    return drawn | (verdict.Calm ? Calm : this->Reaches ? Cut : 0);
+  }
+
+  static double Longest2(const vec3 p[3])
+  {
+    const vec3 a = p[1] - p[0];
+    const vec3 b = p[2] - p[1];
+    const vec3 c = p[0] - p[2];
+    return std::max({ glm::dot(a, a), glm::dot(b, b), glm::dot(c, c) });
+  }
+
+  const Scene<Real>& In;
+  const SortView& V;
+  const vec2 HalfPixels;
+  const double Pad;
+  const bool IsRound;
+  const double Rim; // cosine of the angle there
+  unsigned char* Kinds;
+  unsigned int* Reaches; // with Calm
+};
+}
+}
+
+#endif
