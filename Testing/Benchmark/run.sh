@@ -50,10 +50,12 @@ mkdir -p output "$page"
 bash Utilities/with-display.sh build/bin/widefov-bench ${quick[@]+"${quick[@]}"} \
   ${data[@]+"${data[@]}"} --output output/benchmark.json
 bash Utilities/with-display.sh build/bin/widefov-bench --table1 --output output/table1.json
+bash Utilities/with-display.sh build/bin/widefov-bench --quick --turn 1 \
+  --methods auto,exact,cubemap ${data[@]+"${data[@]}"} --output output/turning.json
 
 step=writing
-cp output/benchmark.json output/table1.json "$page/"
+cp output/benchmark.json output/table1.json output/turning.json "$page/"
 /usr/bin/python3 -B Testing/Benchmark/plot.py "$page/benchmark.json" "$page"
 /usr/bin/python3 -B Testing/Benchmark/tables.py "$page/README.md" "$page/benchmark.json" \
-  "$page/table1.json" ${trial[@]+"${trial[@]}"}
+  "$page/table1.json" "$page/turning.json" ${trial[@]+"${trial[@]}"}
 echo "Written: $page"
