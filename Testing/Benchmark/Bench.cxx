@@ -84,15 +84,9 @@ void Time(BenchStage& stage, std::vector<Record>& records, int frames)
   }
 }
 
-std::vector<Record> MeasureScene(const BenchScene& scene, const BenchOptions& o)
+void FitFloors(BenchStage& stage, ErrorMeasure& measure, std::vector<Record>& records)
 {
-  PlanRequest request{ o.Size, o.Quick, o.Methods };
-  const std::vector<Run> plan =
-    o.Table1 ? MakeTable1(request, scene.Camera) : MakePlan(request, scene.Camera);
-  BenchStage stage(scene, plan);
-  std::vector<Record> records = MakeRecords(stage);
-  ErrorMeasure measure(stage);
-  for (std::size_t i = 0; i < records.size() && !o.Table1; ++i)
+  for (std::size_t i = 0; i < records.size(); ++i)
   {
     BenchEntry& entry = stage.GetEntries()[i];
     if (entry.Run.Method == "floor")
@@ -100,11 +94,11 @@ std::vector<Record> MeasureScene(const BenchScene& scene, const BenchOptions& o)
       records[i].Covered = stage.FitFloor(entry, measure.CountHits(entry));
     }
   }
-  const double round = WarmUp(stage, records);
-  const double budget = 1000 * (o.Quick ? QuickBudget : FullBudget);
-  const int fitting = int(std::clamp(budget / round, double(LeastFrames), double(MostFrames)));
-  Time(stage, records, o.Frames > 0 ? o.Frames : fitting);
-  for (std::size_t i = 0; i < records.size() && !o.Table1; ++i)
+}
+
+void MeasureErrors(BenchStage& stage, ErrorMeasure& measure, std::vector<Record>& records)
+{
+  for (std::size_t i = 0; i < records.size(); ++i)
   {
     BenchEntry& entry = stage.GetEntries()[i];
     if (entry.Run.Options.Stereo != "mono")
@@ -119,6 +113,30 @@ std::vector<Record> MeasureScene(const BenchScene& scene, const BenchOptions& o)
     {
       records[i].Covered = measure.CountHits(entry);
     }
+  }
+}
+
+std::vector<Record> MeasureScene(const BenchScene& scene, const BenchOptions& o)
+{
+  PlanRequest request{ o.Size, o.Quick, o.Methods, o.Turn };
+  const std::vector<Run> plan =
+    o.Table1 ? MakeTable1(request, scene.Camera) : MakePlan(request, scene.Camera);
+  BenchStage stage(scene, plan);
+  std::vector<Record> records = MakeRecords(stage);
+  ErrorMeasure measure(stage);
+  // the ray caster's picture is of the view that stands
+  const bool compared = !o.Table1 && o.Turn == 0;
+  if (compared)
+  {
+    FitFloors(stage, measure, records);
+  }
+  const double round = WarmUp(stage, records);
+  const double budget = 1000 * (o.Quick ? QuickBudget : FullBudget);
+  const int fitting = int(std::clamp(budget / round, double(LeastFrames), double(MostFrames)));
+  Time(stage, records, o.Frames > 0 ? o.Frames : fitting);
+  if (compared)
+  {
+    MeasureErrors(stage, measure, records);
   }
   return records;
 }

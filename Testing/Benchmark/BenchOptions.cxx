@@ -6,6 +6,7 @@
 #include "OptionGroup.h"
 #include "Plan.h"
 
+#include <algorithm>
 #include <iostream>
 
 namespace wfv
@@ -26,9 +27,28 @@ void Declare(CLI::App& app, BenchOptions& o)
   group.Choices("--scenes", o.Scenes, BenchSceneNames(), "scenes");
   group.Choices("--methods", o.Methods, MethodNames(), "methods");
   group.Size("--size", o.Size, "pixels; with --quick or --table1 1024x512");
+  group.Number("--turn", "DEGREES", o.Turn, { -180, 180 },
+    "before each frame every camera turns about its up axis; no errors and no floor then; degrees");
   group.Integer("--frames", o.Frames, 1, 10000, "timed frames a run; 0: as many as fit the time");
   group.Name("--data", "FOLDER", o.Data, "where office.binary.vtk is");
   group.Flag("--version", o.Version, "print the version");
+}
+
+// What has no meaning while the cameras turn.
+void CheckTurn(const BenchOptions& o)
+{
+  if (o.Turn == 0)
+  {
+    return;
+  }
+  if (o.Table1)
+  {
+    widefov::FailUsage("--turn and --table1 exclude each other; give one");
+  }
+  if (std::find(o.Methods.begin(), o.Methods.end(), "floor") != o.Methods.end())
+  {
+    widefov::FailUsage("--turn: the floor does not turn; leave floor out of --methods");
+  }
 }
 }
 
@@ -56,6 +76,7 @@ std::optional<int> ParseBenchOptions(int argc, char** argv, BenchOptions& o)
   {
     widefov::FailUsage("--quick and --table1 exclude each other; give one");
   }
+  CheckTurn(o);
   if (app.count("--size") == 0)
   {
     o.Size = o.Quick || o.Table1 ? SmallSize : usual;

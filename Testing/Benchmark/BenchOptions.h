@@ -20,6 +20,7 @@ struct BenchOptions
   std::array<int, 2> Size{ { 2048, 1024 } };
   bool Quick = false;
   bool Table1 = false; // the table of the paper instead
+  double Turn = 0;     // degrees that cameras turn before each frame
   int Frames = 0;      // timed frames a run; 0: as many as fit the time, at least three
   std::string Data;    // folder of office.binary.vtk
   bool Version = false;

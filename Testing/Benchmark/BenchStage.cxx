@@ -165,6 +165,10 @@ void DrawEyes(BenchEntry& entry)
 
 double BenchStage::Draw(BenchEntry& entry)
 {
+  if (entry.Run.Turn != 0)
+  {
+    entry.Renderer->GetActiveCamera()->Yaw(entry.Run.Turn);
+  }
   entry.Renderer->DrawOn();
   entry.Window->MakeCurrent();
   const auto start = std::chrono::steady_clock::now();

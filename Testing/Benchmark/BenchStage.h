@@ -41,8 +41,9 @@ public:
   std::vector<BenchEntry>& GetEntries() { return this->Entries; }
   const BenchScene& GetScene() const { return this->Scene; }
 
-  // Draws one frame of this run, of both eyes where it has them, and waits until it is drawn.
-  // Milliseconds. Throws a Failure with ExitFailed where VTK reports an error.
+  // Turns the camera as the run says, then draws one frame, of both eyes where it has them, and
+  // waits until it is drawn. Milliseconds, without the turn. Throws a Failure with ExitFailed
+  // where VTK reports an error.
   double Draw(BenchEntry& entry);
 
   // Moves the floor's camera so near that as many pixels are covered as `pixels`, or as

@@ -63,7 +63,7 @@ public:
 
   Run Make(const std::string& method, std::optional<double> parameter = std::nullopt) const
   {
-    Run run{ method, parameter, this->Camera };
+    Run run{ method, parameter, this->Camera, this->Request.Turn };
     run.Options.TechniqueName = method;
     run.Options.Technique = TechniqueOf(method);
     if (method == "cubemap")
@@ -91,7 +91,9 @@ public:
     const std::vector<std::string>& m = this->Request.Methods;
     const bool asked = m.empty() ? !(this->Request.Quick && IsStereo(method))
                                  : std::find(m.begin(), m.end(), method) != m.end();
-    if (!asked)
+    // the floor covers as many pixels as a view that stands; outside the scene, it would turn away
+    const bool turnsAway = method == "floor" && this->Request.Turn != 0;
+    if (!asked || turnsAway)
     {
       return;
     }

@@ -18,6 +18,7 @@ struct PlanRequest
   std::array<int, 2> Size{ { 2048, 1024 } };
   bool Quick = false;
   std::vector<std::string> Methods; // empty: all
+  double Turn = 0;                  // degrees a frame; other than 0 there is no floor
 };
 
 std::vector<std::string> MethodNames();

@@ -70,6 +70,10 @@ Json ToJson(const Record& r)
     { "parameter", r.Run.Parameter ? Json(*r.Run.Parameter) : Json(nullptr) },
     { "ms", Times(r.Milliseconds) }, { "frames", r.Milliseconds.size() },
     { "covered", r.Covered ? Json(*r.Covered) : Json(nullptr) }, { "error", Figures(r.Error) } };
+  if (r.Run.Turn != 0)
+  {
+    json["turn"] = r.Run.Turn;
+  }
   if (!r.Note.empty())
   {
     json["note"] = r.Note;

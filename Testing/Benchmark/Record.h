@@ -26,6 +26,7 @@ struct Run
   std::string Method;              // auto, .., cubemap, perspective, floor
   std::optional<double> Parameter; // tolerance in pixels, or pixels a cube face
   widefov::Options Options;        // projection, size, technique, camera
+  double Turn = 0;                 // degrees that the camera turns before each frame
 };
 
 struct ErrorFigures

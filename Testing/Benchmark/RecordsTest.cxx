@@ -168,6 +168,47 @@ TEST(BenchSummary, RatiosSayWhich)
   EXPECT_FALSE(json.contains("time exact / floor, room"));
 }
 
+TEST(BenchTurn, PlansTurnEveryRunButHaveNoFloor)
+{
+  PlanRequest request;
+  request.Quick = true;
+  request.Turn = -1.5;
+  const std::vector<BenchRun> turning = MakePlan(request, widefov::Options());
+  EXPECT_EQ(turning.size() + 1, PlanOf(true).size());
+  for (const BenchRun& run : turning)
+  {
+    EXPECT_EQ(run.Turn, -1.5) << NameOf(run);
+    EXPECT_NE(run.Method, "floor");
+  }
+}
+
+TEST(BenchTurn, OnlyRecordsOfCamerasThatTurnSayIt)
+{
+  Record record;
+  record.Run = Find(PlanOf(true), "auto_0.25");
+  record.Milliseconds = { 10 };
+  EXPECT_FALSE(ToJson(record).contains("turn"));
+  record.Run.Turn = -1.5;
+  EXPECT_EQ(ToJson(record).at("turn"), -1.5);
+  EXPECT_TRUE(ToJson(record).at("error").is_null());
+}
+
+TEST(BenchTurn, RatiosSayIt)
+{
+  std::vector<Record> records;
+  for (const char* name : { "auto_0.25", "cubemap_326" })
+  {
+    Record record;
+    record.Scene = "room";
+    record.Run = Find(PlanOf(true), name);
+    record.Run.Turn = 1;
+    record.Milliseconds = { name[0] == 'a' ? 30. : 20. };
+    records.push_back(record);
+  }
+  EXPECT_DOUBLE_EQ(Summarize(records).at("time auto_0.25 / cubemap_326 while turning, room"), 1.5);
+  EXPECT_FALSE(Summarize(records).contains("time auto_0.25 / cubemap_326, room"));
+}
+
 TEST(BenchSummary, AnErrorThatIsNotReachedIsNull)
 {
   const std::vector<BenchRun> plan = PlanOf(false);

@@ -62,7 +62,8 @@ public:
     const std::optional<double> bottom = y ? MedianOf(*y) : std::nullopt;
     if (top && bottom)
     {
-      json["time " + a + " / " + b + ", " + x->Scene] = *top / *bottom;
+      const std::string moving = x->Run.Turn != 0 ? " while turning" : "";
+      json["time " + a + " / " + b + moving + ", " + x->Scene] = *top / *bottom;
     }
   }
 
@@ -104,7 +105,7 @@ std::string KeyOf(const Record& r)
 {
   const widefov::Options& o = r.Run.Options;
   return r.Scene + " " + std::to_string(o.Size[0]) + "x" + std::to_string(o.Size[1]) + " " +
-    std::to_string(o.Samples);
+    std::to_string(o.Samples) + " " + widefov::Text(r.Run.Turn);
 }
 
 void AddGroup(Json& json, const Group& group)

@@ -3,11 +3,13 @@
 # Every figure of Documentation/benchmarks/README.md from one command: builds, measures,
 # draws the plots and writes the tables.
 #
-#   bash Testing/Benchmark/run.sh [--quick] [--trial] [--data FOLDER]
+#   bash Testing/Benchmark/run.sh [--quick] [--trial] [--data FOLDER] [--scenes A,B,..] [--page FOLDER]
 #
-# --quick   every scene at 1024x512 with few parameters, under ten minutes on two cores
+# --quick   every scene at 1024x512 with few parameters, about eight minutes on two cores
 # --trial   says on the page that the machine was not quiet
 # --data    where office.binary.vtk is (../shared/data beside the checkout)
+# --scenes  these alone
+# --page    writes a copy of the page there instead
 set -euo pipefail
 exec < /dev/null
 
@@ -15,19 +17,35 @@ step="reading the command line"
 trap 'code=$?; [ "$code" -eq 0 ] || echo "Testing/Benchmark/run.sh: FAILED while $step (exit code $code)" >&2' EXIT
 
 quick=()
+few=()
 trial=()
 data=()
+scenes=()
+page=Documentation/benchmarks
 while [ "$#" -gt 0 ]; do
   case "$1" in
-    --quick) quick=(--quick) ;;
+    --quick)
+      quick=(--quick)
+      few=(--frames 5) # of table 1, whose 22 runs a scene would take three minutes
+      ;;
     --trial) trial=(--trial) ;;
     --data)
       [ "$#" -gt 1 ] || { echo "Testing/Benchmark/run.sh: --data needs a folder" >&2; exit 2; }
       data=(--data "$(realpath "$2")")
       shift
       ;;
+    --scenes)
+      [ "$#" -gt 1 ] || { echo "Testing/Benchmark/run.sh: --scenes needs names" >&2; exit 2; }
+      scenes=(--scenes "$2")
+      shift
+      ;;
+    --page)
+      [ "$#" -gt 1 ] || { echo "Testing/Benchmark/run.sh: --page needs a folder" >&2; exit 2; }
+      page=$(realpath "$2")
+      shift
+      ;;
     *)
-      echo "Testing/Benchmark/run.sh: --quick, --trial or --data FOLDER, not: $1" >&2
+      echo "Testing/Benchmark/run.sh: --quick, --trial, --data FOLDER, --scenes A,B,.. or --page FOLDER, not: $1" >&2
       exit 2
       ;;
   esac
@@ -35,7 +53,6 @@ while [ "$#" -gt 0 ]; do
 done
 
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
-page=Documentation/benchmarks
 
 step="installing packages"
 bash Utilities/install-packages.sh build examples test
@@ -47,13 +64,18 @@ cmake --build build --target widefov-bench
 
 step=measuring
 mkdir -p output "$page"
-bash Utilities/with-display.sh build/bin/widefov-bench ${quick[@]+"${quick[@]}"} \
-  ${data[@]+"${data[@]}"} --output output/benchmark.json
-bash Utilities/with-display.sh build/bin/widefov-bench --table1 --output output/table1.json
+measure() { # FILE.json OPTION...: the scenes that were asked for
+  bash Utilities/with-display.sh build/bin/widefov-bench --output "output/$1" "${@:2}" \
+    ${scenes[@]+"${scenes[@]}"} ${data[@]+"${data[@]}"}
+}
+measure benchmark.json ${quick[@]+"${quick[@]}"}
+measure table1.json --table1 ${few[@]+"${few[@]}"}
+measure turning.json --quick --turn 1 --methods auto,exact,cubemap
 
 step=writing
-cp output/benchmark.json output/table1.json "$page/"
+cp output/benchmark.json output/table1.json output/turning.json "$page/"
+[ -f "$page/README.md" ] || cp Documentation/benchmarks/README.md "$page/"
 /usr/bin/python3 -B Testing/Benchmark/plot.py "$page/benchmark.json" "$page"
 /usr/bin/python3 -B Testing/Benchmark/tables.py "$page/README.md" "$page/benchmark.json" \
-  "$page/table1.json" ${trial[@]+"${trial[@]}"}
+  "$page/table1.json" "$page/turning.json" ${trial[@]+"${trial[@]}"}
 echo "Written: $page"

@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Writes the tables of the benchmark page from what was measured.
 
-    tables.py PAGE.md BENCH.json TABLE1.json [--trial]
+    tables.py PAGE.md BENCH.json TABLE1.json TURNING.json [--trial]
 
 Replaces what stands between <!-- begin NAME --> and <!-- end NAME --> in the page: NAME is
-environment, ratios, runs, table1. --trial says on the page that the machine was not quiet.
+environment, ratios, turning, runs, table1. --trial says on the page that the machine was not quiet.
 """
 
 import json
@@ -100,6 +100,21 @@ def ratios_table(bench):
     return table(["scene", "ratio", "value"], rows)
 
 
+def turning_text(turning):
+    """What cameras that turn cost, by the cubemap of equal density."""
+    first = turning["records"][0]
+    ratio = re.compile(r"time (.*) / cubemap_(\d+) while turning, (.*)")
+    found = [(ratio.fullmatch(name), value) for name, value in turning["summary"].items()]
+    values = {m.group(3, 1): number(value) for m, value in found if m}
+    faces = " or ".join(sorted({m.group(2) for m, _ in found if m}, key=int))
+    scenes = dict.fromkeys(scene for scene, _ in values)
+    rows = [[s] + [values.get((s, name), "–") for name in ("auto_0.25", "exact")] for s in scenes]
+    size = "%dx%d" % tuple(first["size"])
+    text = "%s, turned by %g° before each frame ([turning.json](turning.json)):\n\n"
+    header = ["scene", "`auto` 0.25 / cubemap " + faces, "`exact` / cubemap " + faces]
+    return text % (size, first["turn"]) + table(header, rows)
+
+
 def paper_cells(record, frames):
     """What the paper has in this place, and what it is of its own perspective."""
     column = 0 if record["scene"] == "cornell" else 1
@@ -137,14 +152,15 @@ def replaced(page, name, text):
 
 def main():
     arguments = [a for a in sys.argv[1:] if a != "--trial"]
-    if len(arguments) != 3:
-        sys.exit("tables.py: give PAGE.md BENCH.json TABLE1.json [--trial]")
+    if len(arguments) != 4:
+        sys.exit("tables.py: give PAGE.md BENCH.json TABLE1.json TURNING.json [--trial]")
     with open(arguments[0], encoding="utf-8") as stream:
         page = stream.read()
-    bench, table1 = (json.load(open(path, encoding="utf-8")) for path in arguments[1:])
+    bench, table1, turning = (json.load(open(path, encoding="utf-8")) for path in arguments[1:])
     trial = TRIAL if "--trial" in sys.argv else ""
     page = replaced(page, "environment", trial + environment_table(bench))
     page = replaced(page, "ratios", ratios_table(bench))
+    page = replaced(page, "turning", turning_text(turning))
     page = replaced(page, "runs", runs_table(bench))
     page = replaced(page, "table1", table1_table(table1))
     with open(arguments[0], "w", encoding="utf-8") as stream:
