@@ -57,6 +57,9 @@ private:
   // Pixels: a triangle that the table moves out by more is looked at.
   static constexpr double MostByTable = 0.5;
 
+  // Pixels: one that is no larger may lie between the samples, and is looked at.
+  static constexpr double Small = 4;
+
   static constexpr int Open = -1; // the table says too little
 
   // Seen from the eye no edge is longer than it would be at the nearest corner.
@@ -83,8 +86,8 @@ private:
     const bool plain = off <= this->V.Moving &&
       angle2 <= TriangleJudge::LongestPlain * TriangleJudge::LongestPlain &&
       TriangleJudge::IsBetweenSpheres(this->V.View, nearest, farthest, angle2);
-    const bool calm =
-      this->Reaches && (plain || off <= MostByTable) && grow <= TriangleJudge::CalmError;
+    const bool calm = this->Reaches && grow <= TriangleJudge::CalmError &&
+      (plain || (off <= MostByTable && angle2 * stretch * stretch > Small * Small));
     if (calm)
     {
       const auto reach = static_cast<unsigned int>(std::ceil(TriangleJudge::Reaches * grow));
@@ -105,7 +108,7 @@ private:
     return !inside;
   }
 
-  // Its edges are measured. Only what no calm stage could cover is worth to be cut.
+  // Its edges are measured.
   int Look(vtkIdType triangle, const TriangleJudge& judge, LastSeen& seen) const
   {
     TriangleJudge::Corner corners[3];
@@ -126,7 +129,11 @@ private:
       this->Reaches[triangle] = verdict.Reach;
     }
     const int drawn = verdict.Plain && this->V.Moving > 0 ? Plain : Cover;
-    return drawn | (verdict.Calm ? Calm : this->Reaches ? Cut : 0);
+    const vec3 d[3] = { corners[0].Direction, corners[1].Direction, corners[2].Direction };
+    // shorter ones are small beside a pole, of which there may be many
+    const bool cut =
+      this->Reaches && Longest2(d) > TriangleJudge::LongestPlain * TriangleJudge::LongestPlain;
+    return drawn | (verdict.Calm ? Calm : cut ? Cut : 0);
   }
 
   static double Longest2(const vec3 p[3])
