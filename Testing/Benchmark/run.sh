@@ -3,9 +3,12 @@
 # Every figure of Documentation/benchmarks/README.md from one command: builds, measures,
 # draws the plots and writes the tables.
 #
-#   bash Testing/Benchmark/run.sh [--quick] [--trial] [--data FOLDER] [--scenes A,B,..] [--page FOLDER]
+#   bash Testing/Benchmark/run.sh [--quick] [--large] [--trial] [--data FOLDER] [--scenes A,B,..] \
+#     [--page FOLDER]
 #
 # --quick   every scene at 1024x512 with few parameters, about eight minutes on two cores
+# --large   beside cubemaps of up to 4096 pixels a face at 2048x1024 as well; without it what the
+#           page has of that stays
 # --trial   says on the page that the machine was not quiet
 # --data    where office.binary.vtk is (../shared/data beside the checkout)
 # --scenes  these alone
@@ -18,6 +21,7 @@ trap 'code=$?; [ "$code" -eq 0 ] || echo "Testing/Benchmark/run.sh: FAILED while
 
 quick=()
 few=()
+large=
 trial=()
 data=()
 scenes=()
@@ -28,6 +32,7 @@ while [ "$#" -gt 0 ]; do
       quick=(--quick)
       few=(--frames 5) # of table 1, whose 22 runs a scene would take three minutes
       ;;
+    --large) large=yes ;;
     --trial) trial=(--trial) ;;
     --data)
       [ "$#" -gt 1 ] || { echo "Testing/Benchmark/run.sh: --data needs a folder" >&2; exit 2; }
@@ -45,7 +50,7 @@ while [ "$#" -gt 0 ]; do
       shift
       ;;
     *)
-      echo "Testing/Benchmark/run.sh: --quick, --trial, --data FOLDER, --scenes A,B,.. or --page FOLDER, not: $1" >&2
+      echo "Testing/Benchmark/run.sh: --quick, --large, --trial, --data FOLDER, --scenes A,B,.. or --page FOLDER, not: $1" >&2
       exit 2
       ;;
   esac
@@ -71,11 +76,19 @@ measure() { # FILE.json OPTION...: the scenes that were asked for
 measure benchmark.json ${quick[@]+"${quick[@]}"}
 measure table1.json --table1 ${few[@]+"${few[@]}"}
 measure turning.json --quick --turn 1 --methods auto,exact,cubemap
+if [ -n "$large" ]; then
+  [ "${#scenes[@]}" -gt 0 ] || scenes=(--scenes cornell,room,atrium,office,flow-large)
+  measure large.json --size 2048x1024 --frames 3 --methods auto,cubemap
+  cp output/large.json "$page/"
+fi
 
 step=writing
 cp output/benchmark.json output/table1.json output/turning.json "$page/"
 [ -f "$page/README.md" ] || cp Documentation/benchmarks/README.md "$page/"
 /usr/bin/python3 -B Testing/Benchmark/plot.py "$page/benchmark.json" "$page"
+beside=()
+[ ! -f "$page/large.json" ] || beside=("$page/large.json")
 /usr/bin/python3 -B Testing/Benchmark/tables.py "$page/README.md" "$page/benchmark.json" \
-  "$page/table1.json" "$page/turning.json" ${trial[@]+"${trial[@]}"}
+  "$page/table1.json" "$page/turning.json" \
+  ${beside[@]+"${beside[@]}"} ${trial[@]+"${trial[@]}"}
 echo "Written: $page"

@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Writes the tables of the benchmark page from what was measured.
 
-    tables.py PAGE.md BENCH.json TABLE1.json TURNING.json [--trial]
+    tables.py PAGE.md BENCH.json TABLE1.json TURNING.json [LARGE.json] [--trial]
 
 Replaces what stands between <!-- begin NAME --> and <!-- end NAME --> in the page: NAME is
-environment, ratios, turning, runs, table1. --trial says on the page that the machine was not quiet.
+environment, ratios, turning, runs, table1, and large where that is given. --trial says on the page that the machine was not quiet.
 """
 
 import json
@@ -115,6 +115,31 @@ def turning_text(turning):
     return text % (size, first["turn"]) + table(header, rows)
 
 
+def large_text(large):
+    """`auto` beside cubemaps of any resolution: time, and what no reference pixel explains."""
+    records = large["records"]
+    usual = {
+        r["scene"]: r for r in records if r["method"] == "auto" and r["parameter"] == 0.25
+    }
+    rows = []
+    for r in records:
+        error = r["error"] or {}
+        ratio = usual[r["scene"]]["ms"]["median"] / r["ms"]["median"]
+        row = [r["scene"], method_of(r), number(r["ms"]["median"]), number(ratio)]
+        row += [number(error.get(k)) for k in ("unexplained", "max_px", "p99_px")]
+        rows.append(row)
+    reached = [
+        "%s by cubemap %g" % (r["scene"], r["parameter"])
+        for r in records
+        if r["method"] == "cubemap"
+        and r["error"]["unexplained"] <= usual[r["scene"]]["error"]["unexplained"]
+    ]
+    text = "%dx%d" % tuple(records[0]["size"]) + " ([large.json](large.json)). "
+    text += "The error of `auto` 0.25 is reached: " + (", ".join(reached) or "by no cubemap") + ".\n\n"
+    header = ["scene", "method", "ms", "`auto` 0.25 / this", "unexplained", "max, px", "p99, px"]
+    return text + table(header, rows)
+
+
 def paper_cells(record, frames):
     """What the paper has in this place, and what it is of its own perspective."""
     column = 0 if record["scene"] == "cornell" else 1
@@ -152,17 +177,20 @@ def replaced(page, name, text):
 
 def main():
     arguments = [a for a in sys.argv[1:] if a != "--trial"]
-    if len(arguments) != 4:
-        sys.exit("tables.py: give PAGE.md BENCH.json TABLE1.json TURNING.json [--trial]")
+    if len(arguments) not in (4, 5):
+        sys.exit("tables.py: give PAGE.md BENCH.json TABLE1.json TURNING.json [LARGE.json] [--trial]")
     with open(arguments[0], encoding="utf-8") as stream:
         page = stream.read()
-    bench, table1, turning = (json.load(open(path, encoding="utf-8")) for path in arguments[1:])
+    measured = [json.load(open(path, encoding="utf-8")) for path in arguments[1:]]
+    bench, table1, turning = measured[:3]
     trial = TRIAL if "--trial" in sys.argv else ""
     page = replaced(page, "environment", trial + environment_table(bench))
     page = replaced(page, "ratios", ratios_table(bench))
     page = replaced(page, "turning", turning_text(turning))
     page = replaced(page, "runs", runs_table(bench))
     page = replaced(page, "table1", table1_table(table1))
+    if len(measured) > 3:
+        page = replaced(page, "large", large_text(measured[3]))
     with open(arguments[0], "w", encoding="utf-8") as stream:
         stream.write(page)
 
