@@ -17,7 +17,7 @@ namespace scale
 {
 namespace
 {
-constexpr int WarmUps = 12; // views are sorted well from the eleventh on
+constexpr int WarmUps = 2;
 
 void AddAll(vtkRenderer* renderer, const Actors& actors)
 {
