@@ -24,8 +24,6 @@ public:
     , V(scene.V)
     , HalfPixels(0.5 * scene.V.Pixels)
     , Pad(TriangleJudge::GetPad(scene.V.Pixels))
-    , IsRound(scene.V.Map->Axis == Family::Azimuthal)
-    , Rim(std::cos(scene.V.View.maxAngle))
     , Kinds(kinds)
     , Reaches(reaches)
   {
@@ -67,18 +65,18 @@ private:
   {
     const vec3 p[3] = { this->In.PlaceOf(3 * triangle), this->In.PlaceOf(3 * triangle + 1),
       this->In.PlaceOf(3 * triangle + 2) };
-    const double squares[3] = { glm::dot(p[0], p[0]), glm::dot(p[1], p[1]), glm::dot(p[2], p[2]) };
-    const double nearest = std::sqrt(std::min({ squares[0], squares[1], squares[2] }));
-    const double farthest = std::sqrt(std::max({ squares[0], squares[1], squares[2] }));
-    const double angle2 = Longest2(p) / (nearest * nearest);
+    const double away[3] = { glm::length(p[0]), glm::length(p[1]), glm::length(p[2]) };
+    const double nearest = std::min({ away[0], away[1], away[2] });
+    const double farthest = std::max({ away[0], away[1], away[2] });
+    const vec3 d[3] = { p[0] / away[0], p[1] / away[1], p[2] / away[2] };
+    const double angle2 = TriangleJudge::Longest2(p) / (nearest * nearest);
     const int level = LocalBend::LevelOf(angle2);
     if (level >= LocalBend::Levels || !(angle2 > 0) ||
-      TriangleJudge::MayTear(this->V.Map->Axis, p, TriangleJudge::Beside * farthest) ||
-      this->MayFold(p, squares, angle2))
+      TriangleJudge::MayTear(this->V.Map->Axis, d, 0) || !TriangleJudge::IsInDomain(this->V, d))
     {
       return Open;
     }
-    const LocalBend::Cell& bend = this->V.Bends->At(p[0], level);
+    const LocalBend::Cell& bend = this->V.Bends->At(d[0], level);
     const double off =
       angle2 * std::hypot(bend[0] * this->HalfPixels.x, bend[1] * this->HalfPixels.y) / 8;
     const double stretch = bend[2] * std::max(this->HalfPixels.x, this->HalfPixels.y);
@@ -97,28 +95,12 @@ private:
     return plain && this->V.Moving > 0 ? Plain | (calm ? Calm : 0) : calm ? Cover | Calm : Open;
   }
 
-  // A round map may fold at its rim.
-  bool MayFold(const vec3 p[3], const double squares[3], double angle2) const
-  {
-    bool inside = true;
-    for (int i = 0; i < 3 && this->IsRound; i++)
-    {
-      inside = inside && -p[i].z >= (this->Rim + std::sqrt(angle2)) * std::sqrt(squares[i]);
-    }
-    return !inside;
-  }
-
   // Its edges are measured.
   int Look(vtkIdType triangle, const TriangleJudge& judge, LastSeen& seen) const
   {
     TriangleJudge::Corner corners[3];
-    const TriangleJudge::Corner* c[3];
-    for (int j = 0; j < 3; j++)
-    {
-      const unsigned int point = this->In.All.GetCorners()[3 * triangle + j];
-      corners[j] = seen.Get(point, [&] { return judge.See(this->In.PlaceOf(3 * triangle + j)); });
-      c[j] = &corners[j];
-    }
+    seen.Get(this->In, judge, 3 * triangle, corners);
+    const TriangleJudge::Corner* c[3] = { &corners[0], &corners[1], &corners[2] };
     const TriangleJudge::Verdict verdict = judge.Judge(c);
     if (verdict.Empty && this->V.Culls)
     {
@@ -131,25 +113,15 @@ private:
     const int drawn = verdict.Plain && this->V.Moving > 0 ? Plain : Cover;
     const vec3 d[3] = { corners[0].Direction, corners[1].Direction, corners[2].Direction };
     // shorter ones are small beside a pole, of which there may be many
-    const bool cut =
-      this->Reaches && Longest2(d) > TriangleJudge::LongestPlain * TriangleJudge::LongestPlain;
+    const bool cut = this->Reaches &&
+      TriangleJudge::Longest2(d) > TriangleJudge::LongestPlain * TriangleJudge::LongestPlain;
     return drawn | (verdict.Calm ? Calm : cut ? Cut : 0);
-  }
-
-  static double Longest2(const vec3 p[3])
-  {
-    const vec3 a = p[1] - p[0];
-    const vec3 b = p[2] - p[1];
-    const vec3 c = p[0] - p[2];
-    return std::max({ glm::dot(a, a), glm::dot(b, b), glm::dot(c, c) });
   }
 
   const Scene<Real>& In;
   const SortView& V;
   const vec2 HalfPixels;
   const double Pad;
-  const bool IsRound;
-  const double Rim; // cosine of the angle there
   unsigned char* Kinds;
   unsigned int* Reaches; // with Calm
 };

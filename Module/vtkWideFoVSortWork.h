@@ -41,16 +41,22 @@ enum Side : unsigned char
 class LastSeen
 {
 public:
-  template <typename Make>
-  const TriangleJudge::Corner& Get(unsigned int point, const Make& make)
+  // The corners of a triangle, from its first one on.
+  template <typename Real>
+  void Get(const Scene<Real>& scene, const TriangleJudge& judge, vtkIdType first,
+    TriangleJudge::Corner corners[3])
   {
-    Entry& e = this->Entries[point % Kept];
-    if (e.Point != point)
+    for (int j = 0; j < 3; j++)
     {
-      e.Seen = make();
-      e.Point = point;
+      const unsigned int point = scene.All.GetCorners()[first + j];
+      Entry& e = this->Entries[point % Kept];
+      if (e.Point != point)
+      {
+        e.Seen = judge.See(scene.PlaceOf(first + j));
+        e.Point = point;
+      }
+      corners[j] = e.Seen;
     }
-    return e.Seen;
   }
 
 private:
@@ -161,13 +167,8 @@ private:
     TriangleJudge::Verdict& verdict) const
   {
     TriangleJudge::Corner corners[3];
-    const TriangleJudge::Corner* c[3];
-    for (int j = 0; j < 3; j++)
-    {
-      const unsigned int point = this->All.GetCorners()[corner + j];
-      corners[j] = seen.Get(point, [&] { return judge.See(this->In.PlaceOf(corner + j)); });
-      c[j] = &corners[j];
-    }
+    seen.Get(this->In, judge, corner, corners);
+    const TriangleJudge::Corner* c[3] = { &corners[0], &corners[1], &corners[2] };
     verdict = judge.Judge(c);
     const bool plain = verdict.Plain && this->Sides[corner / 3] != BothSides;
     const int empty = this->V.Culls ? 0 : Cover | Aside;

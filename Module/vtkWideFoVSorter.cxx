@@ -49,7 +49,6 @@ void Sorter::SortPoints(
     }
     this->SettleDoubts(scene, clusters, lists);
   }
-  this->Pieces.clear();
   if (view.Calm && view.Measures)
   {
     this->CutCovers(scene);
@@ -91,19 +90,22 @@ void Sorter::CutCovers(const Scene<Real>& scene)
     [](const CoverPiece& a, const CoverPiece& b) { return a.Triangle < b.Triangle; });
 }
 
-bool Sorter::Sort(
-  Clusters& clusters, vtkPoints* points, const double toMap[16], const SortView& view)
+// sort: takes a pointer to the coordinates, of one kind or the other.
+template <typename SortAll>
+bool Sorter::SortWith(
+  const Clusters& clusters, vtkPoints* points, const SortView& view, const SortAll& sort)
 {
   const auto n = static_cast<std::size_t>(clusters.GetNumberOfTriangles());
   this->Kinds.resize(n);
   this->Reaches.resize(view.Calm ? n : 0);
+  this->Pieces.clear();
   if (auto* singles = vtkFloatArray::SafeDownCast(points->GetData()))
   {
-    this->SortPoints(clusters, singles->GetPointer(0), toMap, view);
+    sort(singles->GetPointer(0));
   }
   else if (auto* doubles = vtkDoubleArray::SafeDownCast(points->GetData()))
   {
-    this->SortPoints(clusters, doubles->GetPointer(0), toMap, view);
+    sort(doubles->GetPointer(0));
   }
   else
   {
@@ -111,6 +113,13 @@ bool Sorter::Sort(
   }
   this->Finish();
   return true;
+}
+
+bool Sorter::Sort(
+  Clusters& clusters, vtkPoints* points, const double toMap[16], const SortView& view)
+{
+  return this->SortWith(
+    clusters, points, view, [&](const auto* p) { this->SortPoints(clusters, p, toMap, view); });
 }
 
 template <typename Real>
@@ -164,24 +173,8 @@ bool Sorter::SortInHaste(
     looks.Plain = looks.Measures = false;
     return this->Sort(clusters, points, toMap, looks);
   }
-  const auto n = static_cast<std::size_t>(clusters.GetNumberOfTriangles());
-  this->Kinds.resize(n);
-  this->Reaches.resize(view.Calm ? n : 0);
-  this->Pieces.clear();
-  if (auto* singles = vtkFloatArray::SafeDownCast(points->GetData()))
-  {
-    this->SortPointsInHaste(clusters, singles->GetPointer(0), toMap, view);
-  }
-  else if (auto* doubles = vtkDoubleArray::SafeDownCast(points->GetData()))
-  {
-    this->SortPointsInHaste(clusters, doubles->GetPointer(0), toMap, view);
-  }
-  else
-  {
-    return false;
-  }
-  this->Finish();
-  return true;
+  return this->SortWith(clusters, points, view,
+    [&](const auto* p) { this->SortPointsInHaste(clusters, p, toMap, view); });
 }
 
 // What has been found, counted and in order.

@@ -52,6 +52,9 @@ public:
   vtkIdType GetNumberOfLeftOut() const { return this->LeftOut; }
 
 private:
+  template <typename SortAll>
+  bool SortWith(
+    const Clusters& clusters, vtkPoints* points, const SortView& view, const SortAll& sort);
   template <typename Real>
   void SortPoints(
     Clusters& clusters, const Real* points, const double toMap[16], const SortView& view);

@@ -11,6 +11,9 @@ namespace
 {
 using namespace wfv;
 
+// Relative to the distance: so near a discontinuity float32 may place a point beyond it.
+constexpr double Beside = 1e-5;
+
 // Of a direction, along the axis of a perspective: nearer to the plane of the eye it has no bound.
 constexpr double LeastAhead = 0.02;
 
@@ -37,14 +40,6 @@ constexpr double LargestAside = 1e-3;
 double Square(double x)
 {
   return x * x;
-}
-
-double Longest2(const vec3 p[3])
-{
-  const vec3 a = p[1] - p[0];
-  const vec3 b = p[2] - p[1];
-  const vec3 c = p[0] - p[2];
-  return std::max({ glm::dot(a, a), glm::dot(b, b), glm::dot(c, c) });
 }
 }
 
@@ -106,6 +101,14 @@ bool TriangleJudge::MayTear(Family family, const vec3 d[3], double aside)
     }
   }
   return false;
+}
+
+double TriangleJudge::Longest2(const vec3 p[3])
+{
+  const vec3 a = p[1] - p[0];
+  const vec3 b = p[2] - p[1];
+  const vec3 c = p[0] - p[2];
+  return std::max({ glm::dot(a, a), glm::dot(b, b), glm::dot(c, c) });
 }
 
 bool TriangleJudge::IsBetweenSpheres(

@@ -63,9 +63,6 @@ public:
   // edge.
   static constexpr double LongestPlain = 0.1;
 
-  // Relative to the distance: so near a discontinuity float32 may place a point beyond it.
-  static constexpr double Beside = 1e-5;
-
   // Pixels: how far a chord of a calm triangle may be from its edge.
   static constexpr double CalmError = 15;
 
@@ -131,6 +128,9 @@ public:
   // Pixels by which the vertex buffer may move a corner, where the map stretches so much (pixels a
   // radian).
   double GetMoved(double nearest, double stretch) const;
+
+  // The longest edge of a triangle, squared.
+  static double Longest2(const vec3 p[3]);
 
   // -1, 1: which side is seen. 0: nearly edge-on.
   static int GetSide(const vec3& a, const vec3& b, const vec3& c);

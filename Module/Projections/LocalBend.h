@@ -41,7 +41,7 @@ public:
   // Bend along x and y, NDC per radian squared; stretch, NDC per radian.
   using Cell = std::array<float, 3>;
 
-  // direction: of any length, in the map's own frame (behind the tilt).
+  // direction: unit length, in the map's own frame (behind the tilt).
   const Cell& At(const vec3& direction, int level = 0) const;
 
 private:

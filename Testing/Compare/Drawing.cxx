@@ -250,6 +250,32 @@ bool IsClear(const View& view, int i, int j, int w, int h, double slack, bool& i
   return true;
 }
 
+HoleCount CountHoles(const reference::DrawnPicture& picture, const View& view)
+{
+  HoleCount count;
+  for (int j = 0; j < picture.Height; ++j)
+  {
+    for (int i = 0; i < picture.Width; ++i)
+    {
+      const vec2 ndc = reference::PixelToNdc(i + 0.5, j + 0.5, picture.Width, picture.Height);
+      const bool inside = view.Ray(ndc).Inside;
+      const bool drawn = picture.Cell[std::size_t(j) * picture.Width + i] > 0;
+      if (inside != drawn)
+      {
+        count.Holes += inside;
+        count.Outside += drawn;
+        reference::WorstPixel p;
+        p.I = i;
+        p.J = j;
+        const bool room = count.Holes + count.Outside <= 8;
+        const std::string text = DescribePixel(view, picture.Width, picture.Height, p);
+        count.First += room ? "    " + text + "\n" : "";
+      }
+    }
+  }
+  return count;
+}
+
 std::string Row(const Shot& s, const std::string& scene, const reference::Metrics& m)
 {
   char text[300];

@@ -117,6 +117,15 @@ std::string DescribePixel(const View& view, int width, int height, const referen
 // map, or none is; which of the two is told.
 bool IsClear(const View& view, int i, int j, int width, int height, double slack, bool& inside);
 
+// Pixels of the domain with nothing drawn, pixels outside with something drawn.
+struct HoleCount
+{
+  long Holes = 0;
+  long Outside = 0;
+  std::string First; // places, a line each
+};
+HoleCount CountHoles(const reference::DrawnPicture& picture, const View& view);
+
 // One line of the table of results.
 std::string Row(const Shot& shot, const std::string& scene, const reference::Metrics& m);
 

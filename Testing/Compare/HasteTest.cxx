@@ -36,20 +36,6 @@ Shot MakeShotFrom(const std::string& projection, const vec3& eye)
   return shot;
 }
 
-long CountHoles(const reference::DrawnPicture& picture, const View& view)
-{
-  long holes = 0;
-  for (int j = 0; j < picture.Height; ++j)
-  {
-    for (int i = 0; i < picture.Width; ++i)
-    {
-      const vec2 ndc = reference::PixelToNdc(i + 0.5, j + 0.5, picture.Width, picture.Height);
-      holes += view.Ray(ndc).Inside && picture.Cell[std::size_t(j) * picture.Width + i] == 0;
-    }
-  }
-  return holes;
-}
-
 class Haste : public DrawingTest
 {
 protected:
@@ -93,7 +79,8 @@ TEST_P(Haste, ChordsLeaveNoHole)
   {
     const Shot shot = MakeShotFrom(this->GetParam(), eye);
     const reference::DrawnPicture drawn = Picture->Draw(shot);
-    EXPECT_EQ(CountHoles(drawn, Picture->GetView()), 0) << Describe(shot);
+    const HoleCount count = CountHoles(drawn, Picture->GetView());
+    EXPECT_EQ(count.Holes + count.Outside, 0) << Describe(shot) << "\n" << count.First;
     const reference::RayCaster caster(Picture->GetMesh(), Picture->GetView(), Picture->GetPose());
     const reference::Metrics m = reference::Compare(drawn, caster, WithChords);
     EXPECT_LE(m.MaxPx, WithChords) << Details(shot, Picture->GetView(), m);

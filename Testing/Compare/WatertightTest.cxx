@@ -17,45 +17,11 @@ using namespace wfv::test;
 
 namespace
 {
-// Pixels of the domain with nothing drawn, pixels outside with something drawn.
-struct Count
-{
-  long Holes = 0;
-  long Outside = 0;
-  std::string First;
-};
-
-Count CountHoles(const reference::DrawnPicture& picture, const View& view)
-{
-  Count count;
-  for (int j = 0; j < picture.Height; ++j)
-  {
-    for (int i = 0; i < picture.Width; ++i)
-    {
-      const vec2 ndc = reference::PixelToNdc(i + 0.5, j + 0.5, picture.Width, picture.Height);
-      const bool inside = view.Ray(ndc).Inside;
-      const bool drawn = picture.Cell[std::size_t(j) * picture.Width + i] > 0;
-      if (inside != drawn)
-      {
-        count.Holes += inside;
-        count.Outside += drawn;
-        reference::WorstPixel p;
-        p.I = i;
-        p.J = j;
-        const bool room = count.Holes + count.Outside <= 8;
-        const std::string text = DescribePixel(view, picture.Width, picture.Height, p);
-        count.First += room ? "    " + text + "\n" : "";
-      }
-    }
-  }
-  return count;
-}
-
 void Check(Drawing& drawing, const Shot& shot, const std::string& scene)
 {
   const reference::DrawnPicture picture = drawing.Draw(shot);
   ASSERT_EQ(picture.Width, shot.Width) << "nothing was drawn: " << Describe(shot);
-  const Count count = CountHoles(picture, drawing.GetView());
+  const HoleCount count = CountHoles(picture, drawing.GetView());
   std::cout << shot.Projection << " " << shot.Options.HorizontalFov << " " << scene << ": holes "
             << count.Holes << ", outside " << count.Outside << std::endl;
   EXPECT_EQ(count.Holes, 0) << scene << "\n  " << Describe(shot) << "\n" << count.First;
