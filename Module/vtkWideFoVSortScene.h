@@ -59,12 +59,13 @@ struct Scene
   bool IsInside(unsigned int sample, unsigned int edge) const
   {
     const unsigned int first = edge - edge % 3;
-    const vec3 normal =
-      glm::cross(this->PlaceOf(edge), this->PlaceOf(first + (edge - first + 1) % 3));
     const vec2 ndc = this->V.Samples.NdcAt(this->V.Samples.SampleAt(sample));
     const vec3 ray = this->V.Map->Unproject(ndc, this->V.View).direction;
-    return glm::dot(normal, ray) * glm::dot(normal, this->PlaceOf(first + (edge - first + 2) % 3)) >
-      0;
+    const vec3 start = this->V.Own ? this->V.Own->EyeAt(ray, this->V.View) : vec3(0);
+    const vec3 normal = glm::cross(
+      this->PlaceOf(edge) - start, this->PlaceOf(first + (edge - first + 1) % 3) - start);
+    const vec3 third = this->PlaceOf(first + (edge - first + 2) % 3) - start;
+    return glm::dot(normal, ray) * glm::dot(normal, third) > 0;
   }
 
   bool IsUnseen(int cluster) const

@@ -90,19 +90,20 @@ struct FindSides
 
   void operator()(vtkIdType from, vtkIdType to) const
   {
+    const TriangleJudge judge(this->In.V);
     for (int c = static_cast<int>(from); c < to; c++)
     {
       const bool unseen = this->In.IsUnseen(c);
       for (vtkIdType i = this->In.GetFirst(c); i < this->In.GetEnd(c); i++)
       {
-        this->Sides[i] = unseen ? 0 : this->SidesOf(3 * i);
+        this->Sides[i] = unseen ? 0 : this->SidesOf(judge, 3 * i);
       }
     }
   }
 
-  unsigned char SidesOf(vtkIdType corner) const
+  unsigned char SidesOf(const TriangleJudge& judge, vtkIdType corner) const
   {
-    const int side = TriangleJudge::GetSide(
+    const int side = judge.GetSide(
       this->In.PlaceOf(corner), this->In.PlaceOf(corner + 1), this->In.PlaceOf(corner + 2));
     return side == 0 ? BothSides : side < 0 ? Front : Back;
   }

@@ -189,9 +189,11 @@ void vtkWideFoVStage::FinishTriangles(vtkWideFoVShaderBuilder::Request& request)
   }
   request.ByRays = this->ByRays || this->Calm;
   request.Calm = this->Calm;
-  if ((!straight || (this->Stereo && this->Stereo->OwnRays)) && !this->Clipless)
+  if ((!straight || (this->Stereo && this->Stereo->OwnRays)) && !this->Clipless &&
+    !this->SurfaceDepth)
   {
-    // their edges are no great circles, which is what chords are chosen by
+    // their edges are no great circles, which is what chords are chosen by; those of triangles
+    // among covered ones have been measured
     request.Stage = vtkWideFoVShaderBuilder::Variant::Exact;
   }
 }

@@ -195,9 +195,8 @@ bool vtkWideFoVStages::GetSortView(
   view.Bends = looks && this->Projection->Axis != wfv::Family::Sampled ? this->GetBends() : nullptr;
   // what shines through is mixed in its own order, and would be twice where it is drawn both ways
   const bool opaque = view.Bends && !actor->HasTranslucentPolygonalGeometry();
-  // (what is in doubt beside chords is known of rays from one place alone)
-  view.Plain = opaque && view.Samples.AreKnown() && !own &&
-    this->Technique == vtkWideFoVPass::AUTO && stage == this->PreClip;
+  view.Plain = opaque && view.Samples.AreKnown() && this->Technique == vtkWideFoVPass::AUTO &&
+    (stage == this->PreClip || (own && this->AllowsChords()));
   view.Tolerance = this->Tolerance;
   view.Moving = view.Plain && this->Hurries ? this->Tolerance : 0;
   view.Calm = opaque && !this->DebugView && (stage == this->PreClip || stage == this->Exact);

@@ -172,11 +172,12 @@ double TriangleJudge::GetAside(const Corner* const c[3]) const
                                : std::numeric_limits<double>::infinity();
 }
 
-int TriangleJudge::GetSide(const vec3& p, const vec3& q, const vec3& r)
+int TriangleJudge::GetSide(const vec3& p, const vec3& q, const vec3& r) const
 {
   const vec3 n = glm::cross(q - p, r - p);
   const double s = glm::dot(n, p);
-  const bool clear = s * s > EdgeOn * EdgeOn * glm::dot(n, n) * glm::dot(p, p);
+  const double least = EdgeOn * glm::length(p) + this->Circle;
+  const bool clear = s * s > least * least * glm::dot(n, n);
   return !clear ? 0 : s < 0 ? -1 : 1;
 }
 
@@ -274,7 +275,7 @@ bool TriangleJudge::IsEmpty(const Corner* const c[3], double reach) const
 }
 
 // Seen from the other side by its chords than by its edges.
-bool TriangleJudge::IsTurned(const Corner* const c[3])
+bool TriangleJudge::IsTurned(const Corner* const c[3]) const
 {
   const vec2 a = c[1]->At - c[0]->At;
   const vec2 b = c[2]->At - c[0]->At;

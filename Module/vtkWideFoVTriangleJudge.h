@@ -132,8 +132,8 @@ public:
   // The longest edge of a triangle, squared.
   static double Longest2(const vec3 p[3]);
 
-  // -1, 1: which side is seen. 0: nearly edge-on.
-  static int GetSide(const vec3& a, const vec3& b, const vec3& c);
+  // -1, 1: which side is seen, from all places where rays begin. 0: nearly edge-on.
+  int GetSide(const vec3& a, const vec3& b, const vec3& c) const;
 
 private:
   // Of a triangle seen by rays of its own, radians: how far its edges may be off the great circles
@@ -165,7 +165,7 @@ private:
   Bulge MeasureEdge(const Corner& a, const Corner& b, double most) const;
   unsigned int GetReach(const Corner* const c[3], const Bulge off[3], double sure) const;
   bool MayTearBetween(const Corner& a, const Corner& b) const;
-  static bool IsTurned(const Corner* const c[3]);
+  bool IsTurned(const Corner* const c[3]) const;
 
   const SortView& V;
   vec2 Scale;
@@ -189,12 +189,16 @@ void TriangleJudge::ForEachPiece(const Corner& from, const Corner& to, const Vis
     visit(from.At, to.At, off + sure, sure);
     return;
   }
-  if (!(angle2 > ShortestPiece * ShortestPiece) || !(angle2 < 4 - 1e-6))
+  // (seen by rays of its own, what is beside their circle may jump however short it is)
+  const vec3 ends[2] = { glm::normalize(from.Place), glm::normalize(to.Place) };
+  const double left2 = glm::dot(ends[1] - ends[0], ends[1] - ends[0]);
+  if (!(left2 > ShortestPiece * ShortestPiece) || !(left2 < 4 - 1e-6))
   {
     return;
   }
-  Corner middle = this->See(from.Direction + to.Direction);
-  middle.Distance = std::min(from.Distance, to.Distance);
+  const double parts[2] = { glm::length(to.Place), glm::length(from.Place) };
+  const Corner middle = // halves the angle
+    this->See((from.Place * parts[0] + to.Place * parts[1]) / (parts[0] + parts[1]));
   this->ForEachPiece(from, middle, visit);
   this->ForEachPiece(middle, to, visit);
 }

@@ -27,8 +27,10 @@ float wfvPyramid(vec3 q, int k)
 {
   float sideways = k < 2 ? q.x : q.y;
 #if WFV_OWN_RAYS
-  // beyond 45 degrees by what the circle adds
-  float ahead = wfvGrow < WFV_FACE_GROW ? (1.0 + tan(wfvGrow)) / (1.0 - tan(wfvGrow)) : 1e9;
+  // beyond 45 degrees by what the circle adds, which at a corner of the cube is more about the axis
+  float s = WFV_FACE_STEEP * sin(min(wfvGrow, WFV_FACE_GROW));
+  float t = s / sqrt((1.0 - s) * (1.0 + s));
+  float ahead = wfvGrow < WFV_FACE_GROW ? (1.0 + t) / (1.0 - t) : 1e9;
 #else
   const float ahead = 1.0;
 #endif

@@ -4,6 +4,7 @@
 #include "DrawingTest.h"
 #include "Meshes.h"
 #include "Poses.h"
+#include "Stereo.h"
 #include "vtkWideFoVPass.h"
 
 #include <vtkPolyData.h>
@@ -153,6 +154,34 @@ TEST_P(Watertight, Sorted)
     }
   }
   EXPECT_TRUE(both > 0 || p.Axis == Family::Planar) << "no picture had both kinds";
+  Picture->SetTechnique(vtkWideFoVPass::PRECLIP);
+}
+
+// The same for an eye whose rays begin on a circle, small and large beside the room.
+TEST_P(Watertight, SortedForAnEye)
+{
+  const Projection& p = *FindProjection(this->GetParam());
+  if (p.Axis == Family::Planar)
+  {
+    GTEST_SKIP() << "omnidirectional is for wide projections";
+  }
+  Picture->SetTechnique(vtkWideFoVPass::AUTO);
+  Shot shot = MakeShot(p.Name, p.MaxHorizontalFov, PlainPoses().back());
+  shot.Options.Stereo.Model = FindStereoModel("omnidirectional");
+  shot.Options.Stereo.Eye = Eye::Left;
+  int both = 0;
+  for (const double distance : { 0.01, 0.3 })
+  {
+    shot.Options.Stereo.InterpupillaryDistance = distance;
+    for (const int n : { 40, 64 })
+    {
+      Picture->SetMesh(MakeRoom(n));
+      Check(*Picture, shot,
+        "room of " + std::to_string(n) + ", eyes apart " + std::to_string(distance));
+      both += Picture->GetNumberOfPlainDraws() > 0 && Picture->GetNumberOfPreClipDraws() > 0;
+    }
+  }
+  EXPECT_GT(both, 0) << "no picture had both kinds";
   Picture->SetTechnique(vtkWideFoVPass::PRECLIP);
 }
 
