@@ -34,6 +34,7 @@ struct WindowEvent
   double X = 0;
   double Y = 0;
   unsigned long Order = 0; // among the events of all windows
+  std::size_t Part = 0;    // of what several windows show (Wall.h)
 };
 
 class GlfwWindow
@@ -66,6 +67,11 @@ public:
 
   // True where there is a back buffer for each eye.
   bool IsStereo() const { return this->Stereo; }
+
+  static int CountMonitors();
+
+  // The system's own pointer.
+  void SetPointerShown(bool shown);
 
   // Pictures that the monitor shows in a second.
   static int GetRefreshRate();
