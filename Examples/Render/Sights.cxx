@@ -17,8 +17,6 @@ namespace
 // Pixels along the longer side of a screen of which nobody says how many it has.
 constexpr double LongerSide = 1024;
 
-constexpr double LargestScale = 1e9; // scene units a unit of the room, and one over the least
-
 std::string WithSuffix(const std::string& path, const std::string& suffix)
 {
   std::filesystem::path file(path);
@@ -71,7 +69,7 @@ void DeclareRoom(CLI::App& app, Options& o)
   group.Name("--screens", "FILE.pvx", o.Screens,
     "flat screens of a wall or CAVE, as ParaView describes them; a picture each");
   group.Name("--pose", "FILE", o.Poses, "recorded head poses; a numbered picture each");
-  group.Number("--room-scale", "S", o.RoomScale, { 1 / LargestScale, LargestScale },
+  group.Number("--room-scale", "S", o.RoomScale, { 1 / LargestRoomScale, LargestRoomScale },
     "scene units a unit of the screens and poses");
 }
 

@@ -14,6 +14,9 @@ namespace widefov
 {
 struct FieldsOfView;
 
+// Scene units a unit of the room, and one over the least.
+constexpr double LargestRoomScale = 1e9;
+
 void DeclareRoom(CLI::App& app, Options& options);
 
 // Before the view is completed: with screens the projection is perspective. Throws a Failure with

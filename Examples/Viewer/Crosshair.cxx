@@ -3,7 +3,7 @@
 
 #include "MeshBuilder.h"
 
-#include <vtkCamera.h>
+#include <vtkMatrix4x4.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
@@ -57,9 +57,20 @@ std::optional<Ray> RayAt(vtkWideFoVRenderer* scene, const Spot& spot, double rig
   return inside ? std::optional(ray) : std::nullopt;
 }
 
+// How far along the ray a perspective has that depth, NDC: there z is depth times w.
+double DistanceInPerspective(vtkMatrix4x4* m, const Ray& ray, double depth)
+{
+  const auto rows = [&](const Vector3& v, double w) {
+    double clip[4] = { v[0], v[1], v[2], w };
+    m->MultiplyPoint(clip, clip);
+    return clip[2] - depth * clip[3];
+  };
+  return -rows(ray.Origin, 1) / rows(ray.Direction, 0);
+}
+
 // What the scene shows there; `pixel`: of the window, from its lower left.
 std::optional<Vector3> SeenAt(
-  vtkWideFoVRenderer* scene, const Spot& spot, const std::array<int, 2>& pixel)
+  vtkWideFoVRenderer* scene, const Spot& spot, const Ray& ray, const std::array<int, 2>& pixel)
 {
   float depth = 1;
   scene->GetRenderWindow()->GetZbufferData(pixel[0], pixel[1], pixel[0], pixel[1], &depth);
@@ -67,9 +78,18 @@ std::optional<Vector3> SeenAt(
   {
     return std::nullopt;
   }
-  Vector3 at{ { spot.Ndc[0], spot.Ndc[1], depth } };
-  scene->ViewToWorld(at[0], at[1], at[2]);
-  return at;
+  auto* const camera = vtkWideFoVCamera::SafeDownCast(scene->GetActiveCamera());
+  const int* const whole = scene->GetRenderWindow()->GetSize();
+  const double aspect = double(whole[0]) / whole[1];
+  const double ndc[3] = { spot.Ndc[0], spot.Ndc[1], 2. * depth - 1 };
+  Vector3 at;
+  if (camera->IsWide())
+  {
+    camera->NDCToWorld(ndc, aspect, at.data());
+    return at;
+  }
+  vtkMatrix4x4* const m = camera->GetCompositeProjectionTransformMatrix(aspect, -1, 1);
+  return ray.Origin + DistanceInPerspective(m, ray, ndc[2]) * ray.Direction;
 }
 
 // Radians from the ray to those of the pixels beside it, the farthest: where the map stretches
@@ -135,7 +155,7 @@ void Crosshair::Find(vtkWideFoVRenderer* scene, Aim& aim)
                                : scene->GetActiveCamera()->GetDistance(); // the scene's size
   const Vector3 nowhere = ray->Origin + before * ray->Direction;
   aim.Eye = ray->Origin;
-  aim.At = SeenAt(scene, spot, pixel).value_or(nowhere);
+  aim.At = SeenAt(scene, spot, *ray, pixel).value_or(nowhere);
   aim.Pixel = Length(*aim.At - ray->Origin) * AngleOfPixel(scene, spot, *ray);
 }
 

@@ -248,7 +248,7 @@ void GlfwWindow::CheckAlive() const
 {
   if (!WindowExists(this->Handle))
   {
-    Fail("the window was destroyed by another program; start again");
+    LeaveAtOnce("the window was destroyed by another program; start again");
   }
 }
 

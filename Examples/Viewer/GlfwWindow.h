@@ -79,7 +79,7 @@ public:
   bool IsClosing() const;
   void Close();
 
-  // Throws a Failure with ExitFailed where the window was destroyed from outside.
+  // Ends the program where the window was destroyed from outside.
   void CheckAlive() const;
 
   // Width and height of the picture in pixels; 0 where nothing can be seen of it.

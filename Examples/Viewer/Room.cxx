@@ -8,12 +8,6 @@
 
 namespace widefov
 {
-namespace
-{
-// Scene units a unit of the room, and one over the least: as --room-scale takes.
-constexpr double LargestScale = 1e9;
-}
-
 Room::Room(const ViewerOptions& o)
   : All(o.Picture)
   , Played(this->All.GetPoses(), o.PoseRate, o.PoseOnce, o.Picture.Poses)
@@ -93,7 +87,7 @@ std::optional<Vector3> RayOf(const Options& sight, double x, double y)
 
 void ScaleRoom(Options& o, Vector3& eye, const Vector3& center, double factor)
 {
-  const double scale = std::clamp(o.RoomScale * factor, 1 / LargestScale, LargestScale);
+  const double scale = std::clamp(o.RoomScale * factor, 1 / LargestRoomScale, LargestRoomScale);
   const double change = scale / o.RoomScale;
   o.RoomScale = scale;
   o.View.Stereo.InterpupillaryDistance *= change; // who stands in the room grows as much

@@ -262,6 +262,7 @@ FrameCost Wall::DrawPane(
 {
   Pane& pane = this->Panes[i];
   const bool first = i == 0;
+  pane.Window->CheckAlive(); // its context is to become current
   if (extras.Cross != nullptr)
   {
     extras.Cross->Pointer = i == under.Part ? std::optional(under.At) : std::nullopt;
