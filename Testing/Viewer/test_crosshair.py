@@ -27,6 +27,9 @@ PIXEL = 0.01
 # Pixels that an arm is long at least and at most, along the axes of the picture in its middle.
 ARM = (14, 19)
 
+# Pixels of four arms of 16 that are two wide, less their middle and ends; one wide they have 64.
+WIDE = 100
+
 # Both eyes in one picture; the border shows as well as the lines, and neither has steps.
 RED_BLUE = ("--layout", "red-blue", "--background", "0.2,0.2,0.2")
 SMOOTH = ("--samples", "4")
@@ -74,6 +77,8 @@ class Crosshair(ViewerTest):
             self.assertLess(numpy.hypot(*missed), NEAR, "%s: %s" % (projection, missed))
             self.assertGreaterEqual(arms.min(), ARM[0], projection)
             self.assertLessEqual(arms.min(), ARM[1], projection)
+            lines = (before != after).any(2).sum()
+            self.assertGreater(lines, WIDE, projection)
             viewer.kill()  # before the next one opens its window
 
     def disparity(self, name, *options):
