@@ -14,6 +14,7 @@ import unittest
 
 import numpy
 
+import targets
 from test_viewer import IDLE_TIME, NEAR, PROGRAMS, UPRIGHT, Flight, ViewerTest, read_png
 
 # Three walls of a CAVE two units wide, the head's rest in its middle.
@@ -27,6 +28,10 @@ CAVE = """<?xml version="1.0" ?>
 """
 SCREENS = ("Left", "Front", "Right")
 SIDE = 200  # pixels of a screen's window
+
+# Of a unit vector: a pixel of a window 640 wide that shows 120 degrees, twice as wide beside
+# the middle of a perspective.
+PIXEL = 0.01
 
 # Share of the pixels of a window that a move of the head changes at least.
 MOVED = 0.01
@@ -108,6 +113,10 @@ class Screens(RoomTest):
                 lambda s: s["cursor"] == [70.5, 90.5])
             press = [line for line in viewer.states() if line["event"] == "press"][-1]
             self.assertEqual((press["screen"], press["cursor"]), (screen, [120.5, 110.5]))
+            across, up = 2 * 120.5 / SIDE - 1, 1 - 2 * 110.5 / SIDE
+            seen = {"Left": (-1, up, -across), "Front": (across, up, -1), "Right": (1, up, across)}
+            numpy.testing.assert_allclose(press["under_cursor"],
+                numpy.array(seen[screen]) / numpy.linalg.norm(seen[screen]), atol=UPRIGHT)
             if screen == "Front":  # at the sides a raised head raises nothing
                 numpy.testing.assert_allclose(
                     state["under_cursor"], press["under_cursor"], atol=UPRIGHT)
@@ -270,6 +279,8 @@ class Poses(RoomTest):
             end = (start[0] - 90, start[1])
             state = viewer.drag(start, end)
             press = [line for line in viewer.states() if line["event"] == "press"][-1]
+            numpy.testing.assert_allclose(press["under_cursor"],
+                targets.direction(*targets.TARGETS["blue"][1:]), atol=PIXEL)
             numpy.testing.assert_allclose(
                 state["under_cursor"], press["under_cursor"], atol=UPRIGHT)
             missed = self.find(viewer, "blue") - end - offset
