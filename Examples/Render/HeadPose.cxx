@@ -51,6 +51,7 @@ HeadPose ToPose(const std::string& where, const std::vector<double>& v)
       " numbers; a pose is time x y z qx qy qz qw, or time qx qy qz qw");
   }
   HeadPose pose;
+  pose.Time = v[0];
   pose.HasPosition = v.size() == 8;
   if (pose.HasPosition)
   {

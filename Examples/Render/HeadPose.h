@@ -16,6 +16,7 @@ namespace widefov
 // Room coordinates, the unit of the room: x right, y up, z behind.
 struct HeadPose
 {
+  double Time = 0;          // seconds, from any beginning
   bool HasPosition = false; // six degrees of freedom; else three, the turn alone
   wfv::Head Head;
 };
@@ -32,8 +33,8 @@ public:
 
 // Poses from a file, in their order. A line is a pose: time x y z qx qy qz qw (six degrees of
 // freedom) or time qx qy qz qw (three), blanks between; lines that begin with # are comments.
-// The time is not looked at. Of eight numbers this is the trajectory format of the TUM RGB-D
-// benchmark.
+// Time is not waited for (PlayedHead in Examples/Viewer does). Of eight numbers this is the
+// trajectory format of the TUM RGB-D benchmark.
 class RecordedHead : public HeadObserver
 {
 public:

@@ -17,8 +17,6 @@ namespace
 // Pixels along the longer side of a screen of which nobody says how many it has.
 constexpr double LongerSide = 1024;
 
-constexpr double LargestScale = 1e9; // scene units a unit of the room, and one over the least
-
 std::string WithSuffix(const std::string& path, const std::string& suffix)
 {
   std::filesystem::path file(path);
@@ -54,12 +52,11 @@ bool IsGiven(const Options& o, const std::string& option)
   return std::find(o.StereoGiven.begin(), o.StereoGiven.end(), option) != o.StereoGiven.end();
 }
 
-std::vector<HeadPose> AllPoses(HeadObserver& observer, double scale)
+std::vector<HeadPose> AllPoses(HeadObserver& observer)
 {
   std::vector<HeadPose> poses;
-  while (std::optional<HeadPose> pose = observer.Next())
+  while (const std::optional<HeadPose> pose = observer.Next())
   {
-    pose->Head.Position *= scale;
     poses.push_back(*pose);
   }
   return poses;
@@ -72,7 +69,7 @@ void DeclareRoom(CLI::App& app, Options& o)
   group.Name("--screens", "FILE.pvx", o.Screens,
     "flat screens of a wall or CAVE, as ParaView describes them; a picture each");
   group.Name("--pose", "FILE", o.Poses, "recorded head poses; a numbered picture each");
-  group.Number("--room-scale", "S", o.RoomScale, { 1 / LargestScale, LargestScale },
+  group.Number("--room-scale", "S", o.RoomScale, { 1 / LargestRoomScale, LargestRoomScale },
     "scene units a unit of the screens and poses");
 }
 
@@ -127,7 +124,6 @@ Sights::Sights(const Options& o)
     for (NamedScreen& screen : this->Screens)
     {
       screen.Size = SizeOf(o, screen);
-      screen.Corners = Scaled(screen.Corners, o.RoomScale);
     }
     if (!IsGiven(o, "--ipd"))
     {
@@ -135,16 +131,22 @@ Sights::Sights(const Options& o)
         o.RoomScale * file.EyeSeparation.value_or(stereo.InterpupillaryDistance);
     }
   }
-  this->Poses = { HeadPose{ true, {} } };
+  HeadPose still;
+  still.HasPosition = true;
+  this->Poses = { still };
   if (!o.Poses.empty())
   {
     RecordedHead recorded(o.Poses);
-    this->Poses = AllPoses(recorded, o.RoomScale);
+    this->Poses = AllPoses(recorded);
   }
 }
 
-void Sights::CheckEyes(const Options& sight) const
+void Sights::CheckEyes(const Options& sight, std::size_t pose) const
 {
+  if (!sight.Screen)
+  {
+    return;
+  }
   const std::vector<wfv::Eye> eyes = sight.Stereo == "mono"
     ? std::vector<wfv::Eye>{ wfv::Eye::Middle }
     : std::vector<wfv::Eye>{ wfv::Eye::Left, wfv::Eye::Right };
@@ -157,7 +159,7 @@ void Sights::CheckEyes(const Options& sight) const
     {
       const std::string who = this->Given.Poses.empty()
         ? "the origin of "
-        : "pose " + std::to_string(this->Taken) + " of " + this->Given.Poses + " is for ";
+        : "pose " + std::to_string(pose + 1) + " of " + this->Given.Poses + " is for ";
       Fail(who + this->Given.Screens + ", screen " + sight.Screen->Name +
         ": an eye is behind it or in its plane; correct its corners, or the head's place by "
         "--pose");
@@ -168,6 +170,10 @@ void Sights::CheckEyes(const Options& sight) const
 // The volume behind its screen: as wide and high as it, its depth in the measure of its width.
 void Sights::PlaceVolume(Options& sight) const
 {
+  if (!sight.Screen || sight.Stereo != "warped")
+  {
+    return;
+  }
   wfv::StereoOptions& s = sight.View.Stereo;
   const wfv::Head head = sight.Head->HasPosition ? sight.Head->Head : wfv::Head();
   const wfv::Screen& screen = sight.Screen->Corners;
@@ -186,41 +192,63 @@ void Sights::PlaceVolume(Options& sight) const
   }
 }
 
-std::vector<Options> Sights::Next()
+std::vector<Options> Sights::Through(const Options& o, const HeadPose& head) const
 {
-  if (this->Taken == this->Poses.size())
-  {
-    return {};
-  }
-  Options sight = this->Given;
-  sight.Head = this->Poses[this->Taken++];
-  if (this->Poses.size() > 1)
-  {
-    sight.Number = this->Taken;
-  }
+  Options sight = o;
+  sight.Head = head;
+  sight.Head->Head.Position *= o.RoomScale;
   std::vector<Options> sights;
   for (const NamedScreen& screen : this->Screens)
   {
     sight.Screen = screen;
+    sight.Screen->Corners = Scaled(screen.Corners, o.RoomScale);
     sight.Size = screen.Size;
     sight.View.Aspect = double(screen.Size[0]) / screen.Size[1];
-    this->CheckEyes(sight);
-    if (sight.Stereo == "warped")
-    {
-      this->PlaceVolume(sight);
-    }
     sights.push_back(sight);
   }
   return sights.empty() ? std::vector<Options>{ sight } : sights;
 }
 
+std::vector<Options> Sights::See(const Options& o, const HeadPose& head) const
+{
+  std::vector<Options> sights = this->Through(o, head);
+  std::for_each(sights.begin(), sights.end(), [this](Options& sight) { this->PlaceVolume(sight); });
+  return sights;
+}
+
+std::vector<Options> Sights::At(const Options& o, std::size_t pose) const
+{
+  std::vector<Options> sights = this->Through(o, this->Poses[pose]);
+  for (Options& sight : sights)
+  {
+    if (this->Poses.size() > 1)
+    {
+      sight.Number = pose + 1;
+    }
+    this->CheckEyes(sight, pose);
+    this->PlaceVolume(sight);
+  }
+  return sights;
+}
+
+std::vector<Options> Sights::Next()
+{
+  return this->Taken == this->Poses.size() ? std::vector<Options>()
+                                           : this->At(this->Given, this->Taken++);
+}
+
+void Sights::Check(const Options& o) const
+{
+  for (std::size_t pose = 0; pose < this->Poses.size(); pose++)
+  {
+    this->At(o, pose);
+  }
+}
+
 void CheckSights(const Options& o)
 {
-  Sights sights(o);
-  while (!sights.Next().empty())
-  {
-    // each checks its eyes
-  }
+  const Sights sights(o);
+  sights.Check(sights.GetGiven());
 }
 
 std::string NameOfScreen(const Options& sight, const std::string& path)

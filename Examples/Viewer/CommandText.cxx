@@ -99,6 +99,11 @@ std::string StereoText(const Options& o)
   }
   const std::string text = " --stereo " + o.Stereo + " --layout " + o.Layout +
     (o.Layout == "anaglyph" ? GlassesText(o) : "");
+  if (!o.Screens.empty())
+  {
+    return text + " --ipd " + Exactly(s.InterpupillaryDistance) +
+      (o.Stereo == "warped" ? " --offset " + Exactly(s.Offset) : "");
+  }
   if (o.Stereo == "omnidirectional")
   {
     const bool fades = s.PoleFade[0] < s.PoleFade[1];
@@ -125,6 +130,32 @@ std::string DrawingText(const Options& o)
 }
 }
 
+namespace
+{
+// What is seen, and how large: of screens only where they are all alike.
+std::string ViewText(const Options& o)
+{
+  std::string text;
+  if (o.Screens.empty() || o.Stereo == "warped")
+  {
+    text +=
+      " --projection " + o.Projection + FieldOfViewText(o) + " --tilt " + Exactly(o.View.Tilt);
+  }
+  if (o.Screens.empty() || o.HasSize)
+  {
+    text += " --size " + std::to_string(o.Size[0]) + "x" + std::to_string(o.Size[1]);
+  }
+  return text;
+}
+
+std::string RoomText(const Options& o)
+{
+  return (o.Screens.empty() ? "" : " --screens " + Quoted(o.Screens)) +
+    (o.Poses.empty() ? "" : " --pose " + Quoted(o.Poses)) +
+    (o.RoomScale == 1 ? "" : " --room-scale " + Exactly(o.RoomScale));
+}
+}
+
 std::string CommandText(const Options& given, const Options& now)
 {
   std::string text = "widefov-render";
@@ -136,9 +167,7 @@ std::string CommandText(const Options& given, const Options& now)
   {
     text += " " + Quoted(file);
   }
-  text += LookText(now.Look) + " --projection " + now.Projection + FieldOfViewText(now) +
-    " --tilt " + Exactly(now.View.Tilt) + " --size " + std::to_string(now.Size[0]) + "x" +
-    std::to_string(now.Size[1]);
+  text += LookText(now.Look) + ViewText(now) + RoomText(now);
   if (now.Eye && now.Direction && now.Up)
   {
     text += " --eye " + Exactly(*now.Eye) + " --direction " + Exactly(*now.Direction) + " --up " +

@@ -68,8 +68,8 @@ GLFWwindow* Create(const std::string& title, const std::array<int, 2>& size, boo
   const CrashGuard guard(tooOld + ", and opening a window here crashed" + remedy);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 2);
+  // not forward compatible: such contexts refuse lines wider than a pixel
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
   glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE); // a wall's screens stay lit
   // the limits of OpenGL, which are narrower, can be asked for when there is a window
   const int width = std::min(size[0], LargestWindow);
@@ -146,12 +146,12 @@ GlfwWindow::GlfwWindow(const std::string& title, const std::array<int, 2>& size,
   : Stereo(stereo)
 {
   Initialize();
-  const int count = static_cast<int>(Monitors().size());
+  const int count = CountMonitors();
   if (monitor > count && fullScreen)
   {
     Terminate();
     Fail("there is no monitor " + std::to_string(monitor) + ", only " + std::to_string(count) +
-      "; choose another --monitor, or windows for a --wall without --full-screen");
+      "; choose another --monitor, or leave --full-screen out of a --wall or --screens");
   }
   this->Handle = Create(title, size, this->Stereo);
   WindowCount++;
@@ -216,6 +216,16 @@ bool GlfwWindow::TakeDamage()
   return damaged;
 }
 
+int GlfwWindow::CountMonitors()
+{
+  return static_cast<int>(Monitors().size());
+}
+
+void GlfwWindow::SetPointerShown(bool shown)
+{
+  glfwSetInputMode(this->Handle, GLFW_CURSOR, shown ? GLFW_CURSOR_NORMAL : GLFW_CURSOR_HIDDEN);
+}
+
 int GlfwWindow::GetRefreshRate()
 {
   constexpr int Usual = 60;
@@ -238,7 +248,7 @@ void GlfwWindow::CheckAlive() const
 {
   if (!WindowExists(this->Handle))
   {
-    Fail("the window was destroyed by another program; start again");
+    LeaveAtOnce("the window was destroyed by another program; start again");
   }
 }
 

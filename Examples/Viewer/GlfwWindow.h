@@ -34,6 +34,7 @@ struct WindowEvent
   double X = 0;
   double Y = 0;
   unsigned long Order = 0; // among the events of all windows
+  std::size_t Part = 0;    // of what several windows show (Wall.h)
 };
 
 class GlfwWindow
@@ -67,13 +68,18 @@ public:
   // True where there is a back buffer for each eye.
   bool IsStereo() const { return this->Stereo; }
 
+  static int CountMonitors();
+
+  // The system's own pointer.
+  void SetPointerShown(bool shown);
+
   // Pictures that the monitor shows in a second.
   static int GetRefreshRate();
 
   bool IsClosing() const;
   void Close();
 
-  // Throws a Failure with ExitFailed where the window was destroyed from outside.
+  // Ends the program where the window was destroyed from outside.
   void CheckAlive() const;
 
   // Width and height of the picture in pixels; 0 where nothing can be seen of it.

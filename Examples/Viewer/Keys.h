@@ -29,6 +29,8 @@ enum class Action
   Reset,
   Screenshot,
   PrintCommand,
+  ToggleCrosshair,
+  TogglePause,
   ToggleText,
   ToggleHelp,
   ToggleFullScreen,

@@ -51,6 +51,8 @@ public:
   // Moves the eye: to the right, along what stays upright, ahead. Scene units.
   void Fly(double right, double up, double ahead);
 
+  void MoveTo(const Vector3& eye) { this->Eye = eye; }
+
 private:
   Vector3 ToView(const Vector3& world) const;
 

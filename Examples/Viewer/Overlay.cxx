@@ -27,7 +27,7 @@ void SetLook(vtkTextProperty* look, double opacity)
 
 Overlay::Overlay()
 {
-  this->Renderer->SetLayer(1);
+  this->Renderer->SetLayer(2);
   this->Renderer->InteractiveOff();
   SetLook(this->Text->GetTextProperty(), 0.5);
   this->Text->GetTextProperty()->SetVerticalJustificationToTop();

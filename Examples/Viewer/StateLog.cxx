@@ -38,10 +38,24 @@ std::string StateLine(const ViewerState& s, const Options& o)
     { "direction", o.Direction.value_or(Vector3{ { 0, 0, -1 } }) },
     { "up", o.Up.value_or(Vector3{ { 0, 1, 0 } }) }, { "yaw", s.Yaw }, { "pitch", s.Pitch },
     { "cursor", s.Cursor }, { "under_cursor", nullptr }, { "full_screen", s.FullScreen },
-    { "help", s.Help }, { "text", s.Text }, { "message", s.Message } };
+    { "help", s.Help }, { "text", s.Text }, { "message", s.Message }, { "screen", nullptr },
+    { "room_scale", o.RoomScale }, { "pose", nullptr }, { "paused", s.Paused },
+    { "crosshair", nullptr } };
   if (s.UnderCursor)
   {
     json["under_cursor"] = *s.UnderCursor;
+  }
+  if (!s.Screen.empty())
+  {
+    json["screen"] = s.Screen;
+  }
+  if (s.Pose)
+  {
+    json["pose"] = *s.Pose;
+  }
+  if (s.Crosshair)
+  {
+    json["crosshair"] = *s.Crosshair;
   }
   json.update(Describe(s.Cost));
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";

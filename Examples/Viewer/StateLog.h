@@ -19,8 +19,12 @@ struct ViewerState
   std::string Event; // frame, or press and release of a button, release of a key that flies
   long long Frame = 0;
   std::array<double, 2> Cursor{ { 0, 0 } }; // pixels of the picture, from the upper left
-  std::optional<Vector3> UnderCursor;       // direction in the world, where the map has one
-  double Yaw = 0;                           // degrees
+  std::string Screen;                       // that the cursor is in; empty: there are none
+  std::optional<std::size_t> Pose;          // number of the head's, from 1
+  bool Paused = false;
+  std::optional<Vector3> Crosshair;   // world; nothing where it is not shown
+  std::optional<Vector3> UnderCursor; // direction in the world, where the map has one
+  double Yaw = 0;                     // degrees
   double Pitch = 0;
   bool Pending = false; // something is still to be drawn
   bool FullScreen = false;

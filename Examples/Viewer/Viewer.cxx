@@ -17,12 +17,12 @@ namespace widefov
 {
 namespace
 {
-constexpr double ZoomStep = 1.1;      // the field of view, a notch of the wheel
 constexpr double OrbitRate = 0.25;    // degrees a pixel
 constexpr double FlightTime = 8;      // seconds through the scene
 constexpr double FasterFactor = 4;    // with Shift
 constexpr double FirstMove = 1. / 30; // seconds that a tap of a key counts for
 constexpr double LongestMove = 0.2;   // seconds: a slow frame is no leap
+constexpr double LongestWait = 10;    // seconds for a pose: systems count to less than doubles
 constexpr double HiddenPause = 0.05;  // seconds between looks at a window that shows nothing
 
 }
@@ -33,9 +33,11 @@ Navigator Viewer::StartOf(const Scene& scene, const Options& o)
   return Navigator(pose.Eye, pose.Direction, pose.Up, o.Up.value_or(Vector3{ { 0, 1, 0 } }));
 }
 
-Viewer::Viewer(const ViewerOptions& options, const Scene& scene, Wall& windows, StateLog& log)
+Viewer::Viewer(
+  const ViewerOptions& options, const Scene& scene, Room& room, Wall& windows, StateLog& log)
   : Given(options)
   , What(scene)
+  , Around(room)
   , Windows(windows)
   , Lines(log)
   , Now(options.Picture)
@@ -70,6 +72,7 @@ void Viewer::Run()
     {
       this->Handle(event);
     }
+    this->Play();
     this->Advance();
     this->Dirty = this->Windows.TakeDamage() || this->Dirty || this->Given.Frames > 0;
     if (this->Dirty && !this->Windows.IsClosing() && this->Fit())
@@ -115,14 +118,22 @@ void Viewer::Wait()
   {
     this->Windows.Poll();
   }
-  else if (this->FlipsEyes())
-  {
-    this->Windows.Wait(1.0 / GlfwWindow::GetRefreshRate());
-  }
   else
   {
-    this->Windows.Wait();
+    this->Windows.Wait(this->GetPatience());
   }
+}
+
+// Seconds until something is to be done that nobody has to ask for; below 0: nothing.
+double Viewer::GetPatience() const
+{
+  double seconds = this->FlipsEyes() ? 1.0 / GlfwWindow::GetRefreshRate() : -1;
+  if (const std::optional<double> pause = this->Around.GetPause(); pause && !this->Paused)
+  {
+    const double pose = std::min(*pause, LongestWait);
+    seconds = seconds < 0 ? pose : std::min(seconds, pose);
+  }
+  return seconds;
 }
 
 void Viewer::Advance()
@@ -165,8 +176,11 @@ bool Viewer::Fit()
   if (size != this->Now.Size)
   {
     this->Now.Size = size;
-    this->Angles.Apply(this->Now);
-    GiveUpTechnique(this->Now);
+    if (!this->Around.HasScreens())
+    {
+      this->Angles.Apply(this->Now);
+      GiveUpTechnique(this->Now);
+    }
   }
   return true;
 }
@@ -177,9 +191,12 @@ void Viewer::DrawFrame()
   this->Frames++;
   const bool moves = this->Dragging != Drag::None || !this->Held.empty();
   this->Windows.SetUpdateRate(moves ? this->Given.UpdateRate : 0);
-  this->Cost = this->Windows.Draw(
-    this->Now, [this](const FrameCost& cost) { return this->TextFor(cost); },
-    this->ShowsHelp ? HelpText() : "");
+  Extras extras;
+  extras.Text = [this](const FrameCost& cost) { return this->TextFor(cost); };
+  extras.Help = this->ShowsHelp ? HelpText() : "";
+  extras.Cross = this->ShowsCrosshair ? &this->Cross : nullptr;
+  extras.Pointer = this->Pointed();
+  this->Cost = this->Windows.Draw(this->Parts(), extras);
   if (this->Lines.IsOpen())
   {
     WaitForServer(); // who reads of the frame finds it on the screen
@@ -196,71 +213,10 @@ void Viewer::TakePose()
   this->Changed();
 }
 
-std::optional<Vector3> Viewer::RayAt(double x, double y) const
-{
-  const Options& o = this->Now;
-  const wfv::View view(*wfv::FindProjection(o.Projection), o.View);
-  const wfv::ViewRay ray = view.Ray({ 2 * x / o.Size[0] - 1, 1 - 2 * y / o.Size[1] });
-  if (!ray.Inside)
-  {
-    return std::nullopt;
-  }
-  return Vector3{ { ray.Direction.x, ray.Direction.y, ray.Direction.z } };
-}
-
 void Viewer::Say(const std::string& message)
 {
   this->Message = message;
   this->Changed();
-}
-
-void Viewer::Log(const std::string& event)
-{
-  ViewerState state;
-  state.Event = event;
-  state.Frame = this->Frames;
-  state.Cursor = this->At;
-  if (const std::optional<Vector3> ray = this->RayAt(this->At[0], this->At[1]))
-  {
-    state.UnderCursor = this->Head.ToWorld(*ray);
-  }
-  state.Yaw = this->Head.GetYaw();
-  state.Pitch = this->Head.GetPitch();
-  state.Pending = this->Dirty || !this->Held.empty();
-  state.FullScreen = this->Windows.IsFullScreen();
-  state.Help = this->ShowsHelp;
-  state.Text = this->ShowsText;
-  state.Message = this->Message;
-  state.Cost = this->Cost;
-  this->Lines.Write(state, this->Now);
-}
-
-std::string Viewer::TextFor(const FrameCost& cost) const
-{
-  if (!this->ShowsText)
-  {
-    return "";
-  }
-  const Options& o = this->Now;
-  const bool round = wfv::FindProjection(o.Projection)->Axis == wfv::Family::Azimuthal;
-  char line[256];
-  std::snprintf(line, sizeof(line), "%.1f", o.View.HorizontalFov);
-  std::string text = o.Projection + "  " + line;
-  std::snprintf(line, sizeof(line), " x %.1f", o.View.VerticalFov);
-  text += (round ? std::string() : std::string(line)) + " degrees\n" + o.TechniqueName;
-  std::snprintf(line, sizeof(line), "  %.1f ms", cost.Milliseconds);
-  text += line;
-  if (cost.Draws)
-  {
-    const DrawCounts& d = *cost.Draws;
-    std::snprintf(line, sizeof(line), "\ndraws: plain %d  pre-clip %d  tessellate %d  exact %d",
-      d.Plain, d.PreClip, d.Tessellate, d.Exact);
-    text += line;
-    std::snprintf(line, sizeof(line), "\nprops: %d of %d  sorted triangles: %lld of %lld", d.Props,
-      d.Props + d.PropsCulled, d.Triangles - d.TrianglesCulled, d.Triangles);
-    text += line;
-  }
-  return text + "\n" + (this->Message.empty() ? "F1: keys" : this->Message);
 }
 
 void Viewer::Handle(const WindowEvent& event)
@@ -277,7 +233,7 @@ void Viewer::Handle(const WindowEvent& event)
       this->HandleButton(event);
       break;
     case WindowEvent::Kind::Cursor:
-      this->HandleCursor(event.X, event.Y);
+      this->HandleCursor({ event.Part, { { event.X, event.Y } } });
       break;
     case WindowEvent::Kind::Wheel:
       this->Zoom(event.Y);
@@ -329,7 +285,7 @@ void Viewer::HandleButton(const WindowEvent& event)
   }
   else if (press && this->Dragging == Drag::None)
   {
-    const std::optional<Vector3> ray = this->RayAt(this->At[0], this->At[1]);
+    const std::optional<Vector3> ray = this->RayUnderPointer();
     if (kind == Drag::Orbit || ray)
     {
       this->Dragging = kind;
@@ -345,14 +301,14 @@ void Viewer::Sharpen()
   this->Dirty = this->Dirty || (this->Cost.Draws && this->Cost.Draws->Relaxation > 0);
 }
 
-void Viewer::HandleCursor(double x, double y)
+void Viewer::HandleCursor(const Place& at)
 {
-  const double right = x - this->At[0];
-  const double down = y - this->At[1];
-  this->At = { { x, y } };
+  const double right = at.At[0] - this->At.At[0];
+  const double down = at.At[1] - this->At.At[1];
+  this->At = at;
   if (this->Dragging == Drag::Look)
   {
-    if (const std::optional<Vector3> ray = this->RayAt(x, y))
+    if (const std::optional<Vector3> ray = this->RayUnderPointer())
     {
       this->Head.Pull(this->Grip, *ray);
       this->TakePose();
@@ -363,20 +319,6 @@ void Viewer::HandleCursor(double x, double y)
     this->Head.Orbit(this->Center, -OrbitRate * right, OrbitRate * down);
     this->TakePose();
   }
-}
-
-void Viewer::Zoom(double notches)
-{
-  if (!this->Angles.Zoom(this->Now, std::pow(ZoomStep, -notches)))
-  {
-    this->Say("this projection always shows the same field of view");
-    return;
-  }
-  this->Angles.Apply(this->Now);
-  if (GiveUpTechnique(this->Now))
-  {
-    this->Message = "this field of view is beyond the technique: auto";
-  }
-  this->Changed();
+  this->Dirty = this->Dirty || this->ShowsCrosshair;
 }
 }

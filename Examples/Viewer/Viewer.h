@@ -6,6 +6,7 @@
 #include "Fields.h"
 #include "Keys.h"
 #include "Navigator.h"
+#include "Room.h"
 #include "Scene.h"
 #include "StateLog.h"
 #include "ViewerOptions.h"
@@ -20,7 +21,8 @@ class Viewer
 {
 public:
   // All of them must outlive this.
-  Viewer(const ViewerOptions& options, const Scene& scene, Wall& windows, StateLog& log);
+  Viewer(
+    const ViewerOptions& options, const Scene& scene, Room& room, Wall& windows, StateLog& log);
 
   // Until the window is closed, or so many frames are drawn. Throws a Failure with
   // ExitFailed.
@@ -36,8 +38,10 @@ private:
 
   // The loop.
   void Wait();
+  double GetPatience() const;
   bool FlipsEyes() const;
   void Flip();
+  void Play();
   void Advance();
   bool Fit();
   void DrawFrame();
@@ -47,12 +51,16 @@ private:
   void Handle(const WindowEvent& event);
   void HandleKey(const WindowEvent& event);
   void HandleButton(const WindowEvent& event);
-  void HandleCursor(double x, double y);
+  void HandleCursor(const Place& at);
   void Do(Action action);
   bool DoView(Action action);
   bool DoHead(Action action);
   bool StepEyes(Action action);
+  bool StepScreens(Action action);
   void Zoom(double notches);
+  void ZoomRoom(double factor);
+  void ToggleCrosshair();
+  void TogglePause();
   void Leave();
   void TakeScreenshot();
   void Restart();
@@ -60,7 +68,10 @@ private:
   // The view.
   static Navigator StartOf(const Scene& scene, const Options& options);
   void TakePose();
-  std::optional<Vector3> RayAt(double x, double y) const;
+  std::vector<Options> Parts() const;
+  Options ForFiles() const;
+  Place Pointed() const;
+  std::optional<Vector3> RayUnderPointer() const;
   void Sharpen();
   void Changed() { this->Dirty = true; }
   void Say(const std::string& message);
@@ -69,6 +80,7 @@ private:
 
   const ViewerOptions& Given;
   const Scene& What;
+  Room& Around;
   Wall& Windows;
   StateLog& Lines;
 
@@ -86,12 +98,16 @@ private:
   bool ShowsHelp = false;
 
   Drag Dragging = Drag::None;
-  std::array<double, 2> At{ { 0, 0 } }; // the pointer
+  Place At; // the pointer
+  bool ShowsCrosshair = false;
+  Aim Cross;
   Navigator::Grip Grip;
   std::set<int> Held; // keys that move the eye
   bool Fast = false;
   std::chrono::steady_clock::time_point LastMove;
   std::chrono::steady_clock::time_point LastFlip;
+  std::chrono::steady_clock::time_point LastPose;
+  bool Paused = false; // the head poses
 };
 }
 

@@ -13,18 +13,11 @@ namespace widefov
 namespace
 {
 constexpr double TurnStep = 5; // degrees, an arrow key
-
-// What a file can show of what a window shows in turn: both eyes in one picture.
-Options OnePicture(Options o)
-{
-  o.Layout = ShowsEyesInTurn(o) ? Options().Layout : o.Layout;
-  return o;
-}
 }
 
 void Viewer::Do(Action action)
 {
-  if (this->DoView(action))
+  if (this->StepScreens(action) || this->DoView(action))
   {
     this->Changed();
     return;
@@ -35,14 +28,23 @@ void Viewer::Do(Action action)
       this->TakeScreenshot();
       break;
     case Action::PrintCommand:
-      std::cout << CommandText(this->Given.Picture, OnePicture(this->Now)) << std::endl;
+      std::cout << CommandText(this->Given.Picture, this->ForFiles()) << std::endl;
       this->Say("the command is on standard output");
       break;
     case Action::ToggleFullScreen:
-      this->Windows.SetFullScreen(!this->Windows.IsFullScreen());
+      if (!this->Windows.SetFullScreen(!this->Windows.IsFullScreen()))
+      {
+        this->Say("there are fewer monitors than windows");
+      }
       break;
     case Action::NextMonitor:
       this->Windows.NextMonitor();
+      break;
+    case Action::ToggleCrosshair:
+      this->ToggleCrosshair();
+      break;
+    case Action::TogglePause:
+      this->TogglePause();
       break;
     case Action::Leave:
       this->Leave();
@@ -60,12 +62,12 @@ bool Viewer::DoView(Action action)
     case Action::NextProjection:
     case Action::PreviousProjection:
       StepProjection(this->Now, this->Angles, action == Action::NextProjection ? 1 : -1,
-        this->Windows.IsSeveral());
+        this->Windows.IsTiled());
       return true;
     case Action::NextTechnique:
     case Action::PreviousTechnique:
       if (!StepTechnique(
-            this->Now, action == Action::NextTechnique ? 1 : -1, this->Windows.IsSeveral()))
+            this->Now, action == Action::NextTechnique ? 1 : -1, this->Windows.IsTiled()))
       {
         this->Message = "there is no other technique for this";
       }
@@ -98,7 +100,7 @@ bool Viewer::StepEyes(Action action)
   const int step = forth ? 1 : -1;
   if (action == Action::NextStereo || action == Action::PreviousStereo)
   {
-    const bool other = StepStereo(this->Now, step, this->Windows.IsSeveral());
+    const bool other = StepStereo(this->Now, step, this->Windows.IsTiled());
     this->Message = other ? "stereo: " + this->Now.Stereo : "there is no stereo model for this";
     return true;
   }
@@ -145,7 +147,10 @@ void Viewer::Restart()
   this->Angles = Fields(this->Given.Picture);
   this->Head = StartOf(this->What, this->Given.Picture);
   this->Now.Size = size;
-  this->Angles.Apply(this->Now);
+  if (!this->Around.HasScreens())
+  {
+    this->Angles.Apply(this->Now);
+  }
 }
 
 void Viewer::Leave()
@@ -169,8 +174,13 @@ void Viewer::TakeScreenshot()
 {
   try
   {
-    const Options shown = OnePicture(this->Now);
-    const std::string file = WriteScreenshot(this->Windows.Take(shown), shown);
+    const Options shown = this->ForFiles();
+    std::vector<Options> parts = this->Parts();
+    for (Options& part : parts)
+    {
+      part.Layout = shown.Layout;
+    }
+    const std::string file = WriteScreenshot(this->Windows.Take(parts), shown);
     this->Say("written: " + file);
   }
   catch (const Failure& failure)

@@ -6,7 +6,6 @@
 #include "Messages.h"
 #include "OptionCheck.h"
 #include "OptionGroup.h"
-#include "Sights.h"
 
 namespace widefov
 {
@@ -28,6 +27,9 @@ void DeclareWindow(CLI::App& app, ViewerOptions& o)
       o.Wall[0] = ParseInteger(option, value.substr(0, cross), 1, MostWindows);
       o.Wall[1] = ParseInteger(option, rows, 1, MostWindows);
     });
+  group.Number("--pose-rate", "HZ", o.PoseRate, { 0, 1000 },
+    "poses of --pose a second; 0: as their times say");
+  group.Flag("--pose-once", o.PoseOnce, "stay with the last pose instead of beginning anew");
   group.Number("--update-rate", "HZ", o.UpdateRate, { 0, 1000 },
     "frames a second for which a moving picture is drawn coarser; 0: never");
   group.Flag("--no-text", o.NoText, "begin without the text on the picture");
@@ -35,12 +37,28 @@ void DeclareWindow(CLI::App& app, ViewerOptions& o)
   group.Integer("--frames", o.Frames, 0, 1000000, "end after so many frames; 0: when closed");
 }
 
+void CheckRoom(const ViewerOptions& o)
+{
+  if (o.Picture.Poses.empty() && (o.PoseRate != 0 || o.PoseOnce))
+  {
+    FailUsage("--pose-rate and --pose-once go with --pose FILE; add it, or leave them out");
+  }
+  if (o.Picture.Screens.empty())
+  {
+    return;
+  }
+  if (o.Wall[0] * o.Wall[1] > 1)
+  {
+    FailUsage("--wall and --screens exclude each other: each screen has its own window");
+  }
+  if (o.Monitor > 0)
+  {
+    FailUsage("--screens and --monitor exclude each other: the windows take the monitors in turn");
+  }
+}
+
 void CheckWall(ViewerOptions& o)
 {
-  if (HasRoom(o.Picture))
-  {
-    FailUsage("--screens and --pose are for widefov-render; leave them out");
-  }
   const bool none = wfv::FindProjection(o.Picture.Projection) == nullptr; // lists are asked for
   if (none || o.Wall[0] * o.Wall[1] == 1)
   {
@@ -72,6 +90,7 @@ std::optional<int> ParseViewerOptions(int argc, char** argv, ViewerOptions& o)
   }
   o.Picture.HasSize = app.count("--size") > 0;
   CheckScene(o.Picture, fov);
+  CheckRoom(o);
   CheckWall(o);
   if (!FitsWindow(o.Picture))
   {

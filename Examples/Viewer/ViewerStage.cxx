@@ -51,7 +51,7 @@ ViewerStage::ViewerStage(
   this->Limits = { { limits.Width, limits.Height } };
   CheckSize(o, limits);
   this->Window->SetMultiSamples(UsableSamples(o.Samples, limits));
-  this->Window->SetNumberOfLayers(2);
+  this->Window->SetNumberOfLayers(3);
   this->Window->SetTileScale(tile.Columns, tile.Rows);
   this->Window->SetTileViewport(double(tile.Column) / tile.Columns,
     double(tile.Rows - 1 - tile.Row) / tile.Rows, double(tile.Column + 1) / tile.Columns,
@@ -68,6 +68,7 @@ ViewerStage::ViewerStage(
   }
   this->Renderer->AddObserver(vtkCommand::EndEvent, this, &ViewerStage::AfterScene);
   this->Window->AddRenderer(this->Renderer);
+  this->Window->AddRenderer(this->Cross.GetRenderer());
   this->Window->AddRenderer(this->Texts.GetRenderer());
 }
 
@@ -105,6 +106,7 @@ void ViewerStage::Apply(const Options& o, const std::array<int, 2>& size)
     this->Renderer->SetPass(this->WidePass);
   }
   SetCamera(this->Renderer, this->What, o);
+  SetCamera(this->Cross.GetRenderer(), this->What, o);
   this->InTurn = false;
   if (o.Stereo != "mono")
   {
@@ -127,9 +129,21 @@ void ViewerStage::SetText()
   this->Texts.SetText(this->TextOf && this->HasRoom() ? this->TextOf(this->Cost) : "");
 }
 
-// After the scene and before the text, which is to tell of this very frame.
+// Of two eyes the left one is drawn first: it is the one that the pointer is seen by.
+void ViewerStage::SetCrosshair()
+{
+  if (this->Aiming != nullptr && this->Aiming->Pointer && !this->Aimed)
+  {
+    Crosshair::Find(this->Renderer, *this->Aiming);
+  }
+  this->Aimed = true;
+  this->Cross.Show(this->Aiming);
+}
+
+// After the scene and before the crosshair and the text, which is to tell of this very frame.
 void ViewerStage::AfterScene()
 {
+  this->SetCrosshair();
   this->Cost = this->Measure();
   if (!this->InTurn)
   {
@@ -169,9 +183,11 @@ FrameCost ViewerStage::Measure()
 }
 
 FrameCost ViewerStage::Draw(const Options& o, const std::array<int, 2>& size,
-  const std::function<std::string(const FrameCost&)>& text, const std::string& help)
+  const std::function<std::string(const FrameCost&)>& text, const std::string& help, Aim* aim)
 {
   this->TextOf = text;
+  this->Aiming = o.Technique != Technique::CubeMap ? aim : nullptr;
+  this->Aimed = false;
   this->Apply(o, size);
   this->Texts.SetHelp(this->HasRoom() ? help : "", size[0], size[1]);
   this->Start = std::chrono::steady_clock::now();

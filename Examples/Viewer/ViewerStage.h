@@ -3,6 +3,7 @@
 #ifndef WideFoVViewerStage_h
 #define WideFoVViewerStage_h
 
+#include "Crosshair.h"
 #include "GlfwRenderWindow.h"
 #include "ImageOutput.h"
 #include "Options.h"
@@ -72,9 +73,11 @@ public:
   std::array<int, 2> GetLimits() const { return this->Limits; }
 
   // Draws this window's part of what the options say, at that size (pixels). `text` makes of
-  // the cost what is to stand on the picture; nothing where it is empty.
+  // the cost what is to stand on the picture; nothing where it is empty. `aim`: of the crosshair,
+  // sought by this frame where the pointer is in this window; nullptr: there is none.
   FrameCost Draw(const Options& options, const std::array<int, 2>& size,
-    const std::function<std::string(const FrameCost&)>& text, const std::string& help);
+    const std::function<std::string(const FrameCost&)>& text, const std::string& help,
+    Aim* aim = nullptr);
 
   // Frames a second that the next frames are to keep to, coarser where they must; 0: as many as
   // there are.
@@ -96,6 +99,7 @@ private:
   FrameCost Measure();
   bool HasRoom();
   void SetText();
+  void SetCrosshair();
   void AfterScene();
 
   const Scene& What;
@@ -104,6 +108,7 @@ private:
   vtkNew<vtkWideFoVPass> WidePass;
   vtkSmartPointer<vtkPanoramicProjectionPass> CubeMapPass;
   std::vector<vtkSmartPointer<vtkActor>> Actors;
+  Crosshair Cross;
   Overlay Texts;
   std::array<int, 2> Limits{ { 0, 0 } };
   std::string CubeMapOf; // what the pass was made for
@@ -113,6 +118,8 @@ private:
   bool InTurn = false; // one eye after the other
   int EyeShown = 0;    // 0 left, 1 right
   std::function<std::string(const FrameCost&)> TextOf;
+  Aim* Aiming = nullptr;
+  bool Aimed = false; // in this frame
 };
 }
 

@@ -7,27 +7,63 @@
 
 namespace widefov
 {
-Wall::Wall(const ViewerOptions& o, const Scene& scene, const std::string& title)
+namespace
+{
+bool IsVisible(const std::array<int, 2>& size)
+{
+  return size[0] > 0 && size[1] > 0;
+}
+
+// Puts a picture into a larger one.
+void Insert(const Picture& part, int column, int row, Picture& whole)
+{
+  const std::size_t bytes = 3 * static_cast<std::size_t>(part.Width);
+  for (int j = 0; j < part.Height; j++)
+  {
+    const std::size_t to = static_cast<std::size_t>(row + j) * whole.Width + column;
+    std::copy_n(part.Rgb.begin() + static_cast<std::ptrdiff_t>(bytes * j), bytes,
+      whole.Rgb.begin() + static_cast<std::ptrdiff_t>(3 * to));
+  }
+}
+}
+
+Wall::Wall(const ViewerOptions& o, const std::vector<Options>& parts, const Scene& scene,
+  const std::string& title)
   : Columns(o.Wall[0])
   , Rows(o.Wall[1])
 {
-  const std::array<int, 2>& size = o.Picture.Size;
   for (int i = 0; i < this->Columns * this->Rows; i++)
   {
-    Pane pane;
-    pane.Where = { this->Columns, this->Rows, i % this->Columns, i / this->Columns };
-    const int monitor = this->Columns * this->Rows > 1 ? i + 1 : o.Monitor;
-    pane.Window =
-      std::make_unique<GlfwWindow>(title, size, o.FullScreen, monitor, ShowsEyesInTurn(o.Picture));
-    if (i > 0 && !o.FullScreen)
+    for (const Options& part : parts)
     {
-      pane.Window->PlaceBeside(
-        *this->Panes[0].Window, pane.Where.Column * size[0], pane.Where.Row * size[1]);
+      this->AddPane(o, part, scene, title + (part.Screen ? ": " + part.Screen->Name : ""));
     }
-    pane.Stage = std::make_unique<ViewerStage>(
-      pane.Window->GetHandle(), pane.Window->IsStereo(), scene, o.Picture, pane.Where);
-    this->Panes.push_back(std::move(pane));
   }
+}
+
+void Wall::AddPane(
+  const ViewerOptions& o, const Options& part, const Scene& scene, const std::string& title)
+{
+  const int i = static_cast<int>(this->Panes.size());
+  const bool tiled = this->IsTiled();
+  Pane pane;
+  if (tiled)
+  {
+    pane.Where = { this->Columns, this->Rows, i % this->Columns, i / this->Columns };
+  }
+  pane.Part = tiled ? 0 : this->Panes.size();
+  const int monitor = tiled || part.Screen ? i + 1 : o.Monitor;
+  pane.Window = std::make_unique<GlfwWindow>(
+    title, part.Size, o.FullScreen, monitor, ShowsEyesInTurn(o.Picture));
+  if (i > 0 && !o.FullScreen)
+  {
+    // screens in one row
+    const int right = tiled ? pane.Where.Column * part.Size[0] : GetSize()[0];
+    pane.Window->PlaceBeside(*this->Panes[0].Window, right, pane.Where.Row * part.Size[1]);
+  }
+  pane.Stage = std::make_unique<ViewerStage>(
+    pane.Window->GetHandle(), pane.Window->IsStereo(), scene, part, pane.Where);
+  this->Panes.push_back(std::move(pane));
 }
 
 void Wall::Poll()
@@ -40,12 +76,31 @@ void Wall::Wait(double seconds)
   GlfwWindow::Wait(seconds);
 }
 
-std::array<double, 2> Wall::ToWhole(const Pane& pane, double x, double y) const
+std::array<double, 2> Wall::ToPart(const Pane& pane, double x, double y) const
 {
   const std::array<int, 2> own = pane.Window->GetSize();
-  const std::array<int, 2> whole = this->GetSize();
+  const std::array<int, 2> whole = this->GetSize(pane.Part);
   return { { (pane.Where.Column + x / std::max(1, own[0])) * whole[0] / this->Columns,
     (pane.Where.Row + y / std::max(1, own[1])) * whole[1] / this->Rows } };
+}
+
+std::optional<Place> Wall::FindPane(const Place& place) const
+{
+  const std::array<int, 2> size = this->GetSize(place.Part);
+  const double x = place.At[0] / std::max(1, size[0]) * this->Columns;
+  const double y = place.At[1] / std::max(1, size[1]) * this->Rows;
+  for (std::size_t i = 0; i < this->Panes.size(); i++)
+  {
+    const Pane& pane = this->Panes[i];
+    const double right = x - pane.Where.Column;
+    const double down = y - pane.Where.Row;
+    if (pane.Part == place.Part && right >= 0 && right < 1 && down >= 0 && down < 1)
+    {
+      const std::array<int, 2> own = pane.Window->GetSize();
+      return Place{ i, { { right * own[0], down * own[1] } } };
+    }
+  }
+  return std::nullopt;
 }
 
 std::vector<WindowEvent> Wall::TakeEvents()
@@ -55,9 +110,10 @@ std::vector<WindowEvent> Wall::TakeEvents()
   {
     for (WindowEvent event : pane.Window->TakeEvents())
     {
+      event.Part = pane.Part;
       if (event.What == WindowEvent::Kind::Cursor)
       {
-        const std::array<double, 2> at = this->ToWhole(pane, event.X, event.Y);
+        const std::array<double, 2> at = this->ToPart(pane, event.X, event.Y);
         event.X = at[0];
         event.Y = at[1];
       }
@@ -104,12 +160,18 @@ bool Wall::IsFullScreen() const
   return this->Panes[0].Window->IsFullScreen();
 }
 
-void Wall::SetFullScreen(bool on)
+bool Wall::SetFullScreen(bool on)
 {
+  if (on && this->IsSeveral() &&
+    static_cast<std::size_t>(GlfwWindow::CountMonitors()) < this->Panes.size())
+  {
+    return false;
+  }
   for (const Pane& pane : this->Panes)
   {
     pane.Window->SetFullScreen(on);
   }
+  return true;
 }
 
 // Of several windows each has its monitor already.
@@ -121,24 +183,42 @@ void Wall::NextMonitor()
   }
 }
 
-std::array<double, 2> Wall::GetCursor() const
+void Wall::SetPointerShown(bool shown)
 {
-  const std::array<double, 2> at = this->Panes[0].Window->GetCursor();
-  return this->ToWhole(this->Panes[0], at[0], at[1]);
+  for (const Pane& pane : this->Panes)
+  {
+    pane.Window->SetPointerShown(shown);
+  }
 }
 
-std::array<int, 2> Wall::GetSize() const
+Place Wall::GetCursor() const
+{
+  const std::array<double, 2> at = this->Panes[0].Window->GetCursor();
+  return { 0, this->ToPart(this->Panes[0], at[0], at[1]) };
+}
+
+std::array<int, 2> Wall::GetSize(std::size_t part) const
 {
   for (const Pane& pane : this->Panes)
   {
     const std::array<int, 2> own = pane.Window->GetSize();
-    if (own[0] <= 0 || own[1] <= 0)
+    if (pane.Part == part && IsVisible(own))
     {
-      return { { 0, 0 } };
+      return { { own[0] * this->Columns, own[1] * this->Rows } };
     }
   }
-  const std::array<int, 2> first = this->Panes[0].Window->GetSize();
-  return { { first[0] * this->Columns, first[1] * this->Rows } };
+  return { { 0, 0 } };
+}
+
+std::array<int, 2> Wall::GetSize() const
+{
+  std::array<int, 2> all{ { 0, 0 } };
+  for (std::size_t part = 0; !this->Panes.empty() && part <= this->Panes.back().Part; part++)
+  {
+    const std::array<int, 2> size = this->GetSize(part);
+    all = { { all[0] + size[0], std::max(all[1], size[1]) } };
+  }
+  return all;
 }
 
 bool Wall::IsWithinLimits() const
@@ -150,25 +230,72 @@ bool Wall::IsWithinLimits() const
   });
 }
 
-FrameCost Wall::Draw(const Options& o, const std::function<std::string(const FrameCost&)>& text,
-  const std::string& help)
+FrameCost Wall::SumOfCosts() const
 {
-  FrameCost sum;
-  // the first one last: its text tells what all of them took
-  for (auto pane = this->Panes.rbegin(); pane != this->Panes.rend(); ++pane)
+  std::optional<FrameCost> sum;
+  for (const Pane& pane : this->Panes)
   {
-    const bool first = pane + 1 == this->Panes.rend();
-    const FrameCost before = sum;
-    const auto total = [&](const FrameCost& cost) { return text(before + cost); };
-    const std::array<int, 2> size = pane->Window->GetSize();
-    sum = before +
-      (first ? pane->Stage->Draw(o, size, total, help) : pane->Stage->Draw(o, size, nullptr, ""));
+    if (pane.Cost)
+    {
+      sum = sum ? *sum + *pane.Cost : *pane.Cost;
+    }
+  }
+  return sum.value_or(FrameCost());
+}
+
+// The window under the pointer first, for it finds where the crosshair is in all of them; the one
+// with the text last, which tells what all of them took.
+std::vector<std::size_t> Wall::OrderFrom(std::size_t first) const
+{
+  std::vector<std::size_t> order;
+  for (std::size_t i = this->Panes.size(); i > 0; i--)
+  {
+    order.push_back(i - 1);
+  }
+  const auto found = std::find(order.begin(), order.end(), first);
+  std::rotate(order.begin(), found, found == order.end() ? found : found + 1);
+  return order;
+}
+
+FrameCost Wall::DrawPane(
+  std::size_t i, const Options& part, const Extras& extras, const Place& under)
+{
+  Pane& pane = this->Panes[i];
+  const bool first = i == 0;
+  pane.Window->CheckAlive(); // its context is to become current
+  if (extras.Cross != nullptr)
+  {
+    extras.Cross->Pointer = i == under.Part ? std::optional(under.At) : std::nullopt;
+  }
+  const auto total = [&](const FrameCost& cost) {
+    pane.Cost = cost;
+    return extras.Text(this->SumOfCosts());
+  };
+  const std::function<std::string(const FrameCost&)> text =
+    first && extras.Text ? total : std::function<std::string(const FrameCost&)>();
+  return pane.Stage->Draw(
+    part, pane.Window->GetSize(), text, first ? extras.Help : "", extras.Cross);
+}
+
+FrameCost Wall::Draw(const std::vector<Options>& parts, const Extras& extras)
+{
+  const Place nowhere{ this->Panes.size(), {} };
+  const Place under = this->FindPane(extras.Pointer).value_or(nowhere);
+  for (const std::size_t i : this->OrderFrom(extras.Cross != nullptr ? under.Part : nowhere.Part))
+  {
+    Pane& pane = this->Panes[i];
+    const bool visible = IsVisible(pane.Window->GetSize());
+    pane.Cost.reset();
+    if (visible)
+    {
+      pane.Cost = this->DrawPane(i, parts[pane.Part], extras, under);
+    }
   }
   for (const Pane& pane : this->Panes)
   {
     pane.Window->Show();
   }
-  return sum;
+  return this->SumOfCosts();
 }
 
 void Wall::SetUpdateRate(double rate)
@@ -206,24 +333,25 @@ bool Wall::HasBuffersForBoth() const
     [](const Pane& pane) { return pane.Window->IsStereo(); });
 }
 
-Picture Wall::Take(const Options& o)
+Picture Wall::Take(const std::vector<Options>& parts)
 {
+  const std::array<int, 2> size = this->GetSize();
   Picture whole;
-  whole.Width = o.Size[0];
-  whole.Height = o.Size[1];
-  const int width = o.Size[0] / this->Columns;
-  const int height = o.Size[1] / this->Rows;
+  whole.Width = size[0];
+  whole.Height = size[1];
   whole.Rgb.resize(3 * static_cast<std::size_t>(whole.Width) * whole.Height);
+  int left = 0;
   for (const Pane& pane : this->Panes)
   {
-    const Picture part = pane.Stage->Take(o, { { width, height } });
-    const std::size_t row = 3 * static_cast<std::size_t>(width);
-    for (int j = 0; j < height; j++)
+    const std::array<int, 2> all = this->GetSize(pane.Part);
+    if (IsVisible(all))
     {
-      const std::size_t to =
-        static_cast<std::size_t>(pane.Where.Row * height + j) * this->Columns + pane.Where.Column;
-      std::copy_n(part.Rgb.begin() + static_cast<std::ptrdiff_t>(row * j), row,
-        whole.Rgb.begin() + static_cast<std::ptrdiff_t>(row * to));
+      const int width = all[0] / this->Columns;
+      const int height = all[1] / this->Rows;
+      const int column = this->IsTiled() ? pane.Where.Column * width : left;
+      Insert(pane.Stage->Take(parts[pane.Part], { { width, height } }), column,
+        pane.Where.Row * height, whole);
+      left += width;
     }
   }
   return whole;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The windows that show one picture: one, or a wall of them, each a part.
+// The windows that are shown: one, a wall that shares one picture, or one for each screen of a
+// room.
 #ifndef WideFoVWall_h
 #define WideFoVWall_h
 
@@ -9,22 +10,42 @@
 #include "ViewerStage.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace widefov
 {
-// Speaks of the whole picture: its size and its pixels, wherever they are shown. All windows
-// are drawn from the same options; events come from any of them.
+// A place of what is shown: a picture, and pixels of it from its upper left. A wall has one
+// picture, however many windows it has; of screens each has its own.
+struct Place
+{
+  std::size_t Part = 0;
+  std::array<double, 2> At{ { 0, 0 } };
+};
+
+// What is drawn over the scene.
+struct Extras
+{
+  std::function<std::string(const FrameCost&)> Text; // of the cost; stands on the first window
+  std::string Help;                                  // on the first window
+  Aim* Cross = nullptr;                              // crosshair; its pointer is set here
+  Place Pointer;
+};
+
 class Wall
 {
 public:
-  // The scene must outlive this. Throws a Failure with ExitFailed: no OpenGL, windows larger
-  // than it draws, fewer monitors than windows where they are to fill them.
-  Wall(const ViewerOptions& options, const Scene& scene, const std::string& title);
+  // `parts`: the options of each picture; several are screens. The scene must outlive this. Throws
+  // a Failure with ExitFailed: no OpenGL, windows larger than it draws, fewer monitors than
+  // windows where they are to fill them.
+  Wall(const ViewerOptions& options, const std::vector<Options>& parts, const Scene& scene,
+    const std::string& title);
 
   bool IsSeveral() const { return this->Panes.size() > 1; }
+  bool IsTiled() const { return this->Columns * this->Rows > 1; }
 
-  // As those of GlfwWindow; Wait at most so many seconds, below 0 as long as it takes.
+  // As those of GlfwWindow; Wait at most so many seconds, below 0 as long as it takes. Places of
+  // the cursor are those of the event's part.
   void Poll();
   void Wait(double seconds = -1);
   std::vector<WindowEvent> TakeEvents();
@@ -33,11 +54,17 @@ public:
   void Close();
   void CheckAlive() const;
   bool IsFullScreen() const;
-  void SetFullScreen(bool on);
   void NextMonitor();
-  std::array<double, 2> GetCursor() const;
+  void SetPointerShown(bool shown);
+  Place GetCursor() const;
 
-  // Of the whole picture, pixels; 0 where a window shows nothing.
+  // False, and nothing changes, where there are fewer monitors than windows.
+  bool SetFullScreen(bool on);
+
+  // Of a part's picture, pixels; 0 where nothing shows anything of it.
+  std::array<int, 2> GetSize(std::size_t part) const;
+
+  // Of all parts side by side.
   std::array<int, 2> GetSize() const;
 
   // Can OpenGL draw windows as large as these are?
@@ -46,9 +73,9 @@ public:
   // Of all windows, as ViewerStage::SetUpdateRate.
   void SetUpdateRate(double rate);
 
-  // Draws all windows and shows them. The text stands on the first; the cost is that of all.
-  FrameCost Draw(const Options& options, const std::function<std::string(const FrameCost&)>& text,
-    const std::string& help);
+  // Draws all windows that show something, and shows them. The cost is that of all; what the
+  // text has of windows that are drawn after the first one is that of the frame before.
+  FrameCost Draw(const std::vector<Options>& parts, const Extras& extras);
 
   // Shows the other eye, where a layout shows one after the other and the windows do not do it
   // themselves; false where there is nothing to flip.
@@ -57,8 +84,8 @@ public:
   // True where such a layout is shown by windows with a back buffer for each eye.
   bool HasBuffersForBoth() const;
 
-  // The whole picture without text, not shown.
-  Picture Take(const Options& options);
+  // All parts side by side without text, not shown.
+  Picture Take(const std::vector<Options>& parts);
 
 private:
   struct Pane
@@ -66,14 +93,24 @@ private:
     std::unique_ptr<GlfwWindow> Window;
     std::unique_ptr<ViewerStage> Stage; // goes first
     Tile Where;
+    std::size_t Part = 0;
+    std::optional<FrameCost> Cost; // of the last frame, where it showed anything
   };
 
-  // Pixels of a window to those of the whole picture.
-  std::array<double, 2> ToWhole(const Pane& pane, double x, double y) const;
+  void AddPane(const ViewerOptions& options, const Options& part, const Scene& scene,
+    const std::string& title);
+  FrameCost DrawPane(std::size_t i, const Options& part, const Extras& extras, const Place& under);
+  FrameCost SumOfCosts() const;
+  std::vector<std::size_t> OrderFrom(std::size_t first) const;
+
+  // Pixels of a window to those of its part, and back: which window a place is in, as its part,
+  // and where.
+  std::array<double, 2> ToPart(const Pane& pane, double x, double y) const;
+  std::optional<Place> FindPane(const Place& place) const;
 
   int Columns;
   int Rows;
-  std::vector<Pane> Panes; // row by row, from the upper left
+  std::vector<Pane> Panes; // a wall's row by row, from the upper left
 };
 }
 

@@ -23,9 +23,14 @@ int Forget(Display*, XErrorEvent*)
 // Xlib ends the program when this returns, with a message of its own.
 int Leave(Display*)
 {
-  Say("the display is gone; start again where there is one");
-  _exit(ExitFailed);
+  LeaveAtOnce("the display is gone; start again where there is one");
 }
+}
+
+void LeaveAtOnce(const std::string& message)
+{
+  Say(message);
+  _exit(ExitFailed);
 }
 
 void HandleXErrors()

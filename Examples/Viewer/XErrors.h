@@ -3,6 +3,8 @@
 #ifndef WideFoVXErrors_h
 #define WideFoVXErrors_h
 
+#include <string>
+
 struct GLFWwindow;
 
 namespace widefov
@@ -17,6 +19,10 @@ void WaitForServer();
 
 // Asks the server. True where the window system is not X.
 bool WindowExists(GLFWwindow* window);
+
+// Ends the program with ExitFailed and a message, without tidying up: Mesa's software renderers
+// crash where the context of a window that is gone is to become current.
+[[noreturn]] void LeaveAtOnce(const std::string& message);
 }
 
 #endif

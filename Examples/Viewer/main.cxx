@@ -8,6 +8,7 @@
 #include "LoadScene.h"
 #include "Messages.h"
 #include "Program.h"
+#include "Room.h"
 #include "StateLog.h"
 #include "Viewer.h"
 #include "ViewerOptions.h"
@@ -44,18 +45,20 @@ int Run(int argc, char** argv)
     return ExitDone;
   }
   LoadDirectionMap(options.Picture);
+  Room room(options);
+  options.Picture = room.GetGiven();
   const Scene scene = LoadScene(options.Picture);
   MakePose(scene, options.Picture); // complains before a window is opened
   const DisplayConnection display;
   StateLog log(options.Log);
   const QuietStandardError quiet;
-  Wall windows(options, scene, TitleOf(options.Picture));
+  Wall windows(options, room.See(options.Picture), scene, TitleOf(options.Picture));
   if (ShowsEyesInTurn(options.Picture) && !windows.HasBuffersForBoth())
   {
     Say("warning: there is no window with a buffer for each eye here; their pictures are shown in "
         "turn by software, which shutter glasses may not keep in step with");
   }
-  Viewer(options, scene, windows, log).Run();
+  Viewer(options, scene, room, windows, log).Run();
   return ExitDone;
 }
 }

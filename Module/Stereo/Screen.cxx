@@ -73,4 +73,10 @@ ScreenSight LookThrough(const Screen& s, const vec3& eye)
   sight.Center = -middle / half;
   return sight;
 }
+
+vec3 DirectionThrough(const ScreenSight& sight, const vec2& ndc)
+{
+  const vec2 aside = (ndc - sight.Center) * sight.Half;
+  return glm::normalize(aside.x * sight.Right + aside.y * sight.Up - sight.Back);
+}
 }

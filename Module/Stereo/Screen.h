@@ -49,6 +49,9 @@ struct ScreenSight
 
 // Where the eye is not before the screen, that of an eye just before it: never infinite.
 WFV_EXPORT ScreenSight LookThrough(const Screen& screen, const vec3& eye);
+
+// From that eye to a place of the screen's picture, NDC; room coordinates, unit length.
+WFV_EXPORT vec3 DirectionThrough(const ScreenSight& sight, const vec2& ndc);
 }
 
 #endif

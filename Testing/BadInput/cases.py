@@ -250,8 +250,20 @@ VIEWER = [
     usage("good.vtk --wall 2x1 --projection perspective --vfov 60", "--wall"),
     usage("good.vtk --wall 2x1 --technique cubemap", "--wall"),
     usage("good.vtk --wall 2x1 --monitor 1", "--wall"),
-    usage("good.vtk --screens cave.pvx", "--screens"),
-    usage("good.vtk --pose six.txt", "--pose"),
+    usage("good.vtk --screens cave.pvx --wall 2x1", "--wall"),
+    usage("good.vtk --screens cave.pvx --monitor 1", "--monitor"),
+    usage("good.vtk --screens cave.pvx --projection hammer", "perspective"),
+    usage("good.vtk --pose-rate 10", "--pose FILE"),
+    usage("good.vtk --pose-once", "--pose FILE"),
+    usage("good.vtk --pose six.txt --pose-rate nan", "--pose-rate"),
+    usage("good.vtk --pose six.txt --pose-rate -1", "--pose-rate"),
+    failed("good.vtk --screens both.pvx --full-screen", "no monitor 2"),
+    failed("good.vtk --pose back.txt", "back.txt, pose 3 is earlier"),
+    failed("good.vtk --pose still.txt", "give --pose-rate"),
+    Case("good.vtk --pose back.txt --pose-rate 100", DONE, None),
+    Case("good.vtk --screens both.pvx --pose six.txt --pose-once", DONE, None),
+    Case("good.vtk --screens cave.pvx --stereo offaxis", DONE, None),
+    Case("good.vtk --screens cave.pvx --stereo warped --offset -0.5", DONE, None),
     usage("good.vtk --frames -1", "--frames"),
     usage("good.vtk --frames many", "--frames"),
     usage("good.vtk --log ''", "--log"),
@@ -283,6 +295,9 @@ VIEWER = [
     Case("--help", DONE, None),
     Case("--version", DONE, None),
 ]
+
+# Broken files of screens and poses: the same lines as of widefov-render.
+VIEWER += [failed("good.vtk " + words, says) for words, code, says in ROOM if code == FAILED]
 
 GROUPS = {
     "CommandLine": COMMAND_LINE,

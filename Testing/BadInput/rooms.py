@@ -50,6 +50,8 @@ def room_files():
         "short.txt": STILL + "1 0 0 0 0 0 0\n",
         "zero.txt": "0 0 0 0 0 0 0 0\n",
         "mixed.txt": STILL + "1 0 0 0 1\n",
+        "back.txt": STILL + "2 0 0 0 0 0 0 1\n" + "1 0 0 0 0 0 0 1\n",
+        "still.txt": STILL + STILL,
         "outside.txt": STILL + "1 0 0 -2 0 0 0 1\n",
     }
 

@@ -132,17 +132,24 @@ class Viewer:
         self.window = wait_for("the window", self.find)
         self.wait()
 
-    def find(self):
-        """The viewer's window, mapped; without a window manager a child of the root."""
+    def windows(self):
+        """The viewer's windows by their titles, mapped; without a window manager children of
+        the root."""
         self.check_running()
+        found = {}
         for window in self.desktop.root.query_tree().children:
             try:
-                if (window.get_wm_name() or "").startswith("widefov-viewer"):
+                title = window.get_wm_name() or ""
+                if title.startswith("widefov-viewer"):
                     if window.get_attributes().map_state == X.IsViewable:
-                        return window
+                        found[title] = window
             except error.XError:
                 pass  # it went meanwhile
-        return None
+        return found
+
+    def find(self):
+        """A window of the viewer."""
+        return next(iter(self.windows().values()), None)
 
     def check_running(self):
         if self.process.poll() is not None:

@@ -1,19 +1,32 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Photographs widefov-viewer's window after some keys, for the documentation.
+"""Photographs widefov-viewer's windows after some keys, for the documentation.
 
     photograph.py VIEWER OUTPUT.png KEYS [VIEWER OPTION...]
 
-KEYS are names of keys with commas between them, such as F1 or p,p,t; "-" is none.
+KEYS are names of keys with commas between them, such as F1 or p,p,t; "-" is none. Two numbers,
+such as 300x120, are where the pointer goes, in pixels of the window. Several windows are side by
+side in the picture.
 """
 
 import os
+import re
 import sys
 import tempfile
 
+import numpy
 from matplotlib import image
 
-from desktop import Desktop, Viewer
+from desktop import Desktop, Viewer, pixels_of
+
+
+def photograph(viewer):
+    """All windows that are as high as the first, from the left."""
+    row = []
+    for window in viewer.windows().values():
+        size = window.get_geometry()
+        row.append((size.x, pixels_of(window, size.width, size.height)))
+    return numpy.hstack([picture for _, picture in sorted(row, key=lambda pair: pair[0])])
 
 
 def main():
@@ -26,8 +39,12 @@ def main():
             viewer = Viewer(desktop, program, sys.argv[4:], folder)
             viewer.point(5, 5)
             for key in [] if keys == "-" else keys.split(","):
-                viewer.key(key)
-            image.imsave(output, viewer.photograph())
+                place = re.fullmatch(r"(\d+)x(\d+)", key)
+                if place:
+                    viewer.point(int(place[1]), int(place[2]))
+                else:
+                    viewer.key(key)
+            image.imsave(output, photograph(viewer))
             viewer.kill()
     finally:
         desktop.close()
