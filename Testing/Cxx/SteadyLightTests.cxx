@@ -96,6 +96,7 @@ TEST(SteadyLights, ASceneLightStaysInTheScene)
 {
   LitBall still;
   still.Side->SetLightTypeToSceneLight();
+  still.Test.Renderer->LightFollowCameraOff(); // so that none is a constant
   still.Test.Camera->Yaw(70);
   const auto expected = still.Draw();
   LitBall turned;
@@ -103,7 +104,7 @@ TEST(SteadyLights, ASceneLightStaysInTheScene)
   turned.Draw();
   const int programs = turned.Programs();
   turned.Test.Camera->Yaw(70);
-  EXPECT_EQ(MostDifferent(turned.Draw(), expected), 0);
+  EXPECT_LE(MostDifferent(turned.Draw(), expected), LightRounding);
   EXPECT_EQ(turned.Programs(), programs);
 }
 
