@@ -198,7 +198,7 @@ void FinishFragment(const Request& r, std::vector<Varying> varyings, std::string
   RemoveInputs(fragment, varyings);
   ReplaceAll(fragment, "gl_FragCoord.z", "wfvDepth");
   ReplaceAll(fragment, "gl_FrontFacing", "wfvFront");
-  RewriteLights(r.Headlights, fragment);
+  RewriteLights(r.Headlights, r.Lights, fragment);
   const bool round = r.Projection->Axis == Family::Azimuthal;
   vtkWideFoVShaderBuilder::WrapMain(fragment, Before(r, fragment),
     std::string("  if (wfvHide) { discard; }\n") +

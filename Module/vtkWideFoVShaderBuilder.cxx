@@ -229,7 +229,7 @@ void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std:
   }
   declarations += DebugSource(r);
   FoldMaterial(r.Surface, fragment);
-  RewriteLights(r.Headlights, fragment);
+  RewriteLights(r.Headlights, r.Lights, fragment);
   if (!before.empty() || !after.empty())
   {
     vtkWideFoVShaderBuilder::WrapMain(fragment, before, after);

@@ -16,12 +16,14 @@ void Append(std::string& key, const Values&... values)
 void AppendRequest(std::string& key, const vtkWideFoVShaderBuilder::Request& request)
 {
   const auto& [projection, stereo, stage, kind, widePoints, wideLines, edges, edgeFlags, byRays,
-    debugView, multisample, tilted, fades, surface, headlights, depthMapping, calm, surfaceDepth] =
-    request;
+    debugView, multisample, tilted, fades, surface, headlights, depthMapping, calm, surfaceDepth,
+    lights] = request;
   const auto& [noAmbient, noDiffuse, fullDiffuse, noSpecular, opaque] = surface;
   Append(key, projection, stereo, stage, kind, widePoints, wideLines, edges, edgeFlags, byRays,
     debugView, multisample, tilted, fades, headlights, depthMapping, calm, surfaceDepth, noAmbient,
     noDiffuse, fullDiffuse, noSpecular, opaque);
+  key += lights ? *lights : "";
+  key += '\0'; // where they end
 }
 }
 

@@ -5,6 +5,7 @@
 #include "vtkWideFoVQuadricShaders.h"
 
 #include <regex>
+#include <sstream>
 
 namespace wfv
 {
@@ -188,7 +189,21 @@ int CornerComponents(const std::vector<Varying>& varyings, int corners)
   return count;
 }
 
-void RewriteLights(int headlights, std::string& fragment)
+namespace
+{
+void FoldLights(const std::string& constants, std::string& declarations)
+{
+  std::istringstream lines(constants);
+  std::string name, value;
+  while (lines >> name && std::getline(lines, value))
+  {
+    ReplaceAll(
+      declarations, "uniform vec3 " + name + ";", "const vec3 " + name + " =" + value + ";");
+  }
+}
+}
+
+void RewriteLights(int headlights, const std::string* constants, std::string& fragment)
 {
   // the first statement of the stock main, whatever main is called by now
   const std::string position = "vec4 vertexVC = vertexVCVSOutput;";
@@ -199,6 +214,7 @@ void RewriteLights(int headlights, std::string& fragment)
   }
   std::string head = fragment.substr(0, inside);
   std::string body = fragment.substr(inside);
+  FoldLights(constants ? *constants : "", head);
   vtkWideFoVShaderBuilder::Declare(head, light_fragment_glsl);
   ReplaceAll(head, "uniform int wfvHeadlights;",
     "const int wfvHeadlights = " + std::to_string(headlights) + ";");

@@ -92,7 +92,8 @@ void RewriteFlatNormal(std::string& fragment);
 
 // The stock text takes normal.z for the cosine towards the eye and the view axis for
 // the direction of a headlight; both hold in front of the eye only. headlights: one bit a light.
-void RewriteLights(int headlights, std::string& fragment);
+// constants: of wfv::SteadyLights, or none.
+void RewriteLights(int headlights, const std::string* constants, std::string& fragment);
 
 // Depth by wfvDepth instead of the rasterizer's; returns what main begins with.
 std::string RewriteDepth(std::string& fragment);

@@ -144,9 +144,10 @@ void vtkWideFoVStage::SetView(vtkRenderer* renderer, vtkWideFoVCamera* camera, d
   }
 
   const int headlights = wfv::FindHeadlights(renderer);
-  if (headlights != this->Headlights)
+  const bool changed = this->Lights.Look(renderer);
+  if (changed || headlights != this->Headlights)
   {
-    this->Headlights = headlights; // a constant of the shaders
+    this->Headlights = headlights; // constants of the shaders, both
     this->SourceTime.Modified();
   }
 }
@@ -171,6 +172,7 @@ void vtkWideFoVStage::FinishTriangles(vtkWideFoVShaderBuilder::Request& request)
 {
   request.Stereo = this->Stereo;
   request.Headlights = this->Headlights;
+  request.Lights = &this->Lights.GetConstants();
   request.Fades = this->Fades;
   const bool straight = !this->Stereo || this->Stereo->Straight;
   if (request.Kind == vtkWideFoVShaderBuilder::Primitive::Lines && !straight &&

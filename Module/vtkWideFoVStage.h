@@ -8,6 +8,7 @@
 #include "vtkNew.h"
 #include "vtkOpenGLRenderPass.h"
 #include "vtkWideFoVShaderBuilder.h"
+#include "vtkWideFoVSteadyLights.h"
 #include "vtkWideFoVTile.h"
 
 namespace wfv
@@ -151,6 +152,7 @@ private:
   wfv::TilePixels Pixels;
   float Tolerance = 0.25f;
   int Headlights = 0;
+  wfv::SteadyLights Lights;
   bool Clipless = false;
   // Shaders reckon with several samples a pixel from the first draw on that has them, and no
   // longer after a frame without one: passes that draw now so and now so share a shader.

@@ -260,9 +260,11 @@ void vtkPVWideFoVView::StartFrame()
   this->UpdateStereo();
   this->UpdateClipSpheres();
   this->Internal->Everywhere->UseBoundsOn();
+  this->Internal->Threads.Begin();
 }
 
 void vtkPVWideFoVView::EndFrame()
 {
+  this->Internal->Threads.End();
   this->Internal->Everywhere->UseBoundsOff();
 }

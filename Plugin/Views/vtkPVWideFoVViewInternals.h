@@ -5,6 +5,7 @@
 
 #include "vtkPVWideFoVView.h"
 
+#include "FrameThreads.h"
 #include "UndrawnProps.h"
 #include "vtkWideFoVCamera.h"
 #include "vtkWideFoVEverywhereProp.h"
@@ -33,6 +34,7 @@ struct vtkPVWideFoVView::Internals
   std::array<double, 2> ClipSpheres{ { 0.01, 1000 } };
   int DepthMapping = vtkWideFoVCamera::LINEAR;
   wfvplugin::UndrawnProps Undrawn;
+  wfvplugin::FrameThreads Threads;
 
   // Its stereo settings alone count: a camera knows which values are none.
   vtkNew<vtkWideFoVCamera> Stereo;

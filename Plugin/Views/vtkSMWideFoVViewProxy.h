@@ -3,7 +3,9 @@
  * @class   vtkSMWideFoVViewProxy
  * @brief   the server manager's proxy of a vtkPVWideFoVView
  *
- * A vtkSMRenderViewProxy whose camera on the client is a vtkWideFoVCamera.
+ * A vtkSMRenderViewProxy whose camera on the client is a vtkWideFoVCamera. There is none, and an
+ * error that says why, while the client is connected to a server with another version of the
+ * plugin.
  */
 #ifndef vtkSMWideFoVViewProxy_h
 #define vtkSMWideFoVViewProxy_h
@@ -14,6 +16,9 @@
 class VTKWIDEFOVPLUGINVIEWS_EXPORT vtkSMWideFoVViewProxy : public vtkSMRenderViewProxy
 {
 public:
+  /**
+   * Null where client and server have different versions of the plugin.
+   */
   static vtkSMWideFoVViewProxy* New();
   vtkTypeMacro(vtkSMWideFoVViewProxy, vtkSMRenderViewProxy);
   void PrintSelf(ostream& os, vtkIndent indent) override;

@@ -189,6 +189,26 @@ TEST(ShaderBuilder, HeadlightsShineFromTheEye)
   EXPECT_TRUE(Has(fragment, "-wfvLightDirection(0, lightDirectionVC0)"));
 }
 
+TEST(ShaderBuilder, SteadyLightsAreConstants)
+{
+  const std::string lights = "lightColor0 vec3(1, 0.5, 0)\nlightDirectionVC1 vec3(0, 0, -1)\n";
+  Builder::Request request;
+  request.Projection = wfv::FindProjection("hammer");
+  request.Lights = &lights;
+  std::string vertex = Vertex;
+  std::string geometry;
+  std::string fragment = "//VTK::System::Dec\n"
+                         "uniform vec3 lightColor0; //intensity weighted color\n"
+                         "uniform vec3 lightColor1; //intensity weighted color\n"
+                         "uniform vec3 lightDirectionVC1; // normalized\n"
+                         "void main()\n{\n"
+                         "vec4 vertexVC = vertexVCVSOutput;\n}\n";
+  Builder::Finish(request, vertex, geometry, fragment);
+  EXPECT_TRUE(Has(fragment, "const vec3 lightColor0 = vec3(1, 0.5, 0);"));
+  EXPECT_TRUE(Has(fragment, "uniform vec3 lightColor1;"));
+  EXPECT_TRUE(Has(fragment, "const vec3 lightDirectionVC1 = vec3(0, 0, -1);"));
+}
+
 TEST(ShaderBuilder, WrappingNests)
 {
   std::string source = "void main()\n{\n}\n";

@@ -51,3 +51,18 @@ def connected(log_path, ranks=1, **environment):
         finally:
             server.terminate()  # of several ranks it is mpirun, which ends them
             server.wait()
+
+
+def check_refused(process):
+    """A wide view is refused, and other views go on working."""
+    try:
+        scene.make_view()
+    except RuntimeError as error:
+        print("refused:", error)
+        scene.require("WideFoVView" in str(error), str(error))
+    else:
+        scene.require(False, "a view where there can be none")
+    view = simple.CreateView("RenderView")
+    simple.Show(simple.Sphere(), view)
+    simple.Render(view)
+    scene.require(process.poll() is None, "the server has gone")

@@ -6,33 +6,10 @@ import os
 import re
 
 from paraview import simple
-from vtkmodules.vtkCommonCore import vtkFileOutputWindow, vtkOutputWindow
 
 import pixels
 import scene
-
-
-class Log:
-    """What VTK and ParaView say in the meantime."""
-
-    def __init__(self, options, name):
-        self.path = os.path.join(options.output, name + ".log")
-
-    def __enter__(self):
-        self.before = vtkOutputWindow.GetInstance()
-        self.window = vtkFileOutputWindow()
-        self.window.SetFileName(self.path)
-        self.window.FlushOn()
-        open(self.path, "w").close()
-        vtkOutputWindow.SetInstance(self.window)
-        return self
-
-    def __exit__(self, *_):
-        vtkOutputWindow.SetInstance(self.before)
-
-    def count(self, words):
-        with open(self.path) as file:
-            return file.read().count(words)
+from messages import Log
 
 
 def count_lit(options, view, name):

@@ -27,26 +27,12 @@ def draw(options, name):
     scene.require(white > 0.99 * scene.SIZE[0] * scene.SIZE[1], name)
 
 
-def check_refused(view_of):
-    try:
-        view_of()
-    except RuntimeError as error:
-        print("refused:", error)
-        scene.require("WideFoVView" in str(error), str(error))
-        return
-    scene.require(False, "a view without the plugin")
-
-
 def check_one_side(options, name, remote):
     """The plugin in one of the two processes; the other views go on working."""
     log = os.path.join(options.output, name + ".log")
     with server.connected(log) as process:
         simple.LoadPlugin(options.plugin, remote=remote, ns=vars(simple))
-        check_refused(scene.make_view)
-        view = simple.CreateView("RenderView")
-        simple.Show(simple.Sphere(), view)
-        simple.Render(view)
-        scene.require(process.poll() is None, "the server has gone")
+        server.check_refused(process)
         simple.Disconnect()
 
 

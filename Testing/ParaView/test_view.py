@@ -6,6 +6,7 @@ import os
 import random
 
 from paraview import simple
+from vtkmodules.vtkCommonCore import vtkSMPTools
 
 import pixels
 import scene
@@ -158,6 +159,20 @@ def check_axes(options, view, ball):
     simple.Hide(ball, view)
 
 
+def check_threads(view):
+    """Triangles are sorted by threads, also where ParaView's own loops are not, as they are not
+    afterwards either."""
+    before, inside = vtkSMPTools.GetBackend(), []
+    first = 1.0  # before the view's own observer
+    renderer = view.GetRenderer()
+    tag = renderer.AddObserver("EndEvent", lambda *_: inside.append(vtkSMPTools.GetBackend()), first)
+    simple.Render(view)
+    renderer.RemoveObserver(tag)
+    print("loops by", before, "in a frame", inside, "afterwards", vtkSMPTools.GetBackend())
+    scene.require(inside and set(inside) == {"STDThread"}, "no threads in a frame")
+    scene.require(vtkSMPTools.GetBackend() == before, "another backend afterwards")
+
+
 def main(options):
     scene.load_plugin(options)
     view = scene.make_view()
@@ -165,6 +180,7 @@ def main(options):
     simple.Show(ball, view)
     scene.place_eye(view, EYE, FOCAL)
     simple.Render(view)
+    check_threads(view)
     check_hover(view)
     simple.Hide(ball, view)
     check_ruler(options, view)
