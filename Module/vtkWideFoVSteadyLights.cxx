@@ -6,7 +6,9 @@
 #include "vtkMath.h"
 #include "vtkOpenGLRenderer.h"
 
-#include <cstdio>
+#include <iomanip>
+#include <locale>
+#include <sstream>
 
 namespace
 {
@@ -74,13 +76,14 @@ void CollectNumbers(vtkRenderer* renderer, std::vector<double>& numbers)
   }
 }
 
+// (GLSL's numbers have a point, whatever the user's language writes)
 std::string Constant(const char* name, std::size_t light, const double* v)
 {
-  char line[128];
-  std::snprintf(line, sizeof(line), "%s%zu vec3(%.9g, %.9g, %.9g)\n", name, light,
-    static_cast<double>(static_cast<float>(v[0])), static_cast<double>(static_cast<float>(v[1])),
-    static_cast<double>(static_cast<float>(v[2])));
-  return line;
+  std::ostringstream line;
+  line.imbue(std::locale::classic());
+  line << std::setprecision(9) << name << light << " vec3(" << static_cast<float>(v[0]) << ", "
+       << static_cast<float>(v[1]) << ", " << static_cast<float>(v[2]) << ")\n";
+  return line.str();
 }
 }
 
