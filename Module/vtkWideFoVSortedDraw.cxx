@@ -44,8 +44,9 @@ double LongestAxis(const double m[16])
 // saves in some ten frames.
 constexpr int HastyFrames = 10;
 
-// Triangles from which on a mesh keeps no more than what draws it while a view of it stands: what
-// is then found anew for the next one, its neighbours, is a tenth of the time of a sort.
+// Triangles from which on a mesh that is sorted well, for a view that stands, keeps no more than
+// what draws it: what is found anew for the next such view, the neighbours, takes some hundredths
+// of its time.
 constexpr std::size_t LargeMesh = 1000000;
 
 // Actors that may share a mapper and each keep what was sorted for them, once an eye.
@@ -64,7 +65,6 @@ struct SortedDraw::Entry
   SortView View;
   int Frames = 0;     // drawn since
   bool Haste = false; // sorted so
-  bool Rests = false; // all that is needed to sort it has been let go since
   std::size_t All = 0;
   std::size_t Counts[NumberOfLots] = { 0 }; // one lot follows the other
   FrameCounts Found;
@@ -185,14 +185,7 @@ bool SortedDraw::Prepare(
     e.View = view;
     std::copy_n(toMap, 16, e.ToMap);
     this->Sort(e, data);
-    e.Rests = false;
     stages->Counts.SortedMeshes += haste ? 0 : 1;
-  }
-  else if (!e.Haste && !e.Rests && e.All >= LargeMesh)
-  {
-    this->Mesh.LetGo();
-    this->Triangles = Sorter();
-    e.Rests = true;
   }
   e.Frames++;
   this->Current = &e;
@@ -231,9 +224,16 @@ void SortedDraw::Sort(Entry& e, vtkPolyData* data)
   if (e.IsWhole())
   {
     e.Order.clear();
-    return;
   }
-  this->Upload(e);
+  else
+  {
+    this->Upload(e);
+  }
+  if (!e.Haste && e.All >= LargeMesh)
+  {
+    this->Mesh.LetGo();
+    this->Triangles = Sorter();
+  }
 }
 
 // Corners of the triangles in their order.
