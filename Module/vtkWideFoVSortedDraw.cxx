@@ -160,20 +160,26 @@ bool SortedDraw::Prepare(
 {
   this->Current = nullptr;
   this->Chosen = SortedDraw::All;
+  if (!IsWorthIt(data, this->ForStrips))
+  {
+    return false;
+  }
   vtkWideFoVStages* const stages = stage->GetStages();
   SortView view;
-  if (!stages || !IsWorthIt(data, this->ForStrips) || !stages->GetSortView(stage, actor, view))
+  if (!stages || !stages->GetSortView(stage, actor, view))
   {
     return false;
   }
-  Entry* const entry = this->Find(Key(actor, view.Own && view.View.stereo.x > 0));
-  if (!entry)
-  {
-    return false;
-  }
-  Entry& e = *entry;
+  Entry* const found = this->Find(Key(actor, view.Own && view.View.stereo.x > 0));
+  return found && this->PrepareEntry(*found, data, view, stages, rounding);
+}
+
+// view: rounding is still to be added.
+bool SortedDraw::PrepareEntry(
+  Entry& e, vtkPolyData* data, SortView& view, vtkWideFoVStages* stages, double rounding)
+{
   double toMap[16];
-  stages->GetToMap(actor, toMap);
+  stages->GetToMap(e.Actor, toMap);
   view.Rounding = rounding * LongestAxis(toMap);
   const bool still = e.Data == data && e.Time == data->GetMTime() &&
     std::equal(toMap, toMap + 16, e.ToMap) && e.View == view;
@@ -212,6 +218,17 @@ void SortedDraw::Sort(Entry& e, vtkPolyData* data)
     e.All = 0;
     return;
   }
+  this->Take(e);
+  if (!e.Haste && e.All >= LargeMesh)
+  {
+    this->Mesh.LetGo();
+    this->Triangles = Sorter();
+    e.Order.shrink_to_fit(); // it may have been a larger one
+  }
+}
+
+void SortedDraw::Take(Entry& e)
+{
   e.Found.UnseenClusters = this->Triangles.GetNumberOfUnseen();
   e.Found.UnseenTriangles = this->Triangles.GetNumberOfLeftOut();
   this->Triangles.TakeOrder(e.Order);
@@ -228,11 +245,6 @@ void SortedDraw::Sort(Entry& e, vtkPolyData* data)
   else
   {
     this->Upload(e);
-  }
-  if (!e.Haste && e.All >= LargeMesh)
-  {
-    this->Mesh.LetGo();
-    this->Triangles = Sorter();
   }
 }
 
@@ -292,6 +304,7 @@ void SortedDraw::SetParameters(vtkShaderProgram* program, vtkWindow* window)
   auto* const context = static_cast<vtkOpenGLRenderWindow*>(window);
   if (this->Chosen == Calm && program->IsUniformUsed("wfvReaches"))
   {
+    this->Bound = true;
     this->Current->Load(context);
     this->Current->ReachTexture.Activate(program, "wfvReaches");
     this->Current->PieceTexture.Activate(program, "wfvPieces");
@@ -300,6 +313,7 @@ void SortedDraw::SetParameters(vtkShaderProgram* program, vtkWindow* window)
   {
     return;
   }
+  this->Bound = true;
   this->LoadNumbers(context);
   this->Numbers.Activate(program, "wfvNumbers");
   const bool own = this->Chosen == SortedDraw::All || this->Current->IsWhole();
@@ -310,6 +324,11 @@ void SortedDraw::SetParameters(vtkShaderProgram* program, vtkWindow* window)
 void SortedDraw::Finish()
 {
   this->Chosen = SortedDraw::All;
+  if (!this->Bound)
+  {
+    return; // of many small props each would be asked
+  }
+  this->Bound = false;
   this->Numbers.Deactivate();
   if (this->Current)
   {
