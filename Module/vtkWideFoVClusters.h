@@ -14,6 +14,26 @@ class vtkPolyData;
 
 namespace wfv
 {
+// The points of triangles, three each: those of cells that are all triangles, where they are, for a
+// copy of a large mesh is a tenth of what stock VTK takes for it; else of a copy.
+class Corners
+{
+public:
+  unsigned int operator[](std::size_t corner) const
+  {
+    return this->Wide ? static_cast<unsigned int>(this->Wide[corner]) : this->Narrow[corner];
+  }
+  std::size_t size() const { return this->Size; }
+
+  void Take(vtkCellArray* triangles);
+  void Take(const std::vector<unsigned int>& copy);
+
+private:
+  const vtkTypeInt64* Wide = nullptr;
+  const unsigned int* Narrow = nullptr;
+  std::size_t Size = 0;
+};
+
 // Runs keep the order of the triangles: meshes come in an order that keeps neighbours together,
 // and the numbers of the triangles stay theirs.
 class Clusters
@@ -27,23 +47,24 @@ public:
   {
   }
 
-  // Makes them anew where the data have changed.
+  // Makes them anew where the data have changed, or what they need has been let go. To be called
+  // before anything is asked for, for corners may be the cells' own.
   void Update(vtkPolyData* data);
+
+  // Frees what a sort needs and can be found anew, but for places, which sorting in haste needs.
+  void LetGo();
 
   // The cells that they are of.
   vtkCellArray* GetCells(vtkPolyData* data) const;
 
-  vtkIdType GetNumberOfTriangles() const
-  {
-    return static_cast<vtkIdType>(this->Corners.size() / 3);
-  }
+  vtkIdType GetNumberOfTriangles() const { return this->Triangles; }
   int GetNumberOfClusters() const { return static_cast<int>(this->Bounds.size()); }
 
   // xmin, xmax, ymin, ymax, zmin, zmax; infinite where a point is no number.
   const std::array<double, 6>& GetBounds(int cluster) const { return this->Bounds[cluster]; }
 
   // Points of the triangles, three each: what the mapper's index buffer holds.
-  const std::vector<unsigned int>& GetCorners() const { return this->Corners; }
+  const Corners& GetCorners() const { return this->All; }
 
   // For each edge of each triangle, from corner j to the next, the triangle on its other side;
   // NoTriangle where there is none, more than one, or one that is turned the other way. Points at
@@ -56,13 +77,18 @@ public:
 
 private:
   void Build(vtkPolyData* data);
-  void Add(vtkPoints* points, const vtkIdType corners[3]);
+  bool AddCells(vtkPolyData* data);
+  bool Add(vtkPoints* points, const vtkIdType corners[3]); // unless two are at one place
 
   const bool Strips;
 
   vtkPolyData* Data = nullptr; // compared; used by those who have just updated
   vtkMTimeType Time = 0;
-  std::vector<unsigned int> Corners;
+  vtkIdType Sizes[2] = { 0, 0 }; // of points and of the points of cells
+  vtkIdType Triangles = 0;
+  bool AsTheyAre = false; // the cells are the triangles, one each
+  Corners All;
+  std::vector<unsigned int> Copy; // unless they are
   std::vector<unsigned int> Neighbours;
   std::vector<unsigned int> Places;
   std::vector<std::array<double, 6>> Bounds;

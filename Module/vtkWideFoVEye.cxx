@@ -8,6 +8,7 @@
 #include "vtkOpenGLVertexBufferObject.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkShaderProgram.h"
+#include "vtkWideFoVGl.h"
 
 #include <cmath>
 
@@ -34,8 +35,18 @@ public:
 
 namespace wfv
 {
+EyeUniforms FindEyeUniforms(vtkShaderProgram* program)
+{
+  const auto handle = static_cast<GLuint>(program->GetHandle());
+  EyeUniforms uniforms;
+  uniforms.Known = glGetUniformLocation(handle, "wfvEyeKnown");
+  uniforms.High = glGetUniformLocation(handle, "wfvEyeHigh");
+  uniforms.Low = glGetUniformLocation(handle, "wfvEyeLow");
+  return uniforms;
+}
+
 void SetEye(
-  vtkShaderProgram* program, vtkOpenGLPolyDataMapper* mapper, vtkActor* actor, vtkCamera* camera)
+  const EyeUniforms& uniforms, vtkOpenGLPolyDataMapper* mapper, vtkActor* actor, vtkCamera* camera)
 {
   double m[16];
   MapperAccess::BufferToModel(mapper, m);
@@ -56,8 +67,8 @@ void SetEye(
     high[i] = rounded;
     low[i] = static_cast<float>(eye - rounded);
   }
-  program->SetUniformi("wfvEyeKnown", known);
-  program->SetUniform3f("wfvEyeHigh", high);
-  program->SetUniform3f("wfvEyeLow", low);
+  glUniform1i(uniforms.Known, known);
+  glUniform3fv(uniforms.High, 1, high);
+  glUniform3fv(uniforms.Low, 1, low);
 }
 }

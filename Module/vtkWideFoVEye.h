@@ -12,10 +12,20 @@ class vtkShaderProgram;
 
 namespace wfv
 {
-// Sets wfvEyeHigh and wfvEyeLow (their sum is the eye, in double) and wfvEyeKnown, which
-// is 0 where the way from model to view coordinates cannot be turned round.
+// wfvEyeHigh and wfvEyeLow (their sum is the eye, in double) and wfvEyeKnown, which is 0 where the
+// way from model to view coordinates cannot be turned round: where a program has them, below 0
+// where it has not. Every prop sets them, and to look their names up takes longer than that.
+struct EyeUniforms
+{
+  int Known = -1;
+  int High = -1;
+  int Low = -1;
+};
+EyeUniforms FindEyeUniforms(vtkShaderProgram* program);
+
+// Sets them in the program that is bound.
 void SetEye(
-  vtkShaderProgram* program, vtkOpenGLPolyDataMapper* mapper, vtkActor* actor, vtkCamera* camera);
+  const EyeUniforms& uniforms, vtkOpenGLPolyDataMapper* mapper, vtkActor* actor, vtkCamera* camera);
 }
 
 #endif

@@ -31,7 +31,8 @@ struct vtkWideFoVPolyDataMapper::Internals
   wfv::PropKeys Keys; // of the actor that is drawn, where no pass draws it
   wfv::SortedDraw Polygons{ false };
   wfv::SortedDraw Strips{ true };
-  vtkWindow* Window = nullptr; // that is drawn to
+  vtkWindow* Window = nullptr;      // that is drawn to
+  vtkWideFoVStage* Stage = nullptr; // that is attached to the actor that is drawn
 
   wfv::SortedDraw& Of(int primitive)
   {
@@ -57,7 +58,9 @@ void vtkWideFoVPolyDataMapper::PrintSelf(ostream& os, vtkIndent indent)
 void vtkWideFoVPolyDataMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
 {
   auto* camera = vtkWideFoVCamera::SafeDownCast(renderer->GetActiveCamera());
-  if (!camera || !camera->IsWide() || vtkWideFoVStages::IsAttached(actor))
+  vtkWideFoVStage*& stage = this->Internal->Stage;
+  stage = vtkWideFoVStages::FindAttached(actor);
+  if (!camera || !camera->IsWide() || stage)
   {
     this->Superclass::RenderPiece(renderer, actor);
     return;
@@ -71,7 +74,7 @@ void vtkWideFoVPolyDataMapper::RenderPiece(vtkRenderer* renderer, vtkActor* acto
   {
     return;
   }
-  vtkWideFoVStage* stage = stages.Choose(actor, bounds, facts);
+  stage = stages.Choose(actor, bounds, facts);
   this->Internal->Keys.Attach(actor, stage);
   this->Superclass::RenderPiece(renderer, actor);
   this->Internal->Keys.Detach(actor, stage);
@@ -88,7 +91,7 @@ void vtkWideFoVPolyDataMapper::ReleaseGraphicsResources(vtkWindow* window)
 
 void vtkWideFoVPolyDataMapper::SetCustomUniforms(vtkOpenGLHelper& cellBO, vtkActor* actor)
 {
-  vtkWideFoVStage* stage = vtkWideFoVStages::FindAttached(actor);
+  vtkWideFoVStage* const stage = this->Internal->Stage;
   if (stage && stage->GetVariant() == vtkWideFoVShaderBuilder::Variant::Tessellate &&
     !vtkWideFoVTessellation::IsIn(cellBO.Program))
   {
@@ -169,7 +172,7 @@ void vtkWideFoVPolyDataMapper::DrawSorted(int primitive, vtkRenderer* renderer, 
 void vtkWideFoVPolyDataMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
 {
   this->Internal->Window = renderer->GetRenderWindow();
-  vtkWideFoVStage* stage = vtkWideFoVStages::FindAttached(actor);
+  vtkWideFoVStage* const stage = this->Internal->Stage;
   vtkProperty* const property = actor->GetProperty();
   const bool edges = property->GetEdgeVisibility() && !renderer->GetSelector();
   const bool surface =

@@ -3,6 +3,8 @@
 #ifndef vtkWideFoVProgramMemory_h
 #define vtkWideFoVProgramMemory_h
 
+#include "vtkWideFoVEye.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <unordered_map>
@@ -15,7 +17,7 @@ namespace wfv
 struct ProgramUses
 {
   bool Samples = false;
-  bool Eye = false;
+  EyeUniforms Eye;
   bool LineWidth = false;
   bool FrontCulled = false;
   bool PointSize = false;

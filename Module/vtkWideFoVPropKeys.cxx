@@ -48,8 +48,7 @@ void PropKeys::Attach(vtkProp* prop, vtkWideFoVStage* stage)
   {
     this->Lent = this->OfProp = vtkSmartPointer<vtkInformation>::New();
   }
-  const bool same =
-    this->Lent->Has(list) && this->Lent->Length(list) == 1 && this->Lent->Get(list, 0) == stage;
+  const bool same = this->Lent->Length(list) == 1 && this->Lent->Get(list, 0) == stage;
   if (!same)
   {
     this->Lent->Clear();

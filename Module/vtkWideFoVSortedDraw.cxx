@@ -44,6 +44,11 @@ double LongestAxis(const double m[16])
 // saves in some ten frames.
 constexpr int HastyFrames = 10;
 
+// Triangles from which on a mesh that is sorted well, for a view that stands, keeps no more than
+// what draws it: what is found anew for the next such view, the neighbours, takes some hundredths
+// of its time.
+constexpr std::size_t LargeMesh = 1000000;
+
 // Actors that may share a mapper and each keep what was sorted for them, once an eye.
 constexpr std::size_t MostEntries = 16;
 }
@@ -155,20 +160,26 @@ bool SortedDraw::Prepare(
 {
   this->Current = nullptr;
   this->Chosen = SortedDraw::All;
+  if (!IsWorthIt(data, this->ForStrips))
+  {
+    return false;
+  }
   vtkWideFoVStages* const stages = stage->GetStages();
   SortView view;
-  if (!stages || !IsWorthIt(data, this->ForStrips) || !stages->GetSortView(stage, actor, view))
+  if (!stages || !stages->GetSortView(stage, actor, view))
   {
     return false;
   }
-  Entry* const entry = this->Find(Key(actor, view.Own && view.View.stereo.x > 0));
-  if (!entry)
-  {
-    return false;
-  }
-  Entry& e = *entry;
+  Entry* const found = this->Find(Key(actor, view.Own && view.View.stereo.x > 0));
+  return found && this->PrepareEntry(*found, data, view, stages, rounding);
+}
+
+// view: rounding is still to be added.
+bool SortedDraw::PrepareEntry(
+  Entry& e, vtkPolyData* data, SortView& view, vtkWideFoVStages* stages, double rounding)
+{
   double toMap[16];
-  stages->GetToMap(actor, toMap);
+  stages->GetToMap(e.Actor, toMap);
   view.Rounding = rounding * LongestAxis(toMap);
   const bool still = e.Data == data && e.Time == data->GetMTime() &&
     std::equal(toMap, toMap + 16, e.ToMap) && e.View == view;
@@ -207,9 +218,20 @@ void SortedDraw::Sort(Entry& e, vtkPolyData* data)
     e.All = 0;
     return;
   }
+  this->Take(e);
+  if (!e.Haste && e.All >= LargeMesh)
+  {
+    this->Mesh.LetGo();
+    this->Triangles = Sorter();
+    e.Order.shrink_to_fit(); // it may have been a larger one
+  }
+}
+
+void SortedDraw::Take(Entry& e)
+{
   e.Found.UnseenClusters = this->Triangles.GetNumberOfUnseen();
   e.Found.UnseenTriangles = this->Triangles.GetNumberOfLeftOut();
-  e.Order = this->Triangles.GetOrder();
+  this->Triangles.TakeOrder(e.Order);
   e.Counts[Covered] = this->Triangles.GetNumberOfCovered();
   e.Counts[Calm] = this->Triangles.GetNumberOfCalm();
   e.Counts[Plain] = e.Order.size() - e.Counts[Covered] - e.Counts[Calm];
@@ -219,21 +241,23 @@ void SortedDraw::Sort(Entry& e, vtkPolyData* data)
   if (e.IsWhole())
   {
     e.Order.clear();
-    return;
   }
-  this->Upload(e);
+  else
+  {
+    this->Upload(e);
+  }
 }
 
 // Corners of the triangles in their order.
 void SortedDraw::Upload(Entry& e)
 {
-  const std::vector<unsigned int>& corners = this->Mesh.GetCorners();
+  const Corners& corners = this->Mesh.GetCorners();
   std::vector<unsigned int> indices;
   indices.reserve(3 * e.Order.size());
   for (const unsigned int triangle : e.Order)
   {
-    const auto first = corners.begin() + 3 * static_cast<std::ptrdiff_t>(triangle);
-    indices.insert(indices.end(), first, first + 3);
+    const std::size_t first = 3 * static_cast<std::size_t>(triangle);
+    indices.insert(indices.end(), { corners[first], corners[first + 1], corners[first + 2] });
   }
   if (!indices.empty())
   {
@@ -280,6 +304,7 @@ void SortedDraw::SetParameters(vtkShaderProgram* program, vtkWindow* window)
   auto* const context = static_cast<vtkOpenGLRenderWindow*>(window);
   if (this->Chosen == Calm && program->IsUniformUsed("wfvReaches"))
   {
+    this->Bound = true;
     this->Current->Load(context);
     this->Current->ReachTexture.Activate(program, "wfvReaches");
     this->Current->PieceTexture.Activate(program, "wfvPieces");
@@ -288,6 +313,7 @@ void SortedDraw::SetParameters(vtkShaderProgram* program, vtkWindow* window)
   {
     return;
   }
+  this->Bound = true;
   this->LoadNumbers(context);
   this->Numbers.Activate(program, "wfvNumbers");
   const bool own = this->Chosen == SortedDraw::All || this->Current->IsWhole();
@@ -298,6 +324,11 @@ void SortedDraw::SetParameters(vtkShaderProgram* program, vtkWindow* window)
 void SortedDraw::Finish()
 {
   this->Chosen = SortedDraw::All;
+  if (!this->Bound)
+  {
+    return; // of many small props each would be asked
+  }
+  this->Bound = false;
   this->Numbers.Deactivate();
   if (this->Current)
   {

@@ -82,8 +82,11 @@ public:
 private:
   struct Entry;
 
-  void Upload(Entry& entry);
+  bool PrepareEntry(
+    Entry& entry, vtkPolyData* data, SortView& view, vtkWideFoVStages* stages, double rounding);
   void Sort(Entry& entry, vtkPolyData* data);
+  void Take(Entry& entry); // what was sorted last
+  void Upload(Entry& entry);
   void LoadNumbers(vtkOpenGLRenderWindow* window);
 
   const bool ForStrips;
@@ -94,6 +97,7 @@ private:
   std::map<Key, std::unique_ptr<Entry>> Entries;
   Entry* Current = nullptr;
   Lot Chosen = All;
+  bool Bound = false; // textures are, to units of theirs
   vtkOpenGLHelper Helpers[NumberOfLots];
   BufferTexture Numbers;
   Entry* NumbersOf = nullptr;

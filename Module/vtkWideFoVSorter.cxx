@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace
 {
@@ -118,6 +119,10 @@ bool Sorter::SortWith(
 bool Sorter::Sort(
   Clusters& clusters, vtkPoints* points, const double toMap[16], const SortView& view)
 {
+  if (view.Plain)
+  {
+    clusters.GetNeighbours(); // before anything else is kept, for to find them takes the most
+  }
   return this->SortWith(
     clusters, points, view, [&](const auto* p) { this->SortPoints(clusters, p, toMap, view); });
 }
@@ -144,7 +149,7 @@ void Sorter::SortPointsInHaste(
 void Sorter::CoverBeside(Clusters& clusters)
 {
   const std::vector<unsigned int>& places = clusters.GetPlaces();
-  const std::vector<unsigned int>& corners = clusters.GetCorners();
+  const Corners& corners = clusters.GetCorners();
   std::vector<bool> covered(places.size());
   for (std::size_t i = 0; i < this->Kinds.size(); i++)
   {
@@ -257,6 +262,9 @@ void Sorter::SpreadOverOutlines(const EdgeDoubts::Lists& lists, const EdgeDoubts
 
 void Sorter::MakeOrder()
 {
+  const auto add = [](std::size_t sum, unsigned char kind) {
+    return sum + ((kind & Cover) != 0) + ((kind & Plain) != 0);
+  };
   const auto append = [this](int mask, int wanted) {
     const std::size_t before = this->Order.size();
     for (std::size_t i = 0; i < this->Kinds.size(); i++)
@@ -269,6 +277,8 @@ void Sorter::MakeOrder()
     return this->Order.size() - before;
   };
   this->Order.clear();
+  this->Order.reserve(
+    std::accumulate(this->Kinds.begin(), this->Kinds.end(), this->Pieces.size(), add));
   this->Covered = append(Cover | sorting::Calm | Cut, Cover);
   this->Calm = append(Cover | sorting::Calm | Cut, Cover | sorting::Calm);
   for (std::size_t i = 0; i < this->Calm; i++)

@@ -35,7 +35,7 @@ public:
 
   // Numbers of triangles: those to be covered first, calm ones after the others, and among those
   // once a piece the ones that are covered in pieces; then the plain ones. A few are both.
-  const std::vector<unsigned int>& GetOrder() const { return this->Order; }
+  void TakeOrder(std::vector<unsigned int>& order) { this->Order.swap(order); }
   std::size_t GetNumberOfCovered() const { return this->Covered; }
   std::size_t GetNumberOfCalm() const { return this->Calm; }
 

@@ -70,7 +70,7 @@ wfv::ProgramUses FindUses(vtkShaderProgram* program)
 {
   wfv::ProgramUses uses;
   uses.Samples = program->IsUniformUsed("wfvSamples");
-  uses.Eye = program->IsUniformUsed("wfvEyeKnown");
+  uses.Eye = wfv::FindEyeUniforms(program);
   uses.LineWidth = program->IsUniformUsed("wfvLineWidth");
   uses.FrontCulled = program->IsUniformUsed("wfvFrontCulled");
   uses.PointSize = program->IsUniformUsed("wfvPointSize");
@@ -145,9 +145,9 @@ void vtkWideFoVStage::SetPropParameters(vtkShaderProgram* program, vtkAbstractMa
     return;
   }
   vtkProperty* const property = actor->GetProperty();
-  if (uses.Eye && this->Renderer)
+  if (uses.Eye.Known >= 0 && this->Renderer)
   {
-    wfv::SetEye(program, polydata, actor, this->Renderer->GetActiveCamera());
+    wfv::SetEye(uses.Eye, polydata, actor, this->Renderer->GetActiveCamera());
   }
   if (uses.LineWidth)
   {

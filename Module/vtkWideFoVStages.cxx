@@ -170,14 +170,12 @@ vtkWideFoVStage* vtkWideFoVStages::Choose(
 
 vtkWideFoVStage* vtkWideFoVStages::FindAttached(vtkProp* prop)
 {
-  vtkInformation* info = prop->GetPropertyKeys();
-  const int n = info && info->Has(vtkOpenGLRenderPass::RenderPasses())
-    ? info->Length(vtkOpenGLRenderPass::RenderPasses())
-    : 0;
+  vtkInformation* const info = prop->GetPropertyKeys();
+  vtkInformationObjectBaseVectorKey* const key = vtkOpenGLRenderPass::RenderPasses();
+  const int n = info ? info->Length(key) : 0;
   for (int i = 0; i < n; i++)
   {
-    auto* stage = vtkWideFoVStage::SafeDownCast(info->Get(vtkOpenGLRenderPass::RenderPasses(), i));
-    if (stage)
+    if (auto* const stage = vtkWideFoVStage::SafeDownCast(info->Get(key, i)))
     {
       return stage;
     }

@@ -78,8 +78,6 @@ public:
   // Puts one stage in the place of another in the prop's keys.
   static void Replace(vtkProp* prop, vtkWideFoVStage* from, vtkWideFoVStage* to);
 
-  static bool IsAttached(vtkProp* prop) { return FindAttached(prop) != nullptr; }
-
   // The stage in the prop's keys, or nullptr.
   static vtkWideFoVStage* FindAttached(vtkProp* prop);
 
