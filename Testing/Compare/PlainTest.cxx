@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A prop that goes without the geometry stage, its edges running away from the eye: depth
-// interpolated along them is off by more than what lies between its two layers.
+// Meshes that are drawn by their chords: a large one, and a prop that goes without the geometry
+// stage, its edges running away from the eye: depth interpolated along them is off by more than
+// what lies between its two layers.
 #include "DrawingTest.h"
+#include "Meshes.h"
 #include "RayCaster.h"
 #include "vtkWideFoVPass.h"
 
@@ -9,6 +11,7 @@
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 
 using namespace wfv;
 using namespace wfv::test;
@@ -40,6 +43,57 @@ void AddFloor(vtkPoints* points, vtkCellArray* triangles, double y, int rows)
     }
   }
 }
+
+// A room of more than a million triangles; with one quadrangle its corners have to be copied.
+vtkSmartPointer<vtkPolyData> MakeLargeRoom(bool copied)
+{
+  constexpr int Cells = 300; // a row of a face
+  vtkSmartPointer<vtkPolyData> mesh = MakeRoom(Cells);
+  if (copied)
+  {
+    mesh->GetPolys()->InsertNextCell({ 0, 1, 2, 3 });
+    mesh->Modified();
+  }
+  return mesh;
+}
+
+Shot MakeLargeShot(double x)
+{
+  Shot shot;
+  shot.Options.Radii = { { 0.02, 4 } };
+  shot.Eye = vec3(x, 0.1, 0.05);
+  return shot;
+}
+
+void ExpectSame(const reference::DrawnPicture& a, const reference::DrawnPicture& b)
+{
+  EXPECT_EQ(a.Cell, b.Cell);
+  EXPECT_EQ(a.Distance, b.Distance);
+}
+}
+
+// What sorting needs of a large mesh is let go once it is sorted: another view, and the first one
+// again, show what they show when they are drawn first.
+TEST(Plain, LargeMeshesAreSortedAnew)
+{
+  for (const bool copied : { false, true })
+  {
+    const vtkSmartPointer<vtkPolyData> mesh = MakeLargeRoom(copied);
+    ASSERT_GT(mesh->GetNumberOfPolys(), 1000000);
+    Drawing picture;
+    Drawing other;
+    for (Drawing* const drawing : { &picture, &other })
+    {
+      drawing->SetMesh(mesh);
+      drawing->SetTechnique(vtkWideFoVPass::AUTO);
+    }
+    const reference::DrawnPicture first = picture.Draw(MakeLargeShot(0.3));
+    EXPECT_GT(picture.GetNumberOfPlainDraws(), 0);
+    const reference::DrawnPicture second = picture.Draw(MakeLargeShot(-0.4));
+    EXPECT_NE(first.Cell, second.Cell);
+    ExpectSame(other.Draw(MakeLargeShot(-0.4)), second);
+    ExpectSame(picture.Draw(MakeLargeShot(0.3)), first);
+  }
 }
 
 TEST(Plain, DepthIsThatOfTheSurface)
