@@ -13,6 +13,9 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 [ "$#" -ge 2 ] || { echo "profile.sh: name a scene and a method" >&2; exit 2; }
 command -v perf > /dev/null || { echo "profile.sh: there is no perf; install linux-perf" >&2; exit 2; }
 
+[ -x build/bin/widefov-bench ] ||
+  { echo "profile.sh: there is no build/bin/widefov-bench; build the project first" >&2; exit 1; }
+
 folder="$(mktemp -d)"
 trap 'rm -rf "$folder"' EXIT
 
