@@ -173,7 +173,8 @@ bool Sorter::SortInHaste(
 {
   if (!view.Bends || view.Own)
   {
-    // by rays of their own edges are no great circles: neither chords nor pieces
+    // the table says nothing of rays of their own: nothing is measured, so there are neither chords
+    // nor pieces
     SortView looks = view;
     looks.Plain = looks.Measures = false;
     return this->Sort(clusters, points, toMap, looks);
