@@ -214,6 +214,12 @@ const std::string& PlaceOf(const Request& r, const std::string& fragment)
   return stock ? StockPlace : OwnPlace;
 }
 
+std::string DepthSource(const Request& r, const std::string& fragment)
+{
+  const bool own = PlaceOf(r, fragment) == OwnPlace;
+  return (own ? "in vec3 " + OwnPlace + ";\n" : "") + depth_fragment_glsl;
+}
+
 void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
 {
   const bool covers = Covers(r);
@@ -229,9 +235,8 @@ void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std:
   }
   else if (WritesDepth(r))
   {
-    const std::string& place = PlaceOf(r, fragment);
-    declarations = (place == OwnPlace ? "in vec3 " + place + ";\n" : "") + depth_fragment_glsl;
-    before = "  wfvPrepareDepth(" + place + ".xyz);\n" + RewriteDepth(fragment);
+    declarations = DepthSource(r, fragment);
+    before = "  wfvPrepareDepth(" + PlaceOf(r, fragment) + ".xyz);\n" + RewriteDepth(fragment);
   }
   const std::string border = BorderSource(r);
   if (!border.empty())

@@ -73,7 +73,6 @@ void vtkWideFoVStages::Begin(
   this->PixelAngle = 2 * std::max(this->View.halfFov.x, this->View.halfFov.y) /
     std::max(1, std::min(size[0], size[1]));
   vtkMatrix4x4::DeepCopy(this->WorldToView, camera->GetModelViewTransformMatrix());
-  this->Eye = wfv::FindWorldEye(this->WorldToView);
   if (auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()))
   {
     this->Textures.Load(this->View.map, window);
