@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A client and a server that draws, of as many ranks as are asked for: pictures as those of
-pvbatch, and extracts."""
+pvbatch, also where the client draws itself, and extracts."""
 
 import os
 import shutil
@@ -35,10 +35,19 @@ def check_extracts(options, view, mesh):
     composited.check_file(options, view, mesh, os.path.join(folder, found[1]))
 
 
+def check_opaque(options, view, mesh, remote):
+    """Drawn by the server, or by the client, which gets the data."""
+    view.RemoteRenderThreshold = 0 if remote else 1000  # megabytes
+    composited.check_opaque(options, view, mesh)
+    drawn = view.GetClientSideObject().GetUseDistributedRenderingForRender()
+    scene.require(drawn == remote, "who draws")
+
+
 def draw(options):
     scene.load_plugin(options, remote=True)
-    view, mesh, _, display = composited.show_parts(options, RemoteRenderThreshold=0)
-    composited.check_opaque(options, view, mesh)
+    view, mesh, _, display = composited.show_parts(options)
+    check_opaque(options, view, mesh, False)
+    check_opaque(options, view, mesh, True)
     check_eye(options, view, mesh)
     check_extracts(options, view, mesh)
     composited.check_translucent(options, view, display)
