@@ -5,6 +5,7 @@ that of the ray caster, and that of one rank without a client."""
 import os
 
 from paraview import simple
+from vtkmodules.vtkCommonCore import vtkIntArray
 from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
 import pixels
@@ -22,16 +23,50 @@ ROUNDING = 3
 HITS = 3000
 
 
-def show_parts(options, **properties):
+def _write_counted_mesh(path):
+    """The cells with their number as a scalar beside the one that is a colour."""
+    mesh = scene.write_mesh(path)
+    counts = vtkIntArray()
+    counts.SetName("count")
+    for cell in range(mesh.GetNumberOfCells()):
+        counts.InsertNextValue(cell + 1)
+    mesh.GetCellData().AddArray(counts)
+    scene.write_polydata(mesh, path)
+    return mesh.GetNumberOfCells()
+
+
+def _map_counts(display, count):
+    """A colour map whose colours are the numbers."""
+    simple.ColorBy(display, ("CELLS", "count"))
+    table = simple.GetColorTransferFunction("count")
+    table.AutomaticRescaleRangeMode = "Never"
+    table.Discretize = 0
+    table.ColorSpace = "RGB"
+    points = []
+    for green in range(count // 256 + 1):
+        points += [256 * green, 0, green / 255, 0, 256 * green + 255, 0, green / 255, 1]
+    table.RGBPoints = points
+
+
+def show_parts(options, share=scene.spread, **properties):
     """A view of numbered cells, of which each rank has a part: the view, the file of the cells,
-    what is shown and how."""
+    what is shown and how. The colours are those of a map: where they are data, ParaView puts the
+    ranks' pictures over each other in order, as if they could be seen through, and not by depth."""
     mesh = os.path.join(options.output, "mesh.vtp")
-    scene.write_mesh(mesh)
+    count = _write_counted_mesh(mesh)
     view = scene.make_view(**properties)
-    source = scene.spread(simple.XMLPolyDataReader(FileName=[mesh]))
+    source = share(simple.XMLPolyDataReader(FileName=[mesh]))
     display = scene.show_cells(source, view)
     scene.place_eye(view, [0.5, 0.3, 1], [0.6, 0.2, 0])
+    display.MapScalars = 1
+    _map_counts(display, count)
     return view, mesh, source, display
+
+
+def show_in_order(display):
+    """The same colours, put over each other in order."""
+    simple.ColorBy(display, ("CELLS", "number"))
+    display.MapScalars = 0
 
 
 def check_file(options, view, mesh, picture, side=0):
@@ -53,16 +88,26 @@ def _most():
     return OTHERWISE * scene.SIZE[0] * scene.SIZE[1]
 
 
+def _check_numbers(options, view, mesh, name, one):
+    """Beside the ray caster's picture and that of one rank, which has a name of its own."""
+    picture = scene.save(view, os.path.join(options.output, name))
+    check_file(options, view, mesh, picture)
+    alone = pixels.read_rows(_of_one_rank(options, one))
+    other = pixels.count_different(pixels.read_rows(picture), alone)
+    print(other, "opaque pixels differ from one rank's", flush=True)
+    scene.require(other <= _most(), name)
+
+
 def check_opaque(options, view, mesh):
     for projection in PROJECTIONS:
         view.Projection = projection
-        name = projection + ".png"
-        picture = scene.save(view, os.path.join(options.output, name))
-        check_file(options, view, mesh, picture)
-        alone = pixels.read_rows(_of_one_rank(options, name))
-        other = pixels.count_different(pixels.read_rows(picture), alone)
-        print(other, "opaque pixels differ from one rank's", flush=True)
-        scene.require(other <= _most(), name)
+        _check_numbers(options, view, mesh, projection + ".png", projection + ".png")
+
+
+def check_in_order(options, view, mesh, display):
+    view.Projection = "equirectangular"
+    show_in_order(display)
+    _check_numbers(options, view, mesh, "in-order.png", "equirectangular.png")
 
 
 def check_translucent(options, view, display):

@@ -50,6 +50,7 @@ def draw(options):
     check_opaque(options, view, mesh, True)
     check_eye(options, view, mesh)
     check_extracts(options, view, mesh)
+    composited.check_in_order(options, view, mesh, display)
     composited.check_translucent(options, view, display)
 
 

@@ -7,7 +7,6 @@ so every number of ranks draws the same.
 
 import os
 
-from paraview import simple
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
 import composited
@@ -24,11 +23,9 @@ def check_eyes(options, view, mesh):
         composited.check_file(options, view, mesh, picture, side)
 
 
-def check_idle_ranks(options, mesh):
+def check_idle_ranks(options):
     """The same where all data are on rank 0, in a view of its own."""
-    view = scene.make_view()
-    scene.show_cells(simple.XMLPolyDataReader(FileName=[mesh]), view)
-    scene.place_eye(view, [0.5, 0.3, 1], [0.6, 0.2, 0])
+    view, mesh, _, _ = composited.show_parts(options, lambda whole: whole)
     path = os.path.join(options.output, "idle.png")
     composited.check_file(options, view, mesh, scene.save(view, path))
 
@@ -50,8 +47,9 @@ def main(options):
     check_eyes(options, view, mesh)
     if ranks > 1:
         check_reduced(options, view, mesh)
+    composited.check_in_order(options, view, mesh, display)
     composited.check_translucent(options, view, display)
-    check_idle_ranks(options, mesh)
+    check_idle_ranks(options)
 
 
 scene.run(main)

@@ -11,6 +11,7 @@ def main(options):
         scene.load_plugin(options, remote=True)
         view, mesh, _, display = composited.show_parts(options, RemoteRenderThreshold=0)
         composited.check_opaque(options, view, mesh)
+        composited.check_in_order(options, view, mesh, display)
         composited.check_translucent(options, view, display)
 
 

@@ -12,16 +12,23 @@ import server
 # In all, of which each is a selection of its own.
 PIXELS = 1000
 
+# Further ones, of data whose ranks are put over each other in order.
+IN_ORDER = 40
+
 PROJECTIONS = ["equirectangular", "hammer", "azimuthal-equidistant", "equi-angular-cubemap"]
 
 
 def select(options, **properties):
-    view, _, source, _ = composited.show_parts(options, **properties)
+    view, _, source, display = composited.show_parts(options, **properties)
     dice = random.Random(1)
     for projection in PROJECTIONS:
         view.Projection = projection
         picture = scene.save(view, os.path.join(options.output, projection + ".png"))
         pixels.check_selection(view, source, picture, PIXELS // len(PROJECTIONS), dice)
+    # ParaView 5.11 shares out such data anew, and gives a cell the rank of one of its points, in its
+    # own Render View as well
+    composited.show_in_order(display)
+    pixels.check_selection(view, source, picture, IN_ORDER, dice, ranks=False)
 
 
 def main(options):
