@@ -113,9 +113,9 @@ bool vtkWideFoVStages::IsFine(vtkProp* prop, const double bounds[6], wfv::PropFa
     return true;
   }
   facts.LongestEdge = facts.LongestEdge < 0 ? this->Meshes.Get(prop) : facts.LongestEdge;
-  return vtkWideFoVChordError(this->View, bounds, this->WorldToView, facts.LongestEdge) *
-    this->HalfDiagonal <=
-    this->Tolerance;
+  const double error = vtkWideFoVChordError(
+    *this->Projection, this->View, bounds, this->WorldToView, facts.LongestEdge);
+  return error * this->HalfDiagonal <= this->Tolerance;
 }
 
 bool vtkWideFoVStages::AllowsChords() const
