@@ -4,6 +4,8 @@
 
 #include "vtkWideFoVCamera.h"
 #include "vtkWideFoVPass.h"
+#include "vtkWideFoVPolyDataMapper.h"
+#include "vtkWideFoVSortedDraw.h"
 
 #include "vtkActor.h"
 #include "vtkInformation.h"
@@ -62,6 +64,17 @@ bool HasOwnShaders(vtkActor* actor)
   vtkShaderProperty* const shaders = actor->GetShaderProperty();
   return shaders->HasVertexShaderCode() || shaders->HasGeometryShaderCode() ||
     shaders->GetNumberOfShaderReplacements() > 0;
+}
+
+// Of blocks it is not known, nor asked for.
+void FindTriangles(vtkActor* actor, wfv::PropFacts& facts)
+{
+  vtkMapper* const mapper = actor->GetMapper();
+  auto* const mesh = mapper ? vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0)) : nullptr;
+  const bool surface = actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
+  facts.Surface = mesh && surface && mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0;
+  facts.Sorts = facts.Surface && vtkWideFoVPolyDataMapper::SafeDownCast(mapper) &&
+    (wfv::SortedDraw::IsWorthIt(mesh, false) || wfv::SortedDraw::IsWorthIt(mesh, true));
 }
 }
 
@@ -127,6 +140,7 @@ void vtkWideFoVStages::FindFacts(vtkProp* prop, wfv::PropFacts& facts)
     facts.PointSize = property->GetPointSize();
     const double width = std::max<double>(property->GetLineWidth(), facts.PointSize);
     facts.Reach = facts.Bounded && DrawsOutlines(actor) ? WidthMargin * width : 0;
+    FindTriangles(actor, facts);
   }
   facts.Known = true;
 }
