@@ -116,8 +116,9 @@ bool MeetsDiscontinuity(
     const double cap = std::tan(vtkMath::RadiansFromDegrees(MeridianPoleCap));
     return seam || NearestInPlane(low[0], high[0], low[2], high[2]) <= cap * height;
   }
+  // the antipode; what is all ahead may well lie round the axis
   const double cap = std::tan(vtkMath::RadiansFromDegrees(AntipodeCap));
-  return NearestInPlane(low[0], high[0], low[1], high[1]) <= cap * std::max(high[2], 0.0);
+  return high[2] >= 0 && NearestInPlane(low[0], high[0], low[1], high[1]) <= cap * high[2];
 }
 }
 
@@ -135,20 +136,34 @@ bool vtkWideFoVNeedsPreClip(const wfv::Projection& projection, const wfv::WfvVie
   return MeetsDiscontinuity(projection, low, high);
 }
 
-double vtkWideFoVChordError(const wfv::WfvView& view, const double bounds[6],
-  const double worldToView[16], double longestEdge)
+namespace
+{
+// Of the directions in a box: the square of what wfv::SineToSingularity is at least.
+double SineToSingularity2(wfv::Family family, const double low[3], const double high[3])
+{
+  const bool ahead = high[2] <= 0;
+  if (family == wfv::Family::Meridian)
+  {
+    return std::pow(NearestInPlane(low[0], high[0], low[2], high[2]), 2) / Farthest2(low, high);
+  }
+  if (family == wfv::Family::Azimuthal && !ahead)
+  {
+    return std::pow(NearestInPlane(low[0], high[0], low[1], high[1]), 2) / Farthest2(low, high);
+  }
+  return 1;
+}
+}
+
+double vtkWideFoVChordError(const wfv::Projection& projection, const wfv::WfvView& view,
+  const double bounds[6], const double worldToView[16], double longestEdge)
 {
   double low[3];
   double high[3];
   ViewBounds(bounds, worldToView, view, low, high);
   const double flat = NearestInPlane(low[0], high[0], low[2], high[2]);
   const double nearest = std::hypot(flat, std::max({ low[1], -high[1], 0.0 }));
-  const double farthest2 = Farthest2(low, high);
   const double angle = nearest > 0 ? longestEdge / nearest : VTK_DOUBLE_MAX;
-  // no direction of the box is nearer to a pole, or to the antipode, than this
-  const double round = NearestInPlane(low[0], high[0], low[1], high[1]);
-  const bool ahead = high[2] <= 0;
-  const double sine2 = std::min(flat * flat, ahead ? farthest2 : round * round) / farthest2;
+  const double sine2 = SineToSingularity2(projection.Axis, low, high);
   return angle <= LongestAngle && sine2 > 0 ? 0.125 * view.bend * angle * angle / sine2
                                             : VTK_DOUBLE_MAX;
 }

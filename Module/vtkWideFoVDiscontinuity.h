@@ -14,7 +14,7 @@ bool vtkWideFoVNeedsPreClip(const wfv::Projection& projection, const wfv::WfvVie
 
 // How far, in NDC, the edges of a prop with these bounds are from their chords at the most;
 // very large where nothing can be said. Scene units.
-double vtkWideFoVChordError(const wfv::WfvView& view, const double bounds[6],
-  const double worldToView[16], double longestEdge);
+double vtkWideFoVChordError(const wfv::Projection& projection, const wfv::WfvView& view,
+  const double bounds[6], const double worldToView[16], double longestEdge);
 
 #endif

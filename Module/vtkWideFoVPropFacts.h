@@ -12,6 +12,8 @@ struct PropFacts
   bool Bounded = false;    // its bounds hold what it draws, but for its reach
   double Reach = 0;        // by which its lines and points may be wider than they are, pixels
   double PointSize = 1;    // pixels
+  bool Surface = false;    // it draws triangles
+  bool Sorts = false;      // its mapper sorts them one by one
   double LongestEdge = -1; // scene units; negative: not asked for yet
 };
 }

@@ -171,12 +171,14 @@ void Sorter::CoverBeside(Clusters& clusters)
 bool Sorter::SortInHaste(
   Clusters& clusters, vtkPoints* points, const double toMap[16], const SortView& view)
 {
-  if (!view.Bends || view.Own)
+  if (!view.Bends || view.Own || view.Cheap)
   {
     // the table says nothing of rays of their own: nothing is measured, so there are neither chords
-    // nor pieces
+    // nor pieces; and to look for empty triangles takes longer than to draw them by the vertex
+    // stage
     SortView looks = view;
     looks.Plain = looks.Measures = false;
+    looks.Bends = view.Cheap ? nullptr : view.Bends;
     return this->Sort(clusters, points, toMap, looks);
   }
   return this->SortWith(clusters, points, view,

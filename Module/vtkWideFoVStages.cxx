@@ -112,10 +112,20 @@ bool vtkWideFoVStages::IsFine(vtkProp* prop, const double bounds[6], wfv::PropFa
   {
     return true;
   }
+  double most = this->Tolerance;
+  if (this->Technique == vtkWideFoVPass::AUTO && facts.Surface && !this->Hurries)
+  {
+    // beside an outline that is off by more a hidden face shows; sorting finds where
+    if (facts.Sorts)
+    {
+      return false;
+    }
+    most = std::min(most, wfv::SortView::PlainError);
+  }
   facts.LongestEdge = facts.LongestEdge < 0 ? this->Meshes.Get(prop) : facts.LongestEdge;
-  return vtkWideFoVChordError(this->View, bounds, this->WorldToView, facts.LongestEdge) *
-    this->HalfDiagonal <=
-    this->Tolerance;
+  const double error = vtkWideFoVChordError(
+    *this->Projection, this->View, bounds, this->WorldToView, facts.LongestEdge);
+  return error * this->HalfDiagonal <= most;
 }
 
 bool vtkWideFoVStages::AllowsChords() const

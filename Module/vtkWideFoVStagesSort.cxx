@@ -4,6 +4,8 @@
 
 #include "vtkWideFoVCamera.h"
 #include "vtkWideFoVPass.h"
+#include "vtkWideFoVPolyDataMapper.h"
+#include "vtkWideFoVSortedDraw.h"
 
 #include "vtkActor.h"
 #include "vtkInformation.h"
@@ -62,6 +64,17 @@ bool HasOwnShaders(vtkActor* actor)
   vtkShaderProperty* const shaders = actor->GetShaderProperty();
   return shaders->HasVertexShaderCode() || shaders->HasGeometryShaderCode() ||
     shaders->GetNumberOfShaderReplacements() > 0;
+}
+
+// Of blocks it is not known, nor asked for.
+void FindTriangles(vtkActor* actor, wfv::PropFacts& facts)
+{
+  vtkMapper* const mapper = actor->GetMapper();
+  auto* const mesh = mapper ? vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0)) : nullptr;
+  const bool surface = actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
+  facts.Surface = mesh && surface && mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0;
+  facts.Sorts = facts.Surface && vtkWideFoVPolyDataMapper::SafeDownCast(mapper) &&
+    (wfv::SortedDraw::IsWorthIt(mesh, false) || wfv::SortedDraw::IsWorthIt(mesh, true));
 }
 }
 
@@ -127,6 +140,7 @@ void vtkWideFoVStages::FindFacts(vtkProp* prop, wfv::PropFacts& facts)
     facts.PointSize = property->GetPointSize();
     const double width = std::max<double>(property->GetLineWidth(), facts.PointSize);
     facts.Reach = facts.Bounded && DrawsOutlines(actor) ? WidthMargin * width : 0;
+    FindTriangles(actor, facts);
   }
   facts.Known = true;
 }
@@ -198,6 +212,7 @@ bool vtkWideFoVStages::GetSortView(
   const bool opaque = view.Bends && !actor->HasTranslucentPolygonalGeometry();
   view.Plain = opaque && view.Samples.AreKnown() && this->Technique == vtkWideFoVPass::AUTO &&
     (stage == this->PreClip || (own && this->AllowsChords()));
+  view.Cheap = stage == this->Plain || stage == this->PlainAmong;
   view.Tolerance = this->Tolerance;
   view.Moving = view.Plain && this->Hurries ? this->Tolerance : 0;
   view.Calm = opaque && !this->DebugView && (stage == this->PreClip || stage == this->Exact);

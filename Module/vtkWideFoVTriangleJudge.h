@@ -27,6 +27,7 @@ struct SortView
   bool Plain = false;                     // some may be drawn by the vertex stage alone
   bool Calm = false;                      // those that are easy to cover are told apart
   bool Measures = true;                   // edges of which the bends say too little
+  bool Cheap = false;                     // none is covered: to draw what is empty costs little
   bool Culls = true;                      // leaves out what is not seen
   double Rounding = 0;                    // by which the vertex buffer moves points, scene units
   SampleGrid Samples;
