@@ -9,6 +9,7 @@ from paraview import simple
 from vtkmodules.vtkCommonCore import vtkSMPTools
 
 import pixels
+import places
 import scene
 
 CENTRE, RADIUS, SIDES = (4, 1, -3), 2, 96
@@ -42,13 +43,8 @@ def check_hover(view):
 
 
 def place_of(point):
-    """Where an equirectangular picture of everything shows a point; pixels from the lower left."""
-    x, y, z = (a - b for a, b in zip(point, EYE))
-    longitude, latitude = math.atan2(x, -z), math.atan2(y, math.hypot(x, z))
-    return (
-        (longitude / math.pi + 1) / 2 * scene.SIZE[0],
-        (latitude / (math.pi / 2) + 1) / 2 * scene.SIZE[1],
-    )
+    """Where the view shows a point; pixels from the lower left."""
+    return places.place_of(point, EYE, scene.SIZE)
 
 
 def check_ruler(options, view):
@@ -60,9 +56,9 @@ def check_ruler(options, view):
     scene.require(abs(length - math.dist(*ends)) < 1e-9, "the ruler's length")
     rows = pixels.read_rows(scene.save(view, os.path.join(options.output, "ruler.png")))
     lit = [(i + 0.5, j + 0.5) for j, row in enumerate(rows) for i, n in enumerate(row) if n]
-    lines = [place_of([a + t / 400 * (b - a) for a, b in zip(*ends)]) for t in range(401)]
-    lonely = [p for p in lines if min(math.dist(p, q) for q in lit) > LINE_TOLERANCE]
-    strange = [q for q in lit if min(math.dist(p, q) for p in lines) > LINE_TOLERANCE]
+    line = places.places_of_line(*ends, EYE, scene.SIZE)
+    lonely = [p for p in line if min(math.dist(p, q) for q in lit) > LINE_TOLERANCE]
+    strange = [q for q in lit if min(math.dist(p, q) for p in line) > LINE_TOLERANCE]
     columns = {round(x) for x, _ in lit}
     print("ruler:", len(lit), "pixels, off", len(lonely), len(strange))
     scene.require(not lonely and not strange, "the ruler is elsewhere")
