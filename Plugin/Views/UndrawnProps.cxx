@@ -19,10 +19,6 @@ const Kind Kinds[] = {
   { "vtkVolume",
     "Volumes cannot be drawn in this view yet: their rays assume a flat picture. "
     "Show contours or slices instead." },
-  { "vtkGridAxes3DActor",
-    "The axes grid cannot be drawn right in this view yet: it places its lines and labels for a "
-    "flat "
-    "picture. Show an Outline, a Ruler or Billboard 3D Text instead." },
   { "vtkPolarAxesActor",
     "Polar axes cannot be drawn right in this view yet: their labels turn to a flat picture. "
     "Show lines and Billboard 3D Text instead." },

@@ -259,6 +259,7 @@ void vtkPVWideFoVView::StartFrame()
 {
   this->UpdateStereo();
   this->UpdateClipSpheres();
+  this->Internal->Grids.Begin(this->GetRenderer());
   this->Internal->Everywhere->UseBoundsOn();
   this->Internal->Threads.Begin();
 }
@@ -267,4 +268,5 @@ void vtkPVWideFoVView::EndFrame()
 {
   this->Internal->Threads.End();
   this->Internal->Everywhere->UseBoundsOff();
+  this->Internal->Grids.End();
 }

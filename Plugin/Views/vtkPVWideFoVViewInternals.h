@@ -5,6 +5,7 @@
 
 #include "vtkPVWideFoVView.h"
 
+#include "AxesGrids.h"
 #include "FrameThreads.h"
 #include "UndrawnProps.h"
 #include "vtkWideFoVCamera.h"
@@ -34,6 +35,7 @@ struct vtkPVWideFoVView::Internals
   std::array<double, 2> ClipSpheres{ { 0.01, 1000 } };
   int DepthMapping = vtkWideFoVCamera::LINEAR;
   wfvplugin::UndrawnProps Undrawn;
+  wfvplugin::AxesGrids Grids;
   wfvplugin::FrameThreads Threads;
 
   // Its stereo settings alone count: a camera knows which values are none.

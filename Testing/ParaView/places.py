@@ -4,8 +4,14 @@ of the view's own, for an eye that looks down -z with y up."""
 
 import math
 
+import scene
+
 # Pixels between the places that stand for a line.
 STEP = 0.4
+
+# Pixels beyond half of a line's width, or a point's: a pixel's centre is up to half a diagonal
+# from the line through it.
+LINE_TOLERANCE = 1
 
 # Halvings of a line at most, where the map tears it or it passes a pole.
 DEEPEST = 14
@@ -50,3 +56,14 @@ def pixels_near(places, reach, size):
                 if 0 <= j < size[1] and math.hypot(i + 0.5 - x, j + 0.5 - y) <= reach:
                     found.add((i % size[0], j))
     return found
+
+
+def check_places(name, found, expected, width, size):
+    """The pixels are those of the places, of lines of this width, no others, and none is missing."""
+    reach = width / 2 + LINE_TOLERANCE
+    strange = found - pixels_near(expected, reach, size)
+    # a place is drawn where one of the pixels round it is
+    lonely = [p for p in expected if not pixels_near([p], reach, size) & found]
+    print(name, len(found), "pixels, not on a line:", len(strange), sorted(strange)[:3],
+          "places not drawn:", len(lonely), lonely[:3], flush=True)
+    scene.require(found and not strange and not lonely, name)

@@ -110,7 +110,7 @@ def check_volume(options, view):
     simple.Delete(ball)
 
 
-def list_axes(view, display, label):
+def list_axes(display, label):
     """What the warning says of each kind, and what shows and hides it."""
 
     def show_flagpole(shown):
@@ -119,9 +119,6 @@ def list_axes(view, display, label):
 
     show_flagpole(0)
     return (
-        ("axes grid cannot", lambda shown: setattr(view.AxesGrid, "Visibility", shown)),
-        ("axes grid cannot",
-         lambda shown: setattr(display.DataAxesGrid, "GridAxesVisibility", shown)),
         ("Polar axes cannot", lambda shown: setattr(display.PolarAxes, "Visibility", shown)),
         ("Flagpole labels", show_flagpole),
     )
@@ -133,7 +130,7 @@ def check_undrawn(options, view):
     display = simple.Show(ball, view)
     scene.place_eye(view, [0, 0, 0], [0, 0, -1])
     text = simple.Text(Text="Pole")
-    kinds = list_axes(view, display, simple.Show(text, view))
+    kinds = list_axes(display, simple.Show(text, view))
     before = count_lit(options, view, "no-axes")
     for words, show in kinds:
         with Log(options, words) as log:

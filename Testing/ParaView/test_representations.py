@@ -21,34 +21,8 @@ EYE = [0.53, 0.31, 1.07]  # below no line of the box
 
 TOLERANCE = 0.25  # pixels, of cells
 
-# Pixels beyond half of a line's width, or a point's: a pixel's centre is up to half a diagonal
-# from the line through it.
-LINE_TOLERANCE = 1
-
 # Pixels: the rim of a splat is where its shader says, in float32.
 RIM = 1.5
-
-
-def lit_pixels(path, red_only=False):
-    """The pixels that are not black, or those that are red."""
-
-    def counts(number):
-        red, green = number >> 16, number >> 8 & 255
-        return red > 2 * green if red_only else number > 0
-
-    rows = pixels.read_rows(path)
-    return {(i, j) for j, row in enumerate(rows) for i, n in enumerate(row) if counts(n)}
-
-
-def check_places(name, found, expected, width):
-    """The pixels are those of the places, no others, and none is missing."""
-    reach = width / 2 + LINE_TOLERANCE
-    strange = found - places.pixels_near(expected, reach, SIZE)
-    # a place is drawn where one of the pixels round it is
-    lonely = [p for p in expected if not places.pixels_near([p], reach, SIZE) & found]
-    print(name, len(found), "pixels, not on a line:", len(strange), "places not drawn:", len(lonely),
-          sorted(strange)[:3], lonely[:3], flush=True)
-    scene.require(found and not strange and not lonely, name)
 
 
 def output_of(source):
@@ -100,8 +74,8 @@ def check_streamlines(options, view, lines):
     wide = {}
     for width in (1, 4):
         display.LineWidth = width
-        found = lit_pixels(picture(options, view, "streamlines%d" % width))
-        check_places("streamlines of width %d" % width, found, expected, width)
+        found = pixels.lit_pixels(picture(options, view, "streamlines%d" % width))
+        places.check_places("streamlines of width %d" % width, found, expected, width, SIZE)
         wide[width] = len(found)
     scene.require(2.5 < wide[4] / wide[1] < 4.5, "their width: %s" % wide)
     simple.Hide(lines, view)
@@ -133,18 +107,18 @@ def check_lines(options, view):
                               ("Wireframe", surface, 1), ("Wireframe", surface, 3)):
         show_white(box, view, kind).LineWidth = width
         name = "%s%d" % (kind.replace(" ", ""), width)
-        found = lit_pixels(picture(options, view, name))
-        check_places(name, found, places_of_edges(data), width)
+        found = pixels.lit_pixels(picture(options, view, name))
+        places.check_places(name, found, places_of_edges(data), width, SIZE)
     display = show_white(box, view, "Surface With Edges")
     display.EdgeColor = [1, 0, 0]
     display.LineWidth = 1
-    found = lit_pixels(picture(options, view, "SurfaceWithEdges"), red_only=True)
-    check_places("surface with edges", found, places_of_edges(surface), 1)
+    found = pixels.lit_pixels(picture(options, view, "SurfaceWithEdges"), red_only=True)
+    places.check_places("surface with edges", found, places_of_edges(surface), 1, SIZE)
     display = show_white(box, view, "Points")
     display.PointSize = 3
-    found = lit_pixels(picture(options, view, "Points"))
+    found = pixels.lit_pixels(picture(options, view, "Points"))
     dots = [places.place_of(surface.GetPoint(i), EYE, SIZE) for i in range(surface.GetNumberOfPoints())]
-    check_places("points", found, dots, 3 * math.sqrt(2))
+    places.check_places("points", found, dots, 3 * math.sqrt(2), SIZE)
     simple.Hide(box, view)
 
 
@@ -177,7 +151,7 @@ def check_gaussian(options, view):
     radius = 0.4
     points = [(4, 1, -3), (-3, 3, 2), (0.5, 4, 1.5), (0.6, -1, 5), (-2, -0.5, -3), (3, -3, 2)]
     reader = show_splats(options, view, points, radius)
-    found = lit_pixels(picture(options, view, "PointGaussian"))
+    found = pixels.lit_pixels(picture(options, view, "PointGaussian"))
     margin = RIM * math.pi / SIZE[1]
     wrong, inside = [], 0
     for i, j in ((i, j) for i in range(SIZE[0]) for j in range(SIZE[1])):
