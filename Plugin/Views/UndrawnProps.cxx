@@ -26,10 +26,6 @@ const Kind Kinds[] = {
     "Cube axes cannot be drawn right in this view yet: they place their lines and labels for a "
     "flat "
     "picture. Show an Outline, a Ruler or Billboard 3D Text instead." },
-  { "vtkFlagpoleLabel",
-    "Flagpole labels cannot be drawn right in this view yet: their poles are those of a flat "
-    "picture. "
-    "Show Billboard 3D Text instead." },
 };
 
 bool IsShown(vtkRenderer* renderer, const char* className)

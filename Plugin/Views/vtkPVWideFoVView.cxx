@@ -6,11 +6,15 @@
 #include "vtkPVWideFoVViewInternals.h"
 #include "vtkWideFoVOverrides.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCommand.h"
+#include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLCamera.h"
 #include "vtkPVAxesWidget.h"
 #include "vtkPVSynchronizedRenderer.h"
+#include "vtkProp.h"
+#include "vtkPropCollection.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
@@ -24,6 +28,28 @@ namespace
 {
 // The order of a renderer's observers: behind that which receives the client's camera.
 constexpr float AfterSynchronizer = -1.0f;
+
+// What is no data, and may stand out of it, has to be between the clip spheres as well.
+bool IsAnnotation(vtkProp* prop)
+{
+  return prop->IsA("vtkGridAxes3DActor") || prop->IsA("vtkFlagpoleLabel");
+}
+
+void AddAnnotations(vtkRenderer* renderer, vtkBoundingBox& box)
+{
+  vtkPropCollection* const props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator it;
+  props->InitTraversal(it);
+  while (vtkProp* const prop = props->GetNextProp(it))
+  {
+    const double* const bounds =
+      prop->GetVisibility() && IsAnnotation(prop) ? prop->GetBounds() : nullptr;
+    if (bounds && vtkMath::AreBoundsInitialized(bounds))
+    {
+      box.AddBounds(bounds);
+    }
+  }
+}
 }
 
 // Not the standard macro: the renderers are made by the superclass's constructor.
@@ -225,11 +251,14 @@ void vtkPVWideFoVView::UpdateClipSpheres()
   if (!in.AutomaticClipSpheres)
   {
     camera->SetClipRadii(in.ClipSpheres[0], in.ClipSpheres[1]);
+    return;
   }
-  else if (this->GeometryBounds.IsValid())
+  vtkBoundingBox box = this->GeometryBounds;
+  AddAnnotations(this->GetRenderer(), box);
+  if (box.IsValid())
   {
     double bounds[6];
-    this->GeometryBounds.GetBounds(bounds);
+    box.GetBounds(bounds);
     camera->ResetClipRadii(bounds);
   }
 }
@@ -258,6 +287,7 @@ void vtkPVWideFoVView::AboutToRenderOnLocalProcess(bool interactive)
 void vtkPVWideFoVView::StartFrame()
 {
   this->UpdateStereo();
+  this->Internal->Flags.Begin(this->GetRenderer());
   this->UpdateClipSpheres();
   this->Internal->Grids.Begin(this->GetRenderer());
   this->Internal->Everywhere->UseBoundsOn();
@@ -269,4 +299,5 @@ void vtkPVWideFoVView::EndFrame()
   this->Internal->Threads.End();
   this->Internal->Everywhere->UseBoundsOff();
   this->Internal->Grids.End();
+  this->Internal->Flags.End();
 }

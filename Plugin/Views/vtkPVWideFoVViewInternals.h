@@ -6,6 +6,7 @@
 #include "vtkPVWideFoVView.h"
 
 #include "AxesGrids.h"
+#include "FlagSizes.h"
 #include "FrameThreads.h"
 #include "UndrawnProps.h"
 #include "vtkWideFoVCamera.h"
@@ -36,6 +37,7 @@ struct vtkPVWideFoVView::Internals
   int DepthMapping = vtkWideFoVCamera::LINEAR;
   wfvplugin::UndrawnProps Undrawn;
   wfvplugin::AxesGrids Grids;
+  wfvplugin::FlagSizes Flags;
   wfvplugin::FrameThreads Threads;
 
   // Its stereo settings alone count: a camera knows which values are none.
