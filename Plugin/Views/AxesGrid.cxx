@@ -3,7 +3,6 @@
 
 #include "vtkActor.h"
 #include "vtkAxis.h"
-#include "vtkBillboardTextActor3D.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkContextScene.h"
@@ -13,10 +12,8 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
-#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkStringArray.h"
-#include "vtkTextProperty.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,22 +22,15 @@ namespace wfvplugin
 {
 namespace
 {
-// Pixels, from an axis: its marks, the numbers and its title, as those of ParaView's own.
+// Pixels, on both sides of an axis, as of ParaView's own.
 constexpr double MarkLength = 10;
-constexpr double NumberDistance = 10;
-constexpr double TitleDistance = 30;
 
 // Of the box's size, for the direction that leads out of a face; and how long a mark may be.
 constexpr double OutwardStep = 1e-3;
 constexpr double LongestMark = 0.05;
 
-// Pieces of an edge, for its length in the picture; and how long a piece may be there, of the
-// picture: a longer one is torn.
+// Of an edge, for its length in the picture.
 constexpr int Pieces = 64;
-constexpr double LongestPiece = 0.25;
-
-// Sine or cosine below which a direction has no right and left, or above and below.
-constexpr double Level = 0.342; // of 20 degrees
 
 class StockAccess : public vtkGridAxes3DActor
 {
@@ -51,41 +41,6 @@ public:
     return used ? (actor->*(&StockAccess::CustomLabels))[axis].Get() : nullptr;
   }
 };
-
-// Pixels of the window, whatever the number of tiles, or false where the picture lacks the place.
-bool FindPixel(vtkRenderer* renderer, const Point3& world, double pixel[2])
-{
-  double x = world[0];
-  double y = world[1];
-  double z = world[2];
-  renderer->WorldToView(x, y, z);
-  const int* const size = renderer->GetRenderWindow()->GetActualSize();
-  const double* const viewport = renderer->GetViewport();
-  pixel[0] = 0.5 * (x + 1) * size[0] * (viewport[2] - viewport[0]);
-  pixel[1] = 0.5 * (y + 1) * size[1] * (viewport[3] - viewport[1]);
-  return std::abs(x) <= 1 && std::abs(y) <= 1; // not where they are no numbers
-}
-
-// How many pixels right and up of it so short a way is.
-bool FindWay(vtkRenderer* renderer, const Point3& from, const Point3& to, double way[2])
-{
-  double start[2];
-  double end[2];
-  if (!FindPixel(renderer, from, start) || !FindPixel(renderer, to, end))
-  {
-    return false;
-  }
-  const int* const size = renderer->GetRenderWindow()->GetActualSize();
-  for (int i = 0; i < 2; i++)
-  {
-    way[i] = end[i] - start[i];
-    if (std::abs(way[i]) > LongestPiece * size[i])
-    {
-      return false;
-    }
-  }
-  return true;
-}
 
 // How far the edge's picture goes to the side and up, pixels.
 std::array<double, 2> MeasureEdge(vtkRenderer* renderer, const GridBox& box, int axis, Point3 from)
@@ -147,11 +102,12 @@ AxesGrid::~AxesGrid()
   if (this->Renderer)
   {
     this->Renderer->RemoveViewProp(this->Lines);
-    for (const Text& text : this->Texts)
-    {
-      this->Renderer->RemoveViewProp(text.Actor);
-    }
   }
+}
+
+vtkProp* AxesGrid::GetStock() const
+{
+  return this->Stock;
 }
 
 void AxesGrid::Show(vtkRenderer* renderer)
@@ -163,17 +119,14 @@ void AxesGrid::Show(vtkRenderer* renderer)
   }
   this->Find(renderer);
   this->UpdateLines();
-  this->UpdateLabels(renderer);
+  this->Texts.Show(renderer, this->Labels, this->Stock->GetForceOpaque());
   this->Stock->VisibilityOff();
 }
 
 void AxesGrid::Hide()
 {
   this->Lines->VisibilityOff();
-  for (const Text& text : this->Texts)
-  {
-    text.Actor->VisibilityOff();
-  }
+  this->Texts.Hide();
   this->Stock->VisibilityOn();
 }
 
@@ -273,7 +226,7 @@ void AxesGrid::AddEdge(vtkRenderer* renderer, const GridBox& box, const GridEdge
   };
   const auto add = [&](double place, const std::string& text, double distance, bool mark,
                      vtkTextProperty* property) {
-    Label label{ box.ToWorld(beside(place, 0)), text, { 0, 0 }, distance, property };
+    PlacedLabel label{ box.ToWorld(beside(place, 0)), text, { 0, 0 }, distance, property };
     double way[2];
     if (FindWay(renderer, label.Place, box.ToWorld(beside(place, step)), way) &&
       std::hypot(way[0], way[1]) > 0)
@@ -331,56 +284,5 @@ void AxesGrid::UpdateLines()
   mesh->SetLines(lines);
   vtkPolyDataMapper::SafeDownCast(this->Lines->GetMapper())->SetInputData(mesh);
   this->Drawn = this->Points;
-}
-
-void AxesGrid::UpdateText(vtkRenderer* renderer, const Label& label, Text& text)
-{
-  vtkTextProperty* const own = text.Actor->GetTextProperty();
-  if (text.From != label.Property || text.Time < label.Property->GetMTime())
-  {
-    own->ShallowCopy(label.Property);
-    text.From = label.Property;
-    text.Time = label.Property->GetMTime();
-  }
-  const double x = label.Outwards[0];
-  const double y = label.Outwards[1];
-  own->SetJustification(std::abs(x) < Level ? VTK_TEXT_CENTERED
-      : x > 0                               ? VTK_TEXT_LEFT
-                                            : VTK_TEXT_RIGHT);
-  own->SetVerticalJustification(std::abs(y) < Level ? VTK_TEXT_CENTERED
-      : y > 0                                       ? VTK_TEXT_BOTTOM
-                                                    : VTK_TEXT_TOP);
-  int scale[2];
-  renderer->GetRenderWindow()->GetTileScale(scale);
-  text.Actor->SetInput(label.Text.c_str());
-  text.Actor->SetPosition(label.Place[0], label.Place[1], label.Place[2]);
-  text.Actor->SetDisplayOffset(static_cast<int>(std::lround(label.Distance * x * scale[0])),
-    static_cast<int>(std::lround(label.Distance * y * scale[1])));
-  text.Actor->SetForceOpaque(this->Stock->GetForceOpaque());
-  text.Actor->SetVisibility(!label.Text.empty());
-}
-
-void AxesGrid::UpdateLabels(vtkRenderer* renderer)
-{
-  while (this->Texts.size() < this->Labels.size())
-  {
-    Text text;
-    text.Actor = vtkSmartPointer<vtkBillboardTextActor3D>::New();
-    text.Actor->UseBoundsOff();
-    text.Actor->PickableOff();
-    renderer->AddViewProp(text.Actor);
-    this->Texts.push_back(text);
-  }
-  for (std::size_t i = 0; i < this->Texts.size(); i++)
-  {
-    if (i < this->Labels.size())
-    {
-      this->UpdateText(renderer, this->Labels[i], this->Texts[i]);
-    }
-    else
-    {
-      this->Texts[i].Actor->VisibilityOff();
-    }
-  }
 }
 }

@@ -4,6 +4,8 @@
 #define WideFoVPluginAxesGrid_h
 
 #include "GridBox.h"
+#include "PlacedLabels.h"
+#include "StandIn.h"
 
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
@@ -15,7 +17,6 @@
 
 class vtkActor;
 class vtkAxis;
-class vtkBillboardTextActor3D;
 class vtkContextScene;
 class vtkGridAxes3DActor;
 class vtkPolyData;
@@ -28,33 +29,17 @@ namespace wfvplugin
 // it, leaves out faces whose first corner is seen at a low angle, and labels no edge of a box that
 // surrounds the eye; its labels are inside it, where the pass does not find them. This one has the
 // same settings, its lines are lines of the scene and its labels billboards, which the pass draws.
-class AxesGrid
+class AxesGrid : public StandIn
 {
 public:
   explicit AxesGrid(vtkGridAxes3DActor* stock);
-  ~AxesGrid();
+  ~AxesGrid() override;
 
-  vtkGridAxes3DActor* GetStock() const { return this->Stock; }
-
-  // Shows, as the stock grid is now, from where the renderer's camera is; and hides it again.
-  void Show(vtkRenderer* renderer);
-  void Hide();
+  vtkProp* GetStock() const override;
+  void Show(vtkRenderer* renderer) override;
+  void Hide() override;
 
 private:
-  struct Label
-  {
-    Point3 Place; // world
-    std::string Text;
-    double Outwards[2]; // where the label is from there, in the picture; 0, 0: on its place
-    double Distance;    // in that direction, pixels
-    vtkTextProperty* Property;
-  };
-  struct Text
-  {
-    vtkSmartPointer<vtkBillboardTextActor3D> Actor;
-    vtkTextProperty* From = nullptr; // whose copy it has, as of then
-    vtkMTimeType Time = 0;
-  };
   struct Ticks
   {
     std::vector<double> Places; // in the grid's coordinates, along the axis
@@ -67,17 +52,15 @@ private:
   void AddEdge(vtkRenderer* renderer, const GridBox& box, const GridEdge& edge);
   void AddLine(const GridBox& box, const Point3& from, const Point3& to);
   void UpdateLines();
-  void UpdateLabels(vtkRenderer* renderer);
-  void UpdateText(vtkRenderer* renderer, const Label& label, Text& text);
 
   vtkGridAxes3DActor* Stock;             // not owned: it may go
-  vtkSmartPointer<vtkRenderer> Renderer; // which the props below are in
+  vtkSmartPointer<vtkRenderer> Renderer; // which the lines are in
   vtkNew<vtkActor> Lines;
   std::vector<Point3> Points; // two a line, world
   std::vector<Point3> Drawn;  // those that the lines are now
   vtkMTimeType PropertyTime = 0;
-  std::vector<Label> Labels;
-  std::vector<Text> Texts;             // as many as there ever were
+  std::vector<PlacedLabel> Labels;
+  PlacedLabels Texts;
   std::array<vtkNew<vtkAxis>, 3> Axes; // which choose the numbers
   vtkNew<vtkContextScene> Scene;       // that they want to be in
   std::array<Ticks, 3> TicksOf;

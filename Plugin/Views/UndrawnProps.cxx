@@ -19,9 +19,6 @@ const Kind Kinds[] = {
   { "vtkVolume",
     "Volumes cannot be drawn in this view yet: their rays assume a flat picture. "
     "Show contours or slices instead." },
-  { "vtkPolarAxesActor",
-    "Polar axes cannot be drawn right in this view yet: their labels turn to a flat picture. "
-    "Show lines and Billboard 3D Text instead." },
   { "vtkCubeAxesActor",
     "Cube axes cannot be drawn right in this view yet: they place their lines and labels for a "
     "flat "

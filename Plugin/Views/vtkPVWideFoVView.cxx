@@ -32,7 +32,8 @@ constexpr float AfterSynchronizer = -1.0f;
 // What is no data, and may stand out of it, has to be between the clip spheres as well.
 bool IsAnnotation(vtkProp* prop)
 {
-  return prop->IsA("vtkGridAxes3DActor") || prop->IsA("vtkFlagpoleLabel");
+  return prop->IsA("vtkGridAxes3DActor") || prop->IsA("vtkPolarAxesActor") ||
+    prop->IsA("vtkFlagpoleLabel");
 }
 
 void AddAnnotations(vtkRenderer* renderer, vtkBoundingBox& box)
@@ -289,7 +290,7 @@ void vtkPVWideFoVView::StartFrame()
   this->UpdateStereo();
   this->Internal->Flags.Begin(this->GetRenderer());
   this->UpdateClipSpheres();
-  this->Internal->Grids.Begin(this->GetRenderer());
+  this->Internal->Instead.Begin(this->GetRenderer());
   this->Internal->Everywhere->UseBoundsOn();
   this->Internal->Threads.Begin();
 }
@@ -298,6 +299,6 @@ void vtkPVWideFoVView::EndFrame()
 {
   this->Internal->Threads.End();
   this->Internal->Everywhere->UseBoundsOff();
-  this->Internal->Grids.End();
+  this->Internal->Instead.End();
   this->Internal->Flags.End();
 }

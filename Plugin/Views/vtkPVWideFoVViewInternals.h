@@ -5,9 +5,9 @@
 
 #include "vtkPVWideFoVView.h"
 
-#include "AxesGrids.h"
 #include "FlagSizes.h"
 #include "FrameThreads.h"
+#include "StandIns.h"
 #include "UndrawnProps.h"
 #include "vtkWideFoVCamera.h"
 #include "vtkWideFoVEverywhereProp.h"
@@ -36,7 +36,7 @@ struct vtkPVWideFoVView::Internals
   std::array<double, 2> ClipSpheres{ { 0.01, 1000 } };
   int DepthMapping = vtkWideFoVCamera::LINEAR;
   wfvplugin::UndrawnProps Undrawn;
-  wfvplugin::AxesGrids Grids;
+  wfvplugin::StandIns Instead;
   wfvplugin::FlagSizes Flags;
   wfvplugin::FrameThreads Threads;
 

@@ -80,6 +80,21 @@ def anchors_of(eye):
     return [(tick, y, z) for tick in TICKS[0] for y in BOUNDS[1] for z in BOUNDS[2]]
 
 
+def check_texts(found, anchors, size, factor, count=None):
+    """One text beside each place, and nothing else, of so many, for the last may be too close
+    together to be told apart."""
+    near = {a: [] for a in anchors}
+    for pixel in found:
+        distances = {a: math.dist(pixel, places.place_of(a, INSIDE, size)) for a in near}
+        first = min(distances, key=distances.get)
+        near[first].append(distances[first] / factor)
+    for anchor, distances in list(near.items())[:count]:
+        scene.require(distances, "no label at %s" % (anchor,))
+        gap, reach = min(distances), max(distances)
+        print("label", size, anchor, len(distances), "pixels", gap, reach, flush=True)
+        scene.require(LABEL_GAP[0] < gap < LABEL_GAP[1] and reach < LABEL_REACH, "labels")
+
+
 def check_labels(options, view):
     """Numbers of one axis alone, in a picture as large as the window and in one of four tiles."""
     grid = view.AxesGrid
@@ -92,16 +107,7 @@ def check_labels(options, view):
     for size in (LARGE, [2 * n for n in LARGE]):
         factor = size[0] / LARGE[0]
         found = pixels.lit_pixels(picture(options, view, "labels%d" % factor, size))
-        near = {a: [] for a in anchors_of(INSIDE)}
-        for pixel in found:
-            distances = {a: math.dist(pixel, places.place_of(a, INSIDE, size)) for a in near}
-            first = min(distances, key=distances.get)
-            near[first].append(distances[first] / factor)
-        for anchor, distances in near.items():
-            scene.require(distances, "no label at %s" % (anchor,))
-            gap, reach = min(distances), max(distances)
-            print("label", size, anchor, len(distances), "pixels", gap, reach, flush=True)
-            scene.require(LABEL_GAP[0] < gap < LABEL_GAP[1] and reach < LABEL_REACH, "labels")
+        check_texts(found, anchors_of(INSIDE), size, factor)
 
 
 def check_hidden(options, view):
@@ -150,6 +156,36 @@ def check_flat_camera(options, view):
     scene.require(pixels.count_lit(picture(options, view, "perspective")) > 300, "perspective")
 
 
+def polar_points(radius, angles):
+    """Of an arc round the middle of the box."""
+    return [(radius * math.cos(a), radius * math.sin(a), 0) for a in angles]
+
+
+def check_polar(options, view, display):
+    """A quarter of polar axes: arcs, axes at 0, 45 and 90 degrees, and the numbers of the first."""
+    axes = display.PolarAxes
+    # one apart, and the last to the corner of the box
+    radii = (1, 2, 3, 4, 5, math.hypot(BOUNDS[0][1], BOUNDS[1][1]))
+    for kind in ("PolarLabel", "PolarAxisTitle", "RadialLabel", "PolarTicks", "AxisTick", "ArcTick"):
+        setattr(axes, kind + "Visibility", 0)
+    axes.Visibility = 1
+    look_from(view, INSIDE)
+    quarter = [math.pi / 2 * i / 90 for i in range(91)]
+    lines = [polar_points(radius, quarter) for radius in radii]
+    lines += [[(0, 0, 0)] + polar_points(radii[-1], [angle]) for angle in quarter[::45]]
+    expected = [p for line in lines for ends in zip(line, line[1:])
+                for p in places.places_of_line(*ends, INSIDE, SIZE)]
+    found = pixels.lit_pixels(picture(options, view, "polar"))
+    places.check_places("polar axes", found, expected, 1, SIZE)
+    view.ViewSize = LARGE
+    without = pixels.lit_pixels(picture(options, view, "polar-lines"))
+    axes.PolarLabelVisibility = 1
+    found = pixels.lit_pixels(picture(options, view, "polar-numbers")) - without
+    check_texts(found, [(radius, 0, 0) for radius in (0,) + radii], LARGE, 1, 3)
+    axes.Visibility = 0
+    view.ViewSize = SIZE
+
+
 def check_others(options, view, display):
     """What several ranks would only repeat."""
     check_flat_camera(options, view)
@@ -173,6 +209,9 @@ def main(options):
         set_up(view.AxesGrid)
         view.AxesGrid.Visibility = 1
         check_lines(options, view, "axes grid")
+        view.AxesGrid.Visibility = 0
+        check_polar(options, view, display)
+        view.AxesGrid.Visibility = 1
         if vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions() == 1:
             check_others(options, view, display)
         check_labels(options, view)

@@ -110,28 +110,6 @@ def check_volume(options, view):
     simple.Delete(ball)
 
 
-def check_undrawn(options, view):
-    """Axes that the view cannot place: one line, and the rest of the scene is drawn."""
-    ball = simple.Sphere(Center=[0, 0, -4])
-    display = simple.Show(ball, view)
-    scene.place_eye(view, [0, 0, 0], [0, 0, -1])
-    before = count_lit(options, view, "no-axes")
-    with Log(options, "polar") as log:
-        display.PolarAxes.Visibility = 1
-        lit = count_lit(options, view, "polar")
-        for x in range(3):
-            view.CameraPosition = [0.001 * x, 0, 0]
-            simple.Render(view)
-        warnings = log.count("Polar axes cannot")
-    display.PolarAxes.Visibility = 0
-    simple.Render(view)
-    print("polar axes: lit", lit, "warnings", warnings)
-    scene.require(warnings == 1 and lit >= 0.9 * before, "polar axes")
-    view.CameraPosition = [0, 0, 0]
-    scene.require(count_lit(options, view, "axes-gone") == before, "another picture afterwards")
-    simple.Delete(ball)
-
-
 def check_versions(options, view):
     """States of a version before stereo, and of a later one."""
     view.Projection = "hammer"
@@ -166,7 +144,6 @@ def main(options):
     check_time(options, view)
     check_values(options, view)
     check_volume(options, view)
-    check_undrawn(options, view)
     check_versions(options, view)
 
 
