@@ -288,7 +288,7 @@ void vtkPVWideFoVView::AboutToRenderOnLocalProcess(bool interactive)
 void vtkPVWideFoVView::StartFrame()
 {
   this->UpdateStereo();
-  this->Internal->Flags.Begin(this->GetRenderer());
+  this->Internal->Texts.Begin(this->GetRenderer());
   this->UpdateClipSpheres();
   this->Internal->Instead.Begin(this->GetRenderer());
   this->Internal->Everywhere->UseBoundsOn();
@@ -300,5 +300,5 @@ void vtkPVWideFoVView::EndFrame()
   this->Internal->Threads.End();
   this->Internal->Everywhere->UseBoundsOff();
   this->Internal->Instead.End();
-  this->Internal->Flags.End();
+  this->Internal->Texts.End();
 }

@@ -5,8 +5,8 @@
 
 #include "vtkPVWideFoVView.h"
 
-#include "FlagSizes.h"
 #include "FrameThreads.h"
+#include "SceneTexts.h"
 #include "StandIns.h"
 #include "UndrawnProps.h"
 #include "vtkWideFoVCamera.h"
@@ -37,7 +37,7 @@ struct vtkPVWideFoVView::Internals
   int DepthMapping = vtkWideFoVCamera::LINEAR;
   wfvplugin::UndrawnProps Undrawn;
   wfvplugin::StandIns Instead;
-  wfvplugin::FlagSizes Flags;
+  wfvplugin::SceneTexts Texts;
   wfvplugin::FrameThreads Threads;
 
   // Its stereo settings alone count: a camera knows which values are none.

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Axes grids, of the view and of data: lines where a formula of the map says, the faces behind the
-data from outside, all of them from inside, and labels beside their places."""
+data from outside, all of them from inside, and labels beside their places; polar axes; on several
+ranks as well."""
 
 import math
 import os
@@ -186,6 +187,25 @@ def check_polar(options, view, display):
     view.ViewSize = SIZE
 
 
+def check_standing(options, view):
+    """Texts that stand in the scene are drawn on several ranks as well; where, test_view.py checks."""
+    text = simple.Text(Text="MM")
+    display = simple.Show(text, view)
+    display.FlagSize = 8
+    look_from(view, INSIDE)
+    place = [INSIDE[0] + 1, INSIDE[1], INSIDE[2] - 1]
+    display.BillboardPosition = display.TopPosition = place
+    display.BasePosition = [place[0], place[1] - 0.5, place[2]]
+    for kind in ("Billboard 3D Text", "Flagpole Actor"):
+        display.TextPropMode = kind
+        found = pixels.lit_pixels(picture(options, view, kind.split()[0]))
+        middle = [sum(c) / len(found) for c in zip(*found)] if found else [0, 0]
+        print(kind, len(found), "pixels round", middle)
+        far = math.dist(middle, places.place_of(place, INSIDE, SIZE))
+        scene.require(len(found) > 100 and far < LABEL_REACH, kind)
+    simple.Delete(text)
+
+
 def check_others(options, view, display):
     """What several ranks would only repeat."""
     check_flat_camera(options, view)
@@ -211,6 +231,7 @@ def main(options):
         check_lines(options, view, "axes grid")
         view.AxesGrid.Visibility = 0
         check_polar(options, view, display)
+        check_standing(options, view)
         view.AxesGrid.Visibility = 1
         if vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions() == 1:
             check_others(options, view, display)

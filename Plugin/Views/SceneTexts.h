@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How large the flags of flagpole labels are, for the time of a frame.
-#ifndef WideFoVPluginFlagSizes_h
-#define WideFoVPluginFlagSizes_h
+// Texts that stand in the scene: flagpole labels and billboards, for the time of a frame.
+#ifndef WideFoVPluginSceneTexts_h
+#define WideFoVPluginSceneTexts_h
 
 #include "vtkSmartPointer.h"
 
@@ -16,7 +16,7 @@ namespace wfvplugin
 // Pole and flag are lines and a rectangle of the scene that turns to the eye. But the rectangle is
 // as large as VTK's angle of view makes it, which is not that of a wide camera: a thousand texels
 // of its text are to be as high as the picture is, times its size.
-class FlagSizes
+class SceneTexts
 {
 public:
   // Where the renderer's camera is wide.

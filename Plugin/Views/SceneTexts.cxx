@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FlagSizes.h"
+#include "SceneTexts.h"
 
+#include "FrameThreads.h"
 #include "vtkWideFoVCamera.h"
 
+#include "vtkBillboardTextActor3D.h"
 #include "vtkFlagpoleLabel.h"
 #include "vtkMath.h"
 #include "vtkPropCollection.h"
@@ -42,7 +44,7 @@ double FactorOf(vtkWideFoVCamera* camera)
 }
 }
 
-void FlagSizes::Begin(vtkRenderer* renderer)
+void SceneTexts::Begin(vtkRenderer* renderer)
 {
   this->End(); // of a frame that was broken off
   auto* const camera = vtkWideFoVCamera::SafeDownCast(renderer->GetActiveCamera());
@@ -57,16 +59,22 @@ void FlagSizes::Begin(vtkRenderer* renderer)
   while (vtkProp* const prop = props->GetNextProp(it))
   {
     auto* const label = vtkFlagpoleLabel::SafeDownCast(prop);
+    auto* const billboard = vtkBillboardTextActor3D::SafeDownCast(prop);
     if (label && label->GetVisibility())
     {
       this->Before.emplace_back(label, label->GetFlagSize());
       label->SetFlagSize(factor * label->GetFlagSize());
+      label->SetForceOpaque(!HasOneRank());
       LabelAccess::MakeFlag(label, renderer);
+    }
+    if (billboard)
+    {
+      billboard->SetForceOpaque(!HasOneRank());
     }
   }
 }
 
-void FlagSizes::End()
+void SceneTexts::End()
 {
   for (const auto& [label, size] : this->Before)
   {
