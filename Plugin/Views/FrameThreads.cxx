@@ -9,13 +9,10 @@
 
 namespace wfvplugin
 {
-namespace
-{
 bool HasOneRank()
 {
   vtkMultiProcessController* const ranks = vtkMultiProcessController::GetGlobalController();
   return !ranks || ranks->GetNumberOfProcesses() == 1;
-}
 }
 
 void FrameThreads::Begin()

@@ -7,6 +7,9 @@
 
 namespace wfvplugin
 {
+// Whether this process draws alone.
+bool HasOneRank();
+
 // VTK shares loops out to threads by a backend that the whole process has, and ParaView's is often
 // the sequential one. Triangles are sorted before they are drawn, while the threads of software
 // rendering wait, so from Begin to End it is VTK's own threads; then whatever it was. Several ranks

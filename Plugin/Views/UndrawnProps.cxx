@@ -19,21 +19,10 @@ const Kind Kinds[] = {
   { "vtkVolume",
     "Volumes cannot be drawn in this view yet: their rays assume a flat picture. "
     "Show contours or slices instead." },
-  { "vtkGridAxes3DActor",
-    "The axes grid cannot be drawn right in this view yet: it places its lines and labels for a "
-    "flat "
-    "picture. Show an Outline, a Ruler or Billboard 3D Text instead." },
-  { "vtkPolarAxesActor",
-    "Polar axes cannot be drawn right in this view yet: their labels turn to a flat picture. "
-    "Show lines and Billboard 3D Text instead." },
   { "vtkCubeAxesActor",
     "Cube axes cannot be drawn right in this view yet: they place their lines and labels for a "
     "flat "
     "picture. Show an Outline, a Ruler or Billboard 3D Text instead." },
-  { "vtkFlagpoleLabel",
-    "Flagpole labels cannot be drawn right in this view yet: their poles are those of a flat "
-    "picture. "
-    "Show Billboard 3D Text instead." },
 };
 
 bool IsShown(vtkRenderer* renderer, const char* className)

@@ -6,11 +6,15 @@
 #include "vtkPVWideFoVViewInternals.h"
 #include "vtkWideFoVOverrides.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCommand.h"
+#include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLCamera.h"
 #include "vtkPVAxesWidget.h"
 #include "vtkPVSynchronizedRenderer.h"
+#include "vtkProp.h"
+#include "vtkPropCollection.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
@@ -24,6 +28,29 @@ namespace
 {
 // The order of a renderer's observers: behind that which receives the client's camera.
 constexpr float AfterSynchronizer = -1.0f;
+
+// What is no data, and may stand out of it, has to be between the clip spheres as well.
+bool IsAnnotation(vtkProp* prop)
+{
+  return prop->IsA("vtkGridAxes3DActor") || prop->IsA("vtkPolarAxesActor") ||
+    prop->IsA("vtkFlagpoleLabel");
+}
+
+void AddAnnotations(vtkRenderer* renderer, vtkBoundingBox& box)
+{
+  vtkPropCollection* const props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator it;
+  props->InitTraversal(it);
+  while (vtkProp* const prop = props->GetNextProp(it))
+  {
+    const double* const bounds =
+      prop->GetVisibility() && IsAnnotation(prop) ? prop->GetBounds() : nullptr;
+    if (bounds && vtkMath::AreBoundsInitialized(bounds))
+    {
+      box.AddBounds(bounds);
+    }
+  }
+}
 }
 
 // Not the standard macro: the renderers are made by the superclass's constructor.
@@ -226,11 +253,14 @@ void vtkPVWideFoVView::UpdateClipSpheres()
   if (!in.AutomaticClipSpheres)
   {
     camera->SetClipRadii(in.ClipSpheres[0], in.ClipSpheres[1]);
+    return;
   }
-  else if (this->GeometryBounds.IsValid())
+  vtkBoundingBox box = this->GeometryBounds;
+  AddAnnotations(this->GetRenderer(), box);
+  if (box.IsValid())
   {
     double bounds[6];
-    this->GeometryBounds.GetBounds(bounds);
+    box.GetBounds(bounds);
     camera->ResetClipRadii(bounds);
   }
 }
@@ -271,7 +301,9 @@ void vtkPVWideFoVView::UpdateReduction()
 void vtkPVWideFoVView::StartFrame()
 {
   this->UpdateStereo();
+  this->Internal->Texts.Begin(this->GetRenderer());
   this->UpdateClipSpheres();
+  this->Internal->Instead.Begin(this->GetRenderer());
   this->Internal->Everywhere->UseBoundsOn();
   this->Internal->Threads.Begin();
 }
@@ -280,4 +312,6 @@ void vtkPVWideFoVView::EndFrame()
 {
   this->Internal->Threads.End();
   this->Internal->Everywhere->UseBoundsOff();
+  this->Internal->Instead.End();
+  this->Internal->Texts.End();
 }

@@ -6,6 +6,8 @@
 #include "vtkPVWideFoVView.h"
 
 #include "FrameThreads.h"
+#include "SceneTexts.h"
+#include "StandIns.h"
 #include "UndrawnProps.h"
 #include "vtkWideFoVCamera.h"
 #include "vtkWideFoVEverywhereProp.h"
@@ -36,6 +38,8 @@ struct vtkPVWideFoVView::Internals
   std::array<double, 2> ClipSpheres{ { 0.01, 1000 } };
   int DepthMapping = vtkWideFoVCamera::LINEAR;
   wfvplugin::UndrawnProps Undrawn;
+  wfvplugin::StandIns Instead;
+  wfvplugin::SceneTexts Texts;
   wfvplugin::FrameThreads Threads;
 
   // Its stereo settings alone count: a camera knows which values are none.

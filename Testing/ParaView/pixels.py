@@ -35,6 +35,7 @@ def read_levels(path):
 
 def read_rows(path):
     """Rows of the colours of the pixels, as numbers."""
+<<<<<<< HEAD
     width, height, step, levels = _read(path)
     numbers = [65536 * red + 256 * green + blue
                for red, green, blue in zip(levels[::step], levels[1::step], levels[2::step])]
@@ -80,11 +81,30 @@ def reduce(rows, width, height):
     columns, lines = _stretch(width, len(rows[0])), _stretch(height, len(rows))
     return _take(rows, [columns.index(x) for x in range(width)],
                  [lines.index(y) for y in range(height)])
+=======
+    image = _read(path)
+    width, height, _ = image.GetDimensions()
+    parts = image.GetNumberOfScalarComponents()
+    data = bytes(memoryview(image.GetPointData().GetScalars()))
+    reds, greens, blues = (data[i::parts] for i in range(3))
+    numbers = [65536 * r + 256 * g + b for r, g, b in zip(reds, greens, blues)]
+    return [numbers[y * width:(y + 1) * width] for y in range(height)]
+>>>>>>> insitu
 
 
 def count_lit(path):
     """Pixels that are not black."""
     return sum(number > 0 for row in read_rows(path) for number in row)
+
+
+def lit_pixels(path, red_only=False):
+    """The pixels that are not black, or those that are red, as places from the lower left."""
+
+    def counts(number):
+        red, green = number >> 16, number >> 8 & 255
+        return red > 2 * green if red_only else number > 0
+
+    return {(i, j) for j, row in enumerate(read_rows(path)) for i, n in enumerate(row) if counts(n)}
 
 
 def count_different(rows, others):

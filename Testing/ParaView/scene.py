@@ -212,8 +212,9 @@ def _stereo_of(view, side):
     }
 
 
-def check_cells(options, view, mesh_path, picture_path, tolerance, side=0):
-    """The same, for a wide view as it is now; of its left eye (-1) or the right one (1)."""
+def describe(view, side=0):
+    """What a wide view shows now, as the checker wants to know it; of its left eye (-1) or the
+    right one (1)."""
     request = {
         "projection": view.GetProperty("Projection").GetData(),
         "hfov": view.HorizontalFieldOfView,
@@ -224,4 +225,9 @@ def check_cells(options, view, mesh_path, picture_path, tolerance, side=0):
     request.update(pose_of(view))
     if side:
         request["stereo"] = _stereo_of(view, side)
-    return check(options, request, mesh_path, picture_path, tolerance)
+    return request
+
+
+def check_cells(options, view, mesh_path, picture_path, tolerance, side=0):
+    """The checker's answer about a picture of a wide view as it is now."""
+    return check(options, describe(view, side), mesh_path, picture_path, tolerance)

@@ -110,49 +110,6 @@ def check_volume(options, view):
     simple.Delete(ball)
 
 
-def list_axes(view, display, label):
-    """What the warning says of each kind, and what shows and hides it."""
-
-    def show_flagpole(shown):
-        label.TextPropMode = "Flagpole Actor" if shown else "2D Text Widget"
-        label.Visibility = shown
-
-    show_flagpole(0)
-    return (
-        ("axes grid cannot", lambda shown: setattr(view.AxesGrid, "Visibility", shown)),
-        ("axes grid cannot",
-         lambda shown: setattr(display.DataAxesGrid, "GridAxesVisibility", shown)),
-        ("Polar axes cannot", lambda shown: setattr(display.PolarAxes, "Visibility", shown)),
-        ("Flagpole labels", show_flagpole),
-    )
-
-
-def check_undrawn(options, view):
-    """Axes that the view cannot place: one line each, and the rest of the scene is drawn."""
-    ball = simple.Sphere(Center=[0, 0, -4])
-    display = simple.Show(ball, view)
-    scene.place_eye(view, [0, 0, 0], [0, 0, -1])
-    text = simple.Text(Text="Pole")
-    kinds = list_axes(view, display, simple.Show(text, view))
-    before = count_lit(options, view, "no-axes")
-    for words, show in kinds:
-        with Log(options, words) as log:
-            show(1)
-            lit = count_lit(options, view, words)
-            for x in range(3):
-                view.CameraPosition = [0.001 * x, 0, 0]
-                simple.Render(view)
-            warnings = log.count(words)
-        show(0)
-        simple.Render(view)
-        print(words, "lit", lit, "warnings", warnings)
-        scene.require(warnings == 1 and lit >= 0.9 * before, words)
-    view.CameraPosition = [0, 0, 0]
-    scene.require(count_lit(options, view, "axes-gone") == before, "another picture afterwards")
-    simple.Delete(text)
-    simple.Delete(ball)
-
-
 def check_versions(options, view):
     """States of a version before stereo, and of a later one."""
     view.Projection = "hammer"
@@ -187,7 +144,6 @@ def main(options):
     check_time(options, view)
     check_values(options, view)
     check_volume(options, view)
-    check_undrawn(options, view)
     check_versions(options, view)
 
 

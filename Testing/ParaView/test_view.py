@@ -9,6 +9,7 @@ from paraview import simple
 from vtkmodules.vtkCommonCore import vtkSMPTools
 
 import pixels
+import places
 import scene
 
 CENTRE, RADIUS, SIDES = (4, 1, -3), 2, 96
@@ -20,6 +21,12 @@ FLAT = 0.1
 
 # Pixels: a line is one wide, and its pixel's centre is up to half of one beside it.
 LINE_TOLERANCE = 1.5
+
+# Of a flagpole label.
+FLAG_SIZE = 8
+
+# Pixels: where its letters end, which are drawn from a texture.
+FLAG_TOLERANCE = 1.6
 
 
 def check_hover(view):
@@ -42,13 +49,8 @@ def check_hover(view):
 
 
 def place_of(point):
-    """Where an equirectangular picture of everything shows a point; pixels from the lower left."""
-    x, y, z = (a - b for a, b in zip(point, EYE))
-    longitude, latitude = math.atan2(x, -z), math.atan2(y, math.hypot(x, z))
-    return (
-        (longitude / math.pi + 1) / 2 * scene.SIZE[0],
-        (latitude / (math.pi / 2) + 1) / 2 * scene.SIZE[1],
-    )
+    """Where the view shows a point; pixels from the lower left."""
+    return places.place_of(point, EYE, scene.SIZE)
 
 
 def check_ruler(options, view):
@@ -60,9 +62,9 @@ def check_ruler(options, view):
     scene.require(abs(length - math.dist(*ends)) < 1e-9, "the ruler's length")
     rows = pixels.read_rows(scene.save(view, os.path.join(options.output, "ruler.png")))
     lit = [(i + 0.5, j + 0.5) for j, row in enumerate(rows) for i, n in enumerate(row) if n]
-    lines = [place_of([a + t / 400 * (b - a) for a, b in zip(*ends)]) for t in range(401)]
-    lonely = [p for p in lines if min(math.dist(p, q) for q in lit) > LINE_TOLERANCE]
-    strange = [q for q in lit if min(math.dist(p, q) for p in lines) > LINE_TOLERANCE]
+    line = places.places_of_line(*ends, EYE, scene.SIZE)
+    lonely = [p for p in line if min(math.dist(p, q) for q in lit) > LINE_TOLERANCE]
+    strange = [q for q in lit if min(math.dist(p, q) for p in line) > LINE_TOLERANCE]
     columns = {round(x) for x, _ in lit}
     print("ruler:", len(lit), "pixels, off", len(lonely), len(strange))
     scene.require(not lonely and not strange, "the ruler is elsewhere")
@@ -137,6 +139,58 @@ def check_billboard(options, view):
     simple.Delete(text)
 
 
+def show_flagpole(view, text):
+    display = simple.Show(text, view)
+    display.TextPropMode = "Flagpole Actor"
+    display.FlagSize = FLAG_SIZE
+    return display
+
+
+def measure_flag(options, text):
+    """How far a flag reaches to both sides of its pole's top, down and up, in the middle of ParaView's
+    own view of the same height."""
+    view = scene.make_view(kind="RenderView")
+    scene.place_eye(view, EYE, FOCAL)
+    display = show_flagpole(view, text)
+    display.BasePosition, display.TopPosition = [0.5, 0.2999, -1], [0.5, 0.3, -1]
+    simple.Render(view)
+    simple.ResetCamera(view)
+    scene.place_eye(view, EYE, FOCAL)
+    middle, size = box_of(scene.save(view, os.path.join(options.output, "flag-flat.png")))
+    simple.Delete(view)
+    x, y = middle[0] - scene.SIZE[0] / 2, middle[1] - scene.SIZE[1] / 2
+    return x - size[0] / 2, x + size[0] / 2, y - size[1] / 2, y + size[1] / 2
+
+
+def check_flag(options, view, ends, name, expected):
+    """A pole between its ends, and its flag on the top of it."""
+    lit = pixels.lit_pixels(scene.save(view, os.path.join(options.output, name + ".png")))
+    line = places.places_of_line(*ends, EYE, scene.SIZE)
+    pole = places.pixels_near(line, LINE_TOLERANCE, scene.SIZE)
+    lonely = [p for p in line if not places.pixels_near([p], LINE_TOLERANCE, scene.SIZE) & lit]
+    top = place_of(ends[1])
+    half = scene.SIZE[0] / 2
+    # to the right of the top and above it, the nearer way round the picture
+    flag = [((x + 0.5 - top[0] + half) % (2 * half) - half, y + 0.5 - top[1]) for x, y in lit - pole]
+    (left, right), (low, high) = ((min(c) - 0.5, max(c) + 0.5) for c in zip(*flag))
+    print(name, (left, right, low, high), "expected", expected, "pole missing", len(lonely))
+    off = max(abs(a - b) for a, b in zip((left, right, low, high), expected))
+    scene.require(not lonely and off < FLAG_TOLERANCE, "a flagpole is elsewhere")
+
+
+def check_flagpole(options, view):
+    """Level with the eye, where the map stretches nothing, and on its border."""
+    text = simple.Text(Text="MM")
+    expected = measure_flag(options, text)
+    display = show_flagpole(view, text)
+    for name, ends in (("flag", ((4, -1, -2), (4, 0.3, -2))),
+                       ("flag-behind", ((0.5, -2, 6), (0.5, 0.3, 6)))):
+        display.BasePosition, display.TopPosition = ends
+        check_flag(options, view, ends, name, expected)
+    scene.require(display.FlagSize == FLAG_SIZE, "the flag's size is changed")
+    simple.Delete(text)
+
+
 def check_axes(options, view, ball):
     """The axes in the corner are small and in their corner; those at the centre are lines there."""
     view.OrientationAxesVisibility = 1
@@ -185,6 +239,7 @@ def main(options):
     simple.Hide(ball, view)
     check_ruler(options, view)
     check_billboard(options, view)
+    check_flagpole(options, view)
     check_axes(options, view, ball)
     check_linked(view)
     check_flat(options, view, ball)
