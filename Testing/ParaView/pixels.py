@@ -35,7 +35,6 @@ def read_levels(path):
 
 def read_rows(path):
     """Rows of the colours of the pixels, as numbers."""
-<<<<<<< HEAD
     width, height, step, levels = _read(path)
     numbers = [65536 * red + 256 * green + blue
                for red, green, blue in zip(levels[::step], levels[1::step], levels[2::step])]
@@ -81,15 +80,6 @@ def reduce(rows, width, height):
     columns, lines = _stretch(width, len(rows[0])), _stretch(height, len(rows))
     return _take(rows, [columns.index(x) for x in range(width)],
                  [lines.index(y) for y in range(height)])
-=======
-    image = _read(path)
-    width, height, _ = image.GetDimensions()
-    parts = image.GetNumberOfScalarComponents()
-    data = bytes(memoryview(image.GetPointData().GetScalars()))
-    reds, greens, blues = (data[i::parts] for i in range(3))
-    numbers = [65536 * r + 256 * g + b for r, g, b in zip(reds, greens, blues)]
-    return [numbers[y * width:(y + 1) * width] for y in range(height)]
->>>>>>> insitu
 
 
 def count_lit(path):
