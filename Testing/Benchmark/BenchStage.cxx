@@ -3,6 +3,7 @@
 
 #include "CameraSetup.h"
 #include "CellPictures.h"
+#include "InteractiveRate.h"
 #include "Display.h"
 #include "MeshBuilder.h"
 #include "MessageCatcher.h"
@@ -25,9 +26,6 @@ namespace bench
 {
 namespace
 {
-// Frames a second that a window is asked for while a camera turns, as VTK's interactors do.
-constexpr double InteractiveRate = 15;
-
 // Halvings of the range of scales that the floor's camera is looked for in.
 constexpr int FloorSteps = 12;
 

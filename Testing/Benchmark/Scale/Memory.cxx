@@ -71,7 +71,7 @@ bench::Json DrawAndWeigh(const std::string& way, long triangles)
   const vtkSmartPointer<vtkPolyData> sphere = MakeSphere(triangles);
   const Actors actors{ MakeSurface(sphere, wide ? MakeWide : MakeStock) };
   const double data = ReadStatus("VmRSS:");
-  const vtkSmartPointer<vtkRenderWindow> window = MakeWindow(1024, 512);
+  const vtkSmartPointer<vtkRenderWindow> window = MakeWindow(1024, 512, false);
   std::vector<ScaleRun> runs{ wide ? MakeWideRun(way, actors, "equirectangular", 360, 180)
                                    : MakeStockRun(way, actors, 90) };
   if (wide)

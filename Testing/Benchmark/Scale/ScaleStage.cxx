@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ScaleStage.h"
 
+#include "InteractiveRate.h"
+
 #include "Display.h"
 #include "MessageCatcher.h"
 #include "Messages.h"
@@ -28,12 +30,16 @@ void AddAll(vtkRenderer* renderer, const Actors& actors)
 }
 }
 
-vtkSmartPointer<vtkRenderWindow> MakeWindow(int width, int height)
+vtkSmartPointer<vtkRenderWindow> MakeWindow(int width, int height, bool moves)
 {
   auto window = vtkSmartPointer<vtkRenderWindow>::New();
   widefov::OpenWindow(window);
   window->SetMultiSamples(0);
   window->SetSize(width, height);
+  if (moves)
+  {
+    window->SetDesiredUpdateRate(bench::InteractiveRate);
+  }
   return window;
 }
 

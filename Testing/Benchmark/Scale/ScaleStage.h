@@ -26,8 +26,9 @@ struct ScaleRun
   std::vector<double> Milliseconds;
 };
 
-// A window without several samples, so that little depends on its pixels.
-vtkSmartPointer<vtkRenderWindow> MakeWindow(int width, int height);
+// A window without several samples, so that little depends on its pixels. moves: it asks for 15
+// frames a second, as VTK's interactors do while a camera turns.
+vtkSmartPointer<vtkRenderWindow> MakeWindow(int width, int height, bool moves);
 
 // Seen from the origin along -z, fields of view in degrees.
 ScaleRun MakeWideRun(const std::string& name, const Actors& actors, const std::string& projection,

@@ -78,21 +78,21 @@ void Turn(const ScaleRun& run, int)
 void StandStill(const ScaleRun&, int) {}
 
 // Many props, all of them seen by both.
-Json RunProps(const ScaleOptions& o, const Move& move)
+Json RunProps(const ScaleOptions& o, bool moves)
 {
-  const vtkSmartPointer<vtkRenderWindow> window = MakeWindow(512, 256);
+  const vtkSmartPointer<vtkRenderWindow> window = MakeWindow(512, 256, moves);
   std::vector<ScaleRun> runs;
   runs.push_back(MakeStockRun("stock", MakeBalls(o.Props, MakeStock), 0));
   runs.push_back(MakeWideRun("pass", MakeBalls(o.Props, MakeStock), "equirectangular", 360, 180));
   runs.push_back(MakeWideRun("own", MakeBalls(o.Props, MakeWide), "equirectangular", 360, 180));
-  DrawInTurn(window, runs, o.Frames, move);
+  DrawInTurn(window, runs, o.Frames, moves ? Turn : StandStill);
   return Times(runs);
 }
 
 // A vertex-bound scene all round: what a third of the field of view costs.
 Json RunFields(const ScaleOptions& o)
 {
-  const vtkSmartPointer<vtkRenderWindow> window = MakeWindow(512, 256);
+  const vtkSmartPointer<vtkRenderWindow> window = MakeWindow(512, 256, true);
   const vtkSmartPointer<vtkPolyData> sphere = MakeSphere(std::min(o.Triangles, 1000000));
   Json json;
   const auto run = [&](const char* name, const Actors& all, const Actors& part) {
@@ -110,7 +110,7 @@ Json RunFields(const ScaleOptions& o)
 
 Json RunArrows(const ScaleOptions& o)
 {
-  const vtkSmartPointer<vtkRenderWindow> window = MakeWindow(512, 512);
+  const vtkSmartPointer<vtkRenderWindow> window = MakeWindow(512, 512, true);
   const int count = std::max(1, o.Props / 2);
   std::vector<ScaleRun> runs;
   runs.push_back(MakeStockRun("perspective", MakeArrowsAndLines(count, MakeStock), 90));
@@ -130,8 +130,8 @@ Json RunCases(const ScaleOptions& o)
   {
     if (name == "props")
     {
-      json["props_moving"] = RunProps(o, Turn);
-      json["props_still"] = RunProps(o, StandStill);
+      json["props_moving"] = RunProps(o, true);
+      json["props_still"] = RunProps(o, false);
     }
     else if (name == "fields")
     {
