@@ -188,15 +188,19 @@ bool Sorter::SortInHaste(
 // What has been found, counted and in order.
 void Sorter::Finish()
 {
-  const std::size_t n = this->Kinds.size();
+  const auto isLeftOut = [](unsigned char kind) { return (kind & (Plain | Cover)) == 0; };
+  const auto end = this->Kinds.end();
   this->Unseen = 0;
-  for (std::size_t i = 0; i < n; i += Clusters::Size)
+  this->LeftOut = 0;
+  for (auto first = this->Kinds.begin(); first != end;)
   {
-    this->Unseen += this->Kinds[i] == sorting::Unseen;
+    const auto last = first + std::min<std::ptrdiff_t>(Clusters::Size, end - first);
+    const auto left = std::count_if(first, last, isLeftOut);
+    this->LeftOut += left;
+    this->Unseen += left == last - first;
+    first = last;
   }
   this->MakeOrder();
-  this->LeftOut = std::count_if(this->Kinds.begin(), this->Kinds.end(),
-    [](unsigned char kind) { return (kind & (Plain | Cover)) == 0; });
 }
 
 void Sorter::CoverTriangle(unsigned int triangle)
