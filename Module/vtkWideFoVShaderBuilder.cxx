@@ -76,6 +76,9 @@ Known KnownOf(const Request& r)
 // For the few planes that float32 is too coarse for; without it they are as good as it is.
 const char* const Doubles = "#extension GL_ARB_gpu_shader_fp64 : enable\n";
 
+// For a stage that is run once an eye.
+const char* const Invocations = "#extension GL_ARB_gpu_shader5 : require\n";
+
 // The geometry stage of points, lines or triangles, behind what all have.
 std::string PrimitiveSource(const Request& r, const std::vector<Varying>& varyings)
 {
@@ -110,7 +113,8 @@ std::string GeometrySource(
   const Request& r, const std::vector<Varying>& varyings, const std::string& toView)
 {
   std::string source = std::string("//VTK::System::Dec\n") + (CoversTriangles(r) ? Doubles : "") +
-    Define("WFV_MODEL", !toView.empty()) + "#define WFV_TO_VIEW " + toView + "\n" + ViewSource(r) +
+    (r.BothEyes ? Invocations : "") + Define("WFV_MODEL", !toView.empty()) +
+    "#define WFV_TO_VIEW " + toView + "\n" + ViewSource(r) +
     (r.Kind == Primitive::Points ? "" : preclip_glsl) + (r.DebugView ? debug_kinds_glsl : "") +
     PrimitiveSource(r, varyings);
   if (r.Stage == vtkWideFoVShaderBuilder::Variant::Tessellate)

@@ -189,6 +189,7 @@ void vtkWideFoVStage::FinishTriangles(vtkWideFoVShaderBuilder::Request& request)
   {
     return;
   }
+  request.BothEyes = this->BothEyes;
   request.ByRays = this->ByRays || this->Calm;
   request.Calm = this->Calm;
   if ((!straight || (this->Stereo && this->Stereo->OwnRays)) && !this->Clipless &&

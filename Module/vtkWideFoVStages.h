@@ -14,6 +14,7 @@
 #include "vtkWideFoVSorter.h"
 #include "vtkWideFoVStage.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -75,6 +76,9 @@ public:
   wfv::ShaderMemory Texts;
   wfv::ProgramMemory Programs;
 
+  // Whether Choose tells props that may be drawn for both eyes at once (false).
+  void SetShares(bool shares) { this->Shares = shares; }
+
   // Puts one stage in the place of another in the prop's keys.
   static void Replace(vtkProp* prop, vtkWideFoVStage* from, vtkWideFoVStage* to);
 
@@ -87,6 +91,21 @@ public:
   vtkNew<vtkWideFoVStage> PreClip;
   vtkNew<vtkWideFoVStage> Exact;
   vtkNew<vtkWideFoVStage> Tessellate; // other mappers than ours: the pre-clip
+
+  // Of triangles that are drawn for both eyes at once.
+  vtkNew<vtkWideFoVStage> ExactOfBoth;
+  vtkNew<vtkWideFoVStage> CalmOfBoth;
+  vtkNew<vtkWideFoVStage> PlainOfBoth;
+
+  // What the calm and the plain ones are drawn with among triangles of this stage.
+  vtkWideFoVStage* GetCalmAmong(const vtkWideFoVStage* stage)
+  {
+    return stage == this->ExactOfBoth ? this->CalmOfBoth : this->CalmAmong;
+  }
+  vtkWideFoVStage* GetPlainAmong(const vtkWideFoVStage* stage)
+  {
+    return stage == this->ExactOfBoth ? this->PlainOfBoth : this->PlainAmong;
+  }
 
 private:
   // True where no edge of the prop bends by more than the tolerance, seen from here.
@@ -123,6 +142,8 @@ private:
   bool Culling = true;
   bool SortMoving = false;
   bool Hurries = false;
+  bool Shares = false;
+  std::array<vtkWideFoVStage*, 9> GetAll();
   void SetEyes(vtkWideFoVCamera* camera, const wfv::StereoModel* stereo); // after SetPart
   double Reach = 0; // of the rays' beginnings from the middle between the eyes, scene units
 

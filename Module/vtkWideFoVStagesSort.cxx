@@ -3,6 +3,7 @@
 #include "vtkWideFoVStages.h"
 
 #include "vtkWideFoVCamera.h"
+#include "vtkWideFoVEyesAtOnce.h"
 #include "vtkWideFoVPass.h"
 
 #include "vtkActor.h"
@@ -123,6 +124,7 @@ void vtkWideFoVStages::FindFacts(vtkProp* prop, wfv::PropFacts& facts)
   {
     vtkProperty* const property = actor->GetProperty();
     facts.Bounded = KeepsItsBounds(actor) && !HasOwnShaders(actor);
+    facts.Shareable = wfv::MayShareEyes(actor);
     facts.PointSize = property->GetPointSize();
     const double width = std::max<double>(property->GetLineWidth(), facts.PointSize);
     facts.Reach = facts.Bounded && DrawsOutlines(actor) ? WidthMargin * width : 0;
@@ -193,13 +195,14 @@ bool vtkWideFoVStages::GetSortView(
     (this->Technique == vtkWideFoVPass::AUTO ||
       (this->Technique == vtkWideFoVPass::EXACT && this->Culling));
   view.Bends = looks && this->Projection->Axis != wfv::Family::Sampled ? this->GetBends() : nullptr;
+  const bool exact = stage == this->Exact || stage == this->ExactOfBoth;
   // what shines through is mixed in its own order, and would be twice where it is drawn both ways
   const bool opaque = view.Bends && !actor->HasTranslucentPolygonalGeometry();
   view.Plain = opaque && view.Samples.AreKnown() && this->Technique == vtkWideFoVPass::AUTO &&
     (stage == this->PreClip || (own && this->AllowsChords()));
   view.Tolerance = this->Tolerance;
   view.Moving = view.Plain && this->Hurries ? this->Tolerance : 0;
-  view.Calm = opaque && !this->DebugView && (stage == this->PreClip || stage == this->Exact);
+  view.Calm = opaque && !this->DebugView && (stage == this->PreClip || exact);
   return true;
 }
 

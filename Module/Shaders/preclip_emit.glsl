@@ -8,7 +8,17 @@
 //                 bends more than the tolerance: a shape that surely contains its
 //                 picture, and the fragment stage decides by the pixel's ray.
 
+#if WFV_BOTH_EYES
+layout(triangles, invocations = 2) in; // the left eye, then the right one: a layer each
+flat out float wfvEye; // wfvSeeBy
+
+void wfvChooseEye()
+{
+  wfvSeeBy(gl_InvocationID == 0 ? wfvEyes.x : wfvEyes.y);
+}
+#else
 layout(triangles) in;
+#endif
 #if WFV_CALM
 layout(triangle_strip, max_vertices = 4) out;
 #else
@@ -77,6 +87,9 @@ vec2 wfvDepthsHere; // NDC depths at which the triangle may be
 
 void wfvWriteFlat()
 {
+#if WFV_BOTH_EYES
+  wfvEye = wfvView.stereo.x;
+#endif
   wfvEdge0 = wfvN[0];
   wfvEdge1 = wfvN[1];
   wfvEdge2 = wfvN[2];
@@ -111,6 +124,9 @@ void wfvWriteFlat()
 void wfvEmitVertex(vec4 position, vec3 bary)
 {
   gl_Position = position;
+#if WFV_BOTH_EYES
+  gl_Layer = gl_InvocationID;
+#endif
 #if !WFV_EXACT
   wfvBary = bary;
   wfvPosition = bary.x * wfvP[0] + bary.y * wfvP[1] + bary.z * wfvP[2];

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Both eyes in one traversal of the props: what each sees is what it sees in a traversal of its
+// own.
+#include "WideFoVTestScene.h"
+
+#include "vtkWideFoVPolyDataMapper.h"
+
+#include "vtkActor.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkConeSource.h"
+#include "vtkElevationFilter.h"
+#include "vtkFloatArray.h"
+#include "vtkParametricFunctionSource.h"
+#include "vtkParametricTorus.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkTextActor.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace
+{
+// What a renderer had drawn for one eye, and how.
+struct Seen
+{
+  std::vector<unsigned char> Colors;
+  std::vector<float> Depths;
+  int Eye = 0;
+  int Shared = 0;
+  int Draws = 0;
+  int Culled = 0;
+};
+
+// A window that looks at each eye's picture when it is drawn.
+struct Scene : WideFoVTestWindow
+{
+  explicit Scene(const char* projection, const char* model, int samples = 0)
+    : WideFoVTestWindow(projection, 200, 100)
+  {
+    this->Window->SetMultiSamples(samples);
+    this->Window->StereoRenderOn();
+    this->Window->SetStereoType(VTK_STEREO_RED_BLUE);
+    this->Camera->SetStereoModel(model);
+    this->Camera->SetInterpupillaryDistance(0.2);
+    this->Pass()->SetTechnique(vtkWideFoVPass::EXACT);
+    this->Pass()->SetEyesAtOnce(vtkWideFoVPass::ALWAYS);
+    vtkNew<vtkCallbackCommand> look;
+    look->SetClientData(this);
+    look->SetCallback(
+      [](vtkObject*, unsigned long, void* self, void*) { static_cast<Scene*>(self)->Look(); });
+    this->Renderer->AddObserver(vtkCommand::EndEvent, look);
+  }
+
+  // A room and cones; nothing there is sorted.
+  void AddRoom()
+  {
+    this->Renderer->AddActor(MakeTestRoom());
+    AddTestCones(this->Renderer);
+  }
+
+  // A ring of some 10,000 triangles round the eye, of a mapper that sorts them.
+  vtkActor* AddRing()
+  {
+    vtkNew<vtkParametricTorus> torus;
+    torus->SetRingRadius(1.2);
+    torus->SetCrossSectionRadius(0.25);
+    vtkNew<vtkParametricFunctionSource> source;
+    source->SetParametricFunction(torus);
+    source->SetUResolution(160);
+    source->SetVResolution(32);
+    vtkNew<vtkElevationFilter> colors;
+    colors->SetInputConnection(source->GetOutputPort());
+    vtkNew<vtkWideFoVPolyDataMapper> mapper;
+    mapper->SetInputConnection(colors->GetOutputPort());
+    vtkNew<vtkActor> ring;
+    ring->SetMapper(mapper);
+    ring->RotateX(70);
+    this->Renderer->AddActor(ring);
+    return ring;
+  }
+
+  // What is drawn in each eye's turn: lines, what shines through, text.
+  void AddOthers()
+  {
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(MakeGraticule(1.4, 30, false));
+    vtkNew<vtkActor> lines;
+    lines->SetMapper(mapper);
+    this->Renderer->AddActor(lines);
+    vtkNew<vtkConeSource> cone;
+    cone->SetCenter(0.2, 0, -0.8);
+    vtkSmartPointer<vtkActor> glass = MakeTestActor(cone, 0.2, 1, 0.3);
+    glass->GetProperty()->SetOpacity(0.5);
+    this->Renderer->AddActor(glass);
+    vtkNew<vtkTextActor> text;
+    text->SetInput("both");
+    this->Renderer->AddActor(text);
+  }
+
+  void Look()
+  {
+    const int* const size = this->Window->GetSize();
+    vtkNew<vtkUnsignedCharArray> colors;
+    vtkNew<vtkFloatArray> depths;
+    this->Window->GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 0, colors);
+    this->Window->GetZbufferData(0, 0, size[0] - 1, size[1] - 1, depths);
+    Seen seen;
+    seen.Colors.assign(colors->GetPointer(0), colors->GetPointer(0) + colors->GetNumberOfValues());
+    seen.Depths.assign(depths->GetPointer(0), depths->GetPointer(0) + depths->GetNumberOfValues());
+    seen.Eye = this->Camera->GetCurrentEye();
+    vtkWideFoVPass* const pass = this->Pass();
+    seen.Shared = pass->GetNumberOfSharedProps();
+    seen.Draws = pass->GetNumberOfExactDraws() + pass->GetNumberOfPlainDraws() +
+      pass->GetNumberOfPreClipDraws();
+    seen.Culled = pass->GetNumberOfCulledProps();
+    this->Eyes.push_back(seen);
+  }
+
+  // The eyes of the next frame.
+  std::vector<Seen> Draw()
+  {
+    this->Eyes.clear();
+    this->Window->Render();
+    return this->Eyes;
+  }
+
+  // The same in two traversals.
+  std::vector<Seen> DrawTwice()
+  {
+    vtkWideFoVPass* const pass = this->Pass();
+    const int before = pass->GetEyesAtOnce();
+    pass->SetEyesAtOnce(vtkWideFoVPass::NEVER);
+    std::vector<Seen> seen = this->Draw();
+    pass->SetEyesAtOnce(before);
+    return seen;
+  }
+
+  std::vector<Seen> Eyes;
+};
+
+int CountChanged(const Seen& a, const Seen& b)
+{
+  int changed = 0;
+  for (std::size_t i = 0; i < a.Depths.size(); i++)
+  {
+    changed += !std::equal(&a.Colors[4 * i], &a.Colors[4 * i] + 4, &b.Colors[4 * i]) ||
+      a.Depths[i] != b.Depths[i];
+  }
+  return changed;
+}
+
+// shared: props in one traversal.
+void ExpectSame(const std::vector<Seen>& once, const std::vector<Seen>& twice, int shared)
+{
+  ASSERT_EQ(once.size(), 2u);
+  ASSERT_EQ(twice.size(), 2u);
+  for (std::size_t i = 0; i < 2; i++)
+  {
+    EXPECT_EQ(once[i].Eye, i == 0 ? -1 : 1);
+    EXPECT_EQ(once[i].Shared, shared);
+    EXPECT_EQ(twice[i].Shared, 0);
+    ASSERT_EQ(once[i].Depths.size(), twice[i].Depths.size());
+    EXPECT_EQ(CountChanged(once[i], twice[i]), 0) << (i == 0 ? "left" : "right");
+  }
+  // it shows something, and not the same to both
+  EXPECT_GT(CountChanged(once[0], once[1]), static_cast<int>(once[0].Depths.size() / 10));
+}
+
+const char* const Projections[] = { "equirectangular", "hammer", "azimuthal-equidistant",
+  "equi-angular-cubemap" };
+}
+
+TEST(EyesAtOnce, ShowWhatTwoTraversalsShow)
+{
+  for (const char* projection : Projections)
+  {
+    Scene scene(projection, "omnidirectional");
+    scene.AddRoom();
+    const std::vector<Seen> once = scene.Draw();
+    const std::vector<Seen> twice = scene.DrawTwice();
+    SCOPED_TRACE(projection);
+    ExpectSame(once, twice, 9 - once.at(0).Culled);
+    EXPECT_EQ(once.at(1).Draws, 0);
+    EXPECT_EQ(once.at(0).Draws, twice.at(0).Draws);
+    EXPECT_EQ(twice.at(1).Draws, twice.at(0).Draws);
+  }
+}
