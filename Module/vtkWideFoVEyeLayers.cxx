@@ -177,7 +177,8 @@ void EyeLayers::Internals::Make(vtkOpenGLRenderWindow* window, const Format& for
   this->Window = window;
   this->Made = format;
   this->Complete = false;
-  if (!format.IsKnown() || !HasExtension("GL_ARB_gpu_shader5"))
+  if (!format.IsKnown() || !HasExtension("GL_ARB_gpu_shader5") ||
+    !HasExtension("GL_ARB_shader_viewport_layer_array"))
   {
     return;
   }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVEyesAtOnce.h"
 
-#include "vtkWideFoVSortedDraw.h"
-
 #include "vtkActor.h"
 #include "vtkDataObject.h"
 #include "vtkMapper.h"
@@ -24,13 +22,6 @@ bool DrawsBoth(vtkRenderWindow* window)
   const int type = window->GetStereoType();
   return window->GetStereoRender() && type != VTK_STEREO_LEFT && type != VTK_STEREO_RIGHT &&
     type != VTK_STEREO_FAKE;
-}
-
-// What is sorted is sorted for one eye.
-bool IsSorted(const char* mapper, vtkPolyData* mesh)
-{
-  return std::strcmp(mapper, "vtkWideFoVPolyDataMapper") == 0 &&
-    (wfv::SortedDraw::IsWorthIt(mesh, false) || wfv::SortedDraw::IsWorthIt(mesh, true));
 }
 
 bool HasTrianglesAlone(vtkPolyData* mesh)
@@ -67,11 +58,10 @@ bool MayShareEyes(vtkProp* prop)
   vtkProperty* const property = actor->GetProperty();
   vtkShaderProperty* const shaders = actor->GetShaderProperty();
   auto* const mesh = vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0));
-  return HasTrianglesAlone(mesh) && !IsSorted(name, mesh) &&
-    property->GetRepresentation() == VTK_SURFACE && !property->GetEdgeVisibility() &&
-    !property->GetVertexVisibility() && !shaders->HasVertexShaderCode() &&
-    !shaders->HasGeometryShaderCode() && !shaders->HasFragmentShaderCode() &&
-    shaders->GetNumberOfShaderReplacements() == 0;
+  return HasTrianglesAlone(mesh) && property->GetRepresentation() == VTK_SURFACE &&
+    !property->GetEdgeVisibility() && !property->GetVertexVisibility() &&
+    !shaders->HasVertexShaderCode() && !shaders->HasGeometryShaderCode() &&
+    !shaders->HasFragmentShaderCode() && shaders->GetNumberOfShaderReplacements() == 0;
 }
 
 bool EyesAtOnce::Drawn::operator==(const Drawn& o) const

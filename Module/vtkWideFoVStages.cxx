@@ -42,18 +42,14 @@ vtkWideFoVStages::vtkWideFoVStages()
   this->ExactOfBoth->SetVariant(vtkWideFoVShaderBuilder::Variant::Exact);
   this->CalmOfBoth->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
   this->CalmOfBoth->SetCalm(true);
-  this->PlainOfBoth->SetSurfaceDepth(true);
-  for (vtkWideFoVStage* stage :
-    { this->ExactOfBoth.Get(), this->CalmOfBoth.Get(), this->PlainOfBoth.Get() })
-  {
-    stage->SetBothEyes(true);
-  }
+  this->ExactOfBoth->SetBothEyes(true);
+  this->CalmOfBoth->SetBothEyes(true);
 }
 
-std::array<vtkWideFoVStage*, 9> vtkWideFoVStages::GetAll()
+std::array<vtkWideFoVStage*, 8> vtkWideFoVStages::GetAll()
 {
   return { this->Plain, this->PlainAmong, this->CalmAmong, this->PreClip, this->Exact,
-    this->Tessellate, this->ExactOfBoth, this->CalmOfBoth, this->PlainOfBoth };
+    this->Tessellate, this->ExactOfBoth, this->CalmOfBoth };
 }
 
 bool vtkWideFoVStages::CanTessellate()
@@ -114,7 +110,7 @@ void vtkWideFoVStages::SetDebugView(bool debugView)
 {
   this->DebugView = debugView;
   for (vtkWideFoVStage* stage : { this->Plain.Get(), this->PlainAmong.Get(), this->PreClip.Get(),
-         this->Exact.Get(), this->ExactOfBoth.Get(), this->PlainOfBoth.Get() })
+         this->Exact.Get(), this->ExactOfBoth.Get() })
   {
     stage->SetDebugView(debugView);
   }

@@ -67,6 +67,13 @@ public:
   // all drawn alike.
   bool GetSortView(const vtkWideFoVStage* stage, vtkActor* actor, wfv::SortView& view);
 
+  // Which eye this stage draws for: -1, 1; 0: both, or without stereo.
+  int GetEye(const vtkWideFoVStage* stage) const
+  {
+    const double x = this->IsOfBoth(stage) ? 0 : this->View.stereo.x;
+    return x < 0 ? -1 : x > 0 ? 1 : 0;
+  }
+
   // From the actor's coordinates to the map's own frame, row-major.
   void GetToMap(vtkActor* actor, double matrix[16]) const;
 
@@ -95,17 +102,14 @@ public:
   // Of triangles that are drawn for both eyes at once.
   vtkNew<vtkWideFoVStage> ExactOfBoth;
   vtkNew<vtkWideFoVStage> CalmOfBoth;
-  vtkNew<vtkWideFoVStage> PlainOfBoth;
 
-  // What the calm and the plain ones are drawn with among triangles of this stage.
+  // What the calm ones are drawn with among triangles of this stage; plain ones by PlainAmong, once
+  // for each eye.
   vtkWideFoVStage* GetCalmAmong(const vtkWideFoVStage* stage)
   {
-    return stage == this->ExactOfBoth ? this->CalmOfBoth : this->CalmAmong;
+    return this->IsOfBoth(stage) ? this->CalmOfBoth : this->CalmAmong;
   }
-  vtkWideFoVStage* GetPlainAmong(const vtkWideFoVStage* stage)
-  {
-    return stage == this->ExactOfBoth ? this->PlainOfBoth : this->PlainAmong;
-  }
+  bool IsOfBoth(const vtkWideFoVStage* stage) const { return stage == this->ExactOfBoth; }
 
 private:
   // True where no edge of the prop bends by more than the tolerance, seen from here.
@@ -143,7 +147,7 @@ private:
   bool SortMoving = false;
   bool Hurries = false;
   bool Shares = false;
-  std::array<vtkWideFoVStage*, 9> GetAll();
+  std::array<vtkWideFoVStage*, 8> GetAll();
   void SetEyes(vtkWideFoVCamera* camera, const wfv::StereoModel* stereo); // after SetPart
   double Reach = 0; // of the rays' beginnings from the middle between the eyes, scene units
 

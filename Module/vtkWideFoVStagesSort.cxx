@@ -18,6 +18,7 @@
 #include "vtkShaderProperty.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 namespace
@@ -182,6 +183,7 @@ bool vtkWideFoVStages::GetSortView(
   }
   view.Map = this->Projection;
   view.View = this->View;
+  view.View.stereo.x = std::abs(this->View.stereo.x); // the same for both eyes
   view.Part = this->Part;
   view.Pixels = this->Pixels;
   view.Culls = this->Culling;

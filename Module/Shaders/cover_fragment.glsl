@@ -2,9 +2,6 @@
 // Fragment side of the pre-clip: barycentric coordinates, coverage and depth of the
 // primitive at this pixel, before the stock shader runs.
 
-#if WFV_BOTH_EYES
-flat in float wfvEye; // that this fragment is for
-#endif
 flat in vec3 wfvEdge0;
 flat in vec3 wfvEdge1;
 flat in vec3 wfvEdge2;
@@ -281,9 +278,6 @@ bool wfvCovered(WfvRay ray, vec3 e)
 
 void wfvPrepare()
 {
-#if WFV_BOTH_EYES
-  wfvSeeBy(wfvEye);
-#endif
   WfvRay ray = wfvSurfaceRay(vec2(0.0));
   vec3 e = wfvEdgesAt(ray.direction);
 #if !WFV_EXACT

@@ -3,8 +3,9 @@
 
 uniform WfvView wfvView;
 #if WFV_BOTH_EYES
-// Triangles are drawn for both eyes at once, which see alike but for this: v.stereo.x of the left
-// and of the right one. Each stage says first which eye it works for.
+// Triangles may be drawn for both eyes at once, which see alike but for this: v.stereo.x of the left
+// and of the right one; where one eye is drawn, the first is its. Each stage says first which eye it
+// works for.
 uniform vec2 wfvEyes;
 WfvView wfvSeenBy;
 

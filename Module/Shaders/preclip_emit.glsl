@@ -8,16 +8,8 @@
 //                 bends more than the tolerance: a shape that surely contains its
 //                 picture, and the fragment stage decides by the pixel's ray.
 
-#if WFV_BOTH_EYES
-layout(triangles, invocations = 2) in; // the left eye, then the right one: a layer each
-flat out float wfvEye; // wfvSeeBy
-
-void wfvChooseEye()
-{
-  wfvSeeBy(gl_InvocationID == 0 ? wfvEyes.x : wfvEyes.y);
-}
-#else
-layout(triangles) in;
+#if !WFV_BOTH_EYES
+layout(triangles) in; // else both_eyes.glsl
 #endif
 #if WFV_CALM
 layout(triangle_strip, max_vertices = 4) out;
