@@ -9,8 +9,10 @@
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkConeSource.h"
+#include "vtkCubeSource.h"
 #include "vtkElevationFilter.h"
 #include "vtkFloatArray.h"
+#include "vtkLinearSubdivisionFilter.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -36,6 +38,7 @@ struct Seen
   int Eye = 0;
   int Shared = 0;
   int Draws = 0;
+  int PlainDraws = 0;
   int Culled = 0;
 };
 
@@ -90,6 +93,27 @@ struct Scene : WideFoVTestWindow
     return ring;
   }
 
+  // The room again, in 768 triangles that are sorted, some of them cut in pieces for each eye.
+  void AddSortedRoom()
+  {
+    vtkNew<vtkCubeSource> cube;
+    cube->SetXLength(4.1);
+    cube->SetYLength(3.1);
+    cube->SetZLength(5.1);
+    vtkNew<vtkTriangleFilter> triangles;
+    triangles->SetInputConnection(cube->GetOutputPort());
+    vtkNew<vtkLinearSubdivisionFilter> finer;
+    finer->SetInputConnection(triangles->GetOutputPort());
+    finer->SetNumberOfSubdivisions(3);
+    vtkNew<vtkElevationFilter> colors;
+    colors->SetInputConnection(finer->GetOutputPort());
+    vtkNew<vtkWideFoVPolyDataMapper> mapper;
+    mapper->SetInputConnection(colors->GetOutputPort());
+    vtkNew<vtkActor> room;
+    room->SetMapper(mapper);
+    this->Renderer->AddActor(room);
+  }
+
   // What is drawn in each eye's turn: lines, what shines through, text.
   void AddOthers()
   {
@@ -123,6 +147,7 @@ struct Scene : WideFoVTestWindow
     seen.Shared = pass->GetNumberOfSharedProps();
     seen.Draws = pass->GetNumberOfExactDraws() + pass->GetNumberOfPlainDraws() +
       pass->GetNumberOfPreClipDraws();
+    seen.PlainDraws = pass->GetNumberOfPlainDraws();
     seen.Culled = pass->GetNumberOfCulledProps();
     this->Eyes.push_back(seen);
   }
@@ -197,7 +222,7 @@ TEST(EyesAtOnce, ShowWhatTwoTraversalsShow)
   }
 }
 
-// A mesh that is sorted: well, in haste, and with the frames that lie between.
+// Meshes that are sorted, well and in haste.
 TEST(EyesAtOnce, ShowSortedMeshesAsTwoTraversalsDo)
 {
   for (const char* projection : Projections)
@@ -210,13 +235,156 @@ TEST(EyesAtOnce, ShowSortedMeshesAsTwoTraversalsDo)
           std::string(projection) + " " + std::to_string(technique) + (haste ? " in haste" : ""));
         Scene scene(projection, "omnidirectional");
         scene.AddRing();
+        scene.AddSortedRoom();
         scene.Pass()->SetTechnique(technique);
         scene.Pass()->SetSortWhileMoving(!haste);
         const std::vector<Seen> once = scene.Draw();
-        ExpectSame(once, scene.DrawTwice(), 1);
+        const bool plain = !haste && technique == vtkWideFoVPass::AUTO;
+        EXPECT_EQ(once.at(0).PlainDraws > 0, plain);
+        ExpectSame(once, scene.DrawTwice(), 2);
         EXPECT_EQ(once.at(1).Draws, 0);
         EXPECT_EQ(scene.Pass()->GetNumberOfSortedMeshes(), 0); // those of the other eye serve
       }
     }
   }
+}
+
+// With what cannot be shared before, among and behind it, one sample a pixel and several.
+TEST(EyesAtOnce, ShowTheOthersInEachTurn)
+{
+  for (const char* model : { "omnidirectional", "warped" })
+  {
+    for (const char* projection : { "equirectangular", "azimuthal-equidistant" })
+    {
+      for (const int samples : { 0, 4 })
+      {
+        SCOPED_TRACE(std::string(model) + " " + projection + " samples " + std::to_string(samples));
+        Scene scene(projection, model, samples);
+        scene.AddOthers();
+        scene.AddRoom();
+        scene.AddOthers();
+        scene.AddRing();
+        scene.Pass()->SetSortWhileMoving(true);
+        const std::vector<Seen> once = scene.Draw();
+        ExpectSame(once, scene.DrawTwice(), 10 - once.at(0).Culled);
+        EXPECT_GT(once.at(1).Draws, 0);
+        EXPECT_LT(once.at(1).Draws, once.at(0).Draws);
+      }
+    }
+  }
+}
+
+// Every way that shows both eyes draws them at once, the others do not.
+TEST(EyesAtOnce, FollowTheStereoType)
+{
+  Scene scene("equirectangular", "omnidirectional");
+  scene.AddRoom();
+  const std::vector<Seen> twice = scene.DrawTwice();
+  for (const int type : { VTK_STEREO_INTERLACED, VTK_STEREO_SPLITVIEWPORT_HORIZONTAL,
+         VTK_STEREO_LEFT, VTK_STEREO_RIGHT, VTK_STEREO_ANAGLYPH })
+  {
+    SCOPED_TRACE(type);
+    scene.Window->SetStereoType(type);
+    const std::vector<Seen> seen = scene.Draw();
+    const bool one = type == VTK_STEREO_LEFT || type == VTK_STEREO_RIGHT;
+    ASSERT_EQ(seen.size(), one ? 1u : 2u);
+    for (const Seen& eye : seen)
+    {
+      EXPECT_EQ(eye.Shared > 0, !one);
+      EXPECT_EQ(CountChanged(eye, twice[eye.Eye < 0 ? 0 : 1]), 0);
+    }
+  }
+  scene.Window->StereoRenderOff();
+  EXPECT_EQ(scene.Draw().at(0).Shared, 0);
+  scene.Window->StereoRenderOn();
+  EXPECT_GT(scene.Draw().at(1).Shared, 0);
+}
+
+// What waits for the right eye is shown in its own frame alone.
+TEST(EyesAtOnce, ShowNothingStale)
+{
+  Scene scene("equirectangular", "omnidirectional");
+  scene.AddRoom();
+  vtkActor* const ring = scene.AddRing();
+  scene.Pass()->SetSortWhileMoving(true);
+  std::vector<Seen> before = scene.Draw();
+  const auto expect = [&](bool shared) {
+    const std::vector<Seen> now = scene.Draw();
+    ASSERT_EQ(now.size(), 2u);
+    EXPECT_EQ(now[1].Shared > 0, shared);
+    const std::vector<Seen> twice = scene.DrawTwice();
+    for (std::size_t i = 0; i < 2; i++)
+    {
+      EXPECT_GT(CountChanged(now[i], before[i]), 0);
+      EXPECT_EQ(CountChanged(now[i], twice[i]), 0);
+    }
+    before = now;
+  };
+  ring->RotateY(20);
+  expect(true);
+  scene.Camera->Yaw(30);
+  expect(true);
+  scene.Camera->SetInterpupillaryDistance(0.3);
+  expect(true);
+  ring->GetProperty()->SetColor(1, 0, 0);
+  ring->GetMapper()->ScalarVisibilityOff();
+  expect(true);
+  scene.Renderer->SetBackground(0, 0.5, 0);
+  ring->VisibilityOff();
+  expect(true);
+  scene.Window->SetSize(180, 120);
+  scene.Draw();
+  EXPECT_EQ(CountChanged(scene.Draw()[1], scene.DrawTwice()[1]), 0);
+}
+
+// Something moves when the left eye has been drawn.
+TEST(EyesAtOnce, ShowWhatMovesBetweenTheTwo)
+{
+  Scene scene("equirectangular", "omnidirectional");
+  scene.AddRoom();
+  vtkActor* const ring = scene.AddRing();
+  scene.Pass()->SetSortWhileMoving(true);
+  const std::vector<Seen> before = scene.Draw();
+  vtkNew<vtkCallbackCommand> move;
+  move->SetClientData(ring);
+  move->SetCallback([](vtkObject*, unsigned long, void* actor, void*) {
+    static_cast<vtkActor*>(actor)->RotateY(25);
+  });
+  const unsigned long tag = scene.Renderer->AddObserver(vtkCommand::EndEvent, move);
+  const std::vector<Seen> now = scene.Draw();
+  scene.Renderer->RemoveObserver(tag);
+  EXPECT_EQ(CountChanged(now.at(0), before.at(0)), 0);
+  EXPECT_GT(now.at(0).Shared, 0);
+  EXPECT_EQ(now.at(1).Shared, 0);
+  ring->RotateY(-25); // where it was for the right eye
+  EXPECT_EQ(CountChanged(now.at(1), scene.DrawTwice().at(1)), 0);
+}
+
+// Where it cannot be, both eyes are drawn as ever.
+TEST(EyesAtOnce, KeepToTwoTraversalsWhereTheyMust)
+{
+  Scene scene("equirectangular", "omnidirectional");
+  scene.AddRoom();
+  EXPECT_GT(scene.Draw().at(0).Shared, 0);
+  const auto expectNone = [&scene](const char* why) {
+    for (const Seen& eye : scene.Draw())
+    {
+      EXPECT_EQ(eye.Shared, 0) << why;
+    }
+  };
+  scene.Pass()->SetEyesAtOnce(vtkWideFoVPass::NEVER);
+  expectNone("never");
+  scene.Pass()->SetEyesAtOnce(vtkWideFoVPass::ALWAYS);
+  scene.Renderer->SetPreserveColorBuffer(1);
+  expectNone("preserved colours");
+  scene.Renderer->SetPreserveColorBuffer(0);
+  scene.Pass()->SetTechnique(vtkWideFoVPass::VERTEX);
+  expectNone("vertex");
+  scene.Pass()->SetTechnique(vtkWideFoVPass::EXACT);
+  scene.Camera->SetStereoModel("mono");
+  expectNone("mono");
+  scene.Camera->SetStereoModel("warped");
+  EXPECT_GT(scene.Draw().at(0).Shared, 0);
+  scene.Camera->SetWarpedViewer(0.5, 0);
+  expectNone("a viewer who stands beside the axis");
 }
