@@ -179,7 +179,8 @@ public:
 
   /**
    * Of the props that the last frame drew, those that were drawn for both eyes at once: in the left
-   * eye's turn then, and not again in the right one's.
+   * eye's turn then, and not again in the right one's, whose draws and runs are those of the
+   * others.
    */
   vtkGetMacro(NumberOfSharedProps, int);
 

@@ -135,11 +135,15 @@ struct Scene : WideFoVTestWindow
 
   void Look()
   {
-    const int* const size = this->Window->GetSize();
+    // its own part of the window, beside which there is anything
+    int size[2];
+    int from[2];
+    this->Renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &from[0], &from[1]);
+    const int to[2] = { from[0] + size[0] - 1, from[1] + size[1] - 1 };
     vtkNew<vtkUnsignedCharArray> colors;
     vtkNew<vtkFloatArray> depths;
-    this->Window->GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 0, colors);
-    this->Window->GetZbufferData(0, 0, size[0] - 1, size[1] - 1, depths);
+    this->Window->GetRGBACharPixelData(from[0], from[1], to[0], to[1], 0, colors);
+    this->Window->GetZbufferData(from[0], from[1], to[0], to[1], depths);
     Seen seen;
     seen.Colors.assign(colors->GetPointer(0), colors->GetPointer(0) + colors->GetNumberOfValues());
     seen.Depths.assign(depths->GetPointer(0), depths->GetPointer(0) + depths->GetNumberOfValues());
@@ -197,6 +201,7 @@ void ExpectSame(const std::vector<Seen>& once, const std::vector<Seen>& twice, i
     EXPECT_EQ(once[i].Eye, i == 0 ? -1 : 1);
     EXPECT_EQ(once[i].Shared, shared);
     EXPECT_EQ(twice[i].Shared, 0);
+    ASSERT_GT(once[i].Depths.size(), 0u);
     ASSERT_EQ(once[i].Depths.size(), twice[i].Depths.size());
     EXPECT_EQ(CountChanged(once[i], twice[i]), 0) << (i == 0 ? "left" : "right");
   }
@@ -277,6 +282,25 @@ TEST(EyesAtOnce, ShowTheOthersInEachTurn)
       }
     }
   }
+}
+
+// A circle of the eyes that fades towards the poles, a view that is tilted, and a part of a window.
+TEST(EyesAtOnce, ShowPartsAndFades)
+{
+  Scene scene("equirectangular", "omnidirectional");
+  scene.AddRoom();
+  scene.AddRing();
+  scene.Pass()->SetSortWhileMoving(true);
+  scene.Pass()->SetTechnique(vtkWideFoVPass::AUTO);
+  scene.Camera->SetTilt(20);
+  scene.Camera->SetPoleFade(40, 70);
+  ExpectSame(scene.Draw(), scene.DrawTwice(), 10);
+  vtkNew<vtkWideFoVRenderer> beside;
+  beside->SetViewport(0, 0, 0.3, 1);
+  beside->SetBackground(0.4, 0, 0);
+  scene.Window->AddRenderer(beside);
+  scene.Renderer->SetViewport(0.3, 0.2, 1, 0.9);
+  ExpectSame(scene.Draw(), scene.DrawTwice(), 10);
 }
 
 // Every way that shows both eyes draws them at once, the others do not.
