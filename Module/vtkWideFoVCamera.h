@@ -277,6 +277,7 @@ public:
    * last drew with it is not in stereo mode.
    */
   int GetCurrentEye();
+  bool HasMirroredEyes(); ///< the two differ by their side alone
 
 #ifndef __VTK_WRAP__
   /**

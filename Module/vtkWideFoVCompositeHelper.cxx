@@ -291,7 +291,7 @@ void vtkWideFoVCompositeHelper::DrawSorted(
     {
       continue;
     }
-    vtkWideFoVStage* const other = lot == Sorted::Calm ? stages->CalmAmong.Get()
+    vtkWideFoVStage* const other = lot == Sorted::Calm ? stages->GetCalmAmong(stage)
       : lot == Sorted::Plain                           ? stages->PlainAmong.Get()
                                                        : stage;
     vtkOpenGLHelper& helper = lot == Sorted::Covered ? own : surfaces.Helpers[lot];

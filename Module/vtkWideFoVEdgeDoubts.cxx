@@ -228,6 +228,25 @@ std::vector<Case> BesideOutlines(const EdgeDoubts::Lists& lists, const EdgeDoubt
   });
   return kept;
 }
+
+// Each sample in turn. True where that changes anything.
+bool SettleOnce(const std::vector<Case>& cases, const EdgeDoubts::Mesh& mesh)
+{
+  bool changed = false;
+  for (std::size_t i = 0; i < cases.size();)
+  {
+    std::size_t j = i;
+    while (j < cases.size() && cases[j].Sample == cases[i].Sample)
+    {
+      j++;
+    }
+    const Case* const first = cases.data() + i;
+    const Case* const last = cases.data() + j;
+    changed |= j - i > MostTogether ? CoverAll(first, last, mesh) : SettleSample(first, last, mesh);
+    i = j;
+  }
+  return changed;
+}
 }
 
 namespace wfv
@@ -247,24 +266,19 @@ bool EdgeDoubts::MayBeWrong(const Doubt& d, const Mesh& mesh)
   return inside != mesh.IsInside(d.Sample, d.Edge);
 }
 
-void EdgeDoubts::Settle(const Lists& lists, const Mesh& mesh)
+void EdgeDoubts::Settle(const std::vector<Sight>& eyes)
 {
-  const std::vector<Case> cases = BesideOutlines(lists, mesh);
+  std::vector<std::vector<Case>> cases;
+  for (const Sight& eye : eyes)
+  {
+    cases.push_back(BesideOutlines(eye.Doubts, eye.Seen));
+  }
   for (bool changed = true; changed;)
   {
     changed = false;
-    for (std::size_t i = 0; i < cases.size();)
+    for (std::size_t i = 0; i < eyes.size(); i++)
     {
-      std::size_t j = i;
-      while (j < cases.size() && cases[j].Sample == cases[i].Sample)
-      {
-        j++;
-      }
-      const Case* const first = cases.data() + i;
-      const Case* const last = cases.data() + j;
-      changed |=
-        j - i > MostTogether ? CoverAll(first, last, mesh) : SettleSample(first, last, mesh);
-      i = j;
+      changed |= SettleOnce(cases[i], eyes[i].Seen);
     }
   }
 }

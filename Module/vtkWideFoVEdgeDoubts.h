@@ -48,8 +48,15 @@ public:
     double Tolerance;                                 // pixels
   };
 
-  // Covers the triangles at whose edges a hidden face might show.
-  static void Settle(const Lists& doubts, const Mesh& mesh);
+  // What an eye sees of the mesh.
+  struct Sight
+  {
+    Lists Doubts;
+    Mesh Seen;
+  };
+
+  // Covers the triangles at whose edges a hidden face might show, to any of the eyes.
+  static void Settle(const std::vector<Sight>& eyes);
 
   // Whether a sample may be drawn on the other side of the edge than it is, by its chord.
   static bool MayBeWrong(const Doubt& doubt, const Mesh& mesh);

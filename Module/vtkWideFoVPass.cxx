@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVPass.h"
 
-#include "vtkWideFoVBillboards.h"
 #include "vtkWideFoVCamera.h"
 #include "vtkWideFoVCompositeHelper.h"
-#include "vtkWideFoVFrameProps.h"
-#include "vtkWideFoVHeadlights.h"
-#include "vtkWideFoVPropKeys.h"
+#include "vtkWideFoVPassInternals.h"
 #include "vtkWideFoVScreenCamera.h"
-#include "vtkWideFoVStages.h"
 
 #include "vtkActor.h"
 #include "vtkObjectFactory.h"
@@ -16,23 +12,10 @@
 #include "vtkRenderState.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkSmartPointer.h"
 
 #include <algorithm>
-#include <vector>
 
 vtkStandardNewMacro(vtkWideFoVPass);
-
-struct vtkWideFoVPass::Internals
-{
-  vtkSmartPointer<vtkRenderPass> Delegate;
-  vtkWideFoVStages Stages;
-  vtkNew<vtkWideFoVHeadlights> Headlights; // of flat screens
-  wfv::FrameProps Props;                   // as they came
-  wfv::Billboards Texts;                   // that stand in the scene
-  std::vector<vtkWideFoVStage*> Chosen;    // one a prop that is seen, kept for its memory
-  std::vector<wfv::PropKeys> Keys;         // the same, as many as there ever were
-};
 
 namespace
 {
@@ -46,19 +29,6 @@ constexpr double SpareTime = 0.2;
 // Pixels, by how much a frame is relaxed.
 constexpr int MostRelaxed = 2;
 constexpr double RelaxedTolerances[MostRelaxed + 1] = { 0, 1, 4 };
-
-// The renderer's own list is what its stock passes go through.
-class RendererAccess : public vtkRenderer
-{
-public:
-  static void SetCount(vtkRenderer* renderer, vtkProp** props, int count)
-  {
-    if (renderer->*(&RendererAccess::PropArray) == props)
-    {
-      renderer->*(&RendererAccess::PropArrayCount) = count;
-    }
-  }
-};
 }
 
 vtkWideFoVPass::vtkWideFoVPass()
@@ -83,6 +53,8 @@ void vtkWideFoVPass::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Relaxation: " << this->Relaxation << "\n"
      << indent << "Culling: " << this->Culling << "\n"
      << indent << "SortWhileMoving: " << this->SortWhileMoving << "\n"
+     << indent << "EyesAtOnce: " << this->EyesAtOnce << "\n"
+     << indent << "NumberOfSharedProps: " << this->NumberOfSharedProps << "\n"
      << indent << "NumberOfDrawnProps: " << this->NumberOfDrawnProps << "\n"
      << indent << "NumberOfCulledProps: " << this->NumberOfCulledProps << "\n"
      << indent << "NumberOfClusters: " << this->NumberOfClusters << "\n"
@@ -121,7 +93,7 @@ void vtkWideFoVPass::DrawDelegate(const vtkRenderState* s)
   this->UpdateCamera(renderer);
   this->UpdateLightGeometry(renderer);
   this->UpdateLights(renderer);
-  this->UpdateGeometry(renderer, s->GetFrameBuffer());
+  this->DrawShared(s);
 }
 
 int vtkWideFoVPass::Cull(vtkProp** props)
@@ -138,14 +110,17 @@ int vtkWideFoVPass::Cull(vtkProp** props)
       props[seen++] = in.Props.GetProp(i);
     }
   }
+  this->GatherShared(props, seen);
   return seen;
 }
 
 void vtkWideFoVPass::DrawProps(const vtkRenderState* s, vtkProp** props, int count)
 {
   Internals& in = *this->Internal;
+  this->BeginShared(s, props);
+  const int first = in.Role == wfv::EyesAtOnce::Second ? in.Shared : 0;
   in.Keys.resize(std::max<std::size_t>(in.Keys.size(), count));
-  for (int i = 0; i < count; i++)
+  for (int i = first; i < count; i++)
   {
     in.Keys[i].Attach(props[i], in.Chosen[i]);
     if (auto* const actor = vtkActor::SafeDownCast(props[i]))
@@ -158,7 +133,7 @@ void vtkWideFoVPass::DrawProps(const vtkRenderState* s, vtkProp** props, int cou
   seen.SetRequiredKeys(s->GetRequiredKeys());
   seen.SetPropArrayAndCount(props, count);
   this->DrawDelegate(&seen);
-  for (int i = 0; i < count; i++)
+  for (int i = first; i < count; i++)
   {
     in.Keys[i].Detach(props[i], in.Chosen[i]);
   }
@@ -209,6 +184,7 @@ void vtkWideFoVPass::RenderWide(const vtkRenderState* s, vtkWideFoVCamera* camer
   double bounds[6];
   camera->BeginFrame(renderer, in.Props.GetSceneBounds(renderer, bounds) ? bounds : nullptr);
   in.Stages.SetCulling(this->Culling != 0);
+  in.Stages.SetShares(true);
   in.Stages.SetSortWhileMoving(this->SortWhileMoving != 0);
   in.Stages.SetHurries(renderer->GetAllocatedRenderTime() <= LongestShare);
   this->FindRelaxation(renderer);
@@ -220,12 +196,12 @@ void vtkWideFoVPass::RenderWide(const vtkRenderState* s, vtkWideFoVCamera* camer
   const int seen = this->Cull(props);
   this->NumberOfDrawnProps = seen;
   this->NumberOfCulledProps = count - seen;
-  RendererAccess::SetCount(renderer, props, seen);
+  wfv::RendererAccess::SetCount(renderer, props, seen);
   this->Draws = true;
   this->DrawProps(s, props, seen);
   this->Draws = false;
   in.Texts.Draw(renderer, camera, in.Stages.Plain->GetTile());
-  RendererAccess::SetCount(renderer, props, count);
+  wfv::RendererAccess::SetCount(renderer, props, count);
   for (int i = 0; i < count; i++)
   {
     props[i] = in.Props.GetProp(i);
@@ -243,6 +219,9 @@ void vtkWideFoVPass::ResetCounts(int props)
   this->NumberOfChosenProps = this->NumberOfSortedMeshes = 0;
   this->NumberOfCulledProps = 0;
   this->NumberOfDrawnProps = props;
+  this->NumberOfSharedProps = 0;
+  this->Internal->Role = wfv::EyesAtOnce::Alone;
+  this->Internal->Shared = 0;
 }
 
 void vtkWideFoVPass::TakeCounts()
@@ -252,12 +231,13 @@ void vtkWideFoVPass::TakeCounts()
     stages.Plain->GetNumberOfDraws() + stages.PlainAmong->GetNumberOfDraws();
   // of the tessellate stage too, what cannot be tessellated is drawn by the pre-clip
   const int patches = stages.Tessellate->GetNumberOfTessellateDraws();
-  const int calm = stages.CalmAmong->GetNumberOfDraws();
+  const int calm = stages.CalmAmong->GetNumberOfDraws() + stages.CalmOfBoth->GetNumberOfDraws();
   const bool exact = this->Technique == EXACT;
   this->NumberOfPreClipDraws = stages.PreClip->GetNumberOfDraws() +
     stages.Tessellate->GetNumberOfDraws() - patches + (exact ? 0 : calm);
   this->NumberOfTessellateDraws = patches;
-  this->NumberOfExactDraws = stages.Exact->GetNumberOfDraws() + (exact ? calm : 0);
+  this->NumberOfExactDraws =
+    stages.Exact->GetNumberOfDraws() + stages.ExactOfBoth->GetNumberOfDraws() + (exact ? calm : 0);
   this->NumberOfClusters = stages.Counts.Clusters;
   this->NumberOfCulledClusters = stages.Counts.UnseenClusters;
   this->NumberOfTriangles = stages.Counts.Triangles;
@@ -271,6 +251,7 @@ void vtkWideFoVPass::TakeCounts()
 void vtkWideFoVPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internal->Stages.ReleaseGraphicsResources(window);
+  this->Internal->Eyes.ReleaseGraphicsResources(window);
   if (this->Internal->Delegate)
   {
     this->Internal->Delegate->ReleaseGraphicsResources(window);

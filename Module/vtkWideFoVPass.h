@@ -123,6 +123,28 @@ public:
   vtkGetMacro(Relaxation, int);
   ///@}
 
+  /**
+   * Whether both eyes are drawn in one traversal of the props.
+   */
+  enum EyesAtOnceChoices
+  {
+    AUTOMATIC = 0, ///< where that saves: not by Mesa's software renderers
+    ALWAYS,        ///< wherever it can be
+    NEVER          ///< two traversals, VTK's own
+  };
+
+  ///@{
+  /**
+   * Draw opaque triangles for both eyes at once, while VTK's window draws the left one (default
+   * AUTOMATIC), and show the right one what is its own when its turn comes; what else there is is
+   * drawn in each eye's turn. The picture is the same, to the bit. That can be for the stereo
+   * models whose eyes differ by their side alone, for every stereo type that shows both eyes, in a
+   * renderer that erases its background and has no delegate pass here.
+   */
+  vtkSetClampMacro(EyesAtOnce, int, AUTOMATIC, NEVER);
+  vtkGetMacro(EyesAtOnce, int);
+  ///@}
+
   ///@{
   /**
    * The pass that draws the props; nullptr (the default) draws as a renderer without
@@ -154,6 +176,13 @@ public:
   vtkGetMacro(NumberOfClusters, int);
   vtkGetMacro(NumberOfCulledClusters, int);
   ///@}
+
+  /**
+   * Of the props that the last frame drew, those that were drawn for both eyes at once: in the left
+   * eye's turn then, and not again in the right one's, whose draws and runs are those of the
+   * others.
+   */
+  vtkGetMacro(NumberOfSharedProps, int);
 
   ///@{
   /**
@@ -208,6 +237,8 @@ protected:
   vtkTypeBool SortWhileMoving = 0;
   vtkTypeBool KeepUpdateRate = 0;
   int Relaxation = 0;
+  int EyesAtOnce = AUTOMATIC;
+  int NumberOfSharedProps = 0;
   int NumberOfDrawnProps = 0;
   int NumberOfCulledProps = 0;
   int NumberOfClusters = 0;
@@ -232,6 +263,18 @@ private:
 
   // Draws these props, of those of the state, with the stages that they need.
   void DrawProps(const vtkRenderState* s, vtkProp** props, int count);
+
+  // Moves the props that may be drawn for both eyes at once before the others.
+  void GatherShared(vtkProp** props, int count);
+
+  // Finds out whether they are, in this frame.
+  void BeginShared(const vtkRenderState* s, vtkProp** props);
+
+  // Nothing speaks against it.
+  bool MayShare(const vtkRenderState* s, vtkProp** props);
+
+  // Draws or shows them, then the others of the renderer.
+  void DrawShared(const vtkRenderState* s);
 
   // With a camera that is wide.
   void RenderWide(const vtkRenderState* s, vtkWideFoVCamera* camera);

@@ -31,6 +31,10 @@ std::string vtkWideFoVPass::GetStatistics()
     this->Relaxation > 0 ? ", relaxed" : "");
   AddLine(
     text, "props: %d drawn, %d left out", this->NumberOfDrawnProps, this->NumberOfCulledProps);
+  if (this->NumberOfSharedProps > 0)
+  {
+    AddLine(text, "for both eyes at once: %d", this->NumberOfSharedProps);
+  }
   AddLine(text, "runs: %d, %d left out", this->NumberOfClusters, this->NumberOfCulledClusters);
   AddLine(text, "their triangles: %lld, %lld left out",
     static_cast<long long>(this->NumberOfTriangles),

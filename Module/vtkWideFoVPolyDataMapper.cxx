@@ -153,7 +153,7 @@ void vtkWideFoVPolyDataMapper::DrawSorted(int primitive, vtkRenderer* renderer, 
     {
       continue;
     }
-    vtkWideFoVStage* const other = lot == Sorted::Calm ? stages->CalmAmong.Get()
+    vtkWideFoVStage* const other = lot == Sorted::Calm ? stages->GetCalmAmong(stage)
       : lot == Sorted::Plain                           ? stages->PlainAmong.Get()
                                                        : stage;
     vtkOpenGLHelper& helper = lot == Sorted::Covered ? own : sorted.GetHelper(lot);

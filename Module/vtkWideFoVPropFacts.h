@@ -10,6 +10,7 @@ struct PropFacts
   bool Known = false;
   bool Prepared = false;   // its buffer
   bool Bounded = false;    // its bounds hold what it draws, but for its reach
+  bool Shareable = false;  // may be drawn for both eyes at once
   double Reach = 0;        // by which its lines and points may be wider than they are, pixels
   double PointSize = 1;    // pixels
   bool Surface = false;    // it draws triangles

@@ -76,6 +76,14 @@ Known KnownOf(const Request& r)
 // For the few planes that float32 is too coarse for; without it they are as good as it is.
 const char* const Doubles = "#extension GL_ARB_gpu_shader_fp64 : enable\n";
 
+// For gl_SampleMask; without it a covered pixel is covered whole.
+const char* const SampleMasks = "#extension GL_ARB_sample_shading : enable\n";
+
+// For a stage that is run once an eye; and for a vertex stage that says for which one a vertex is,
+// without it there is one alone.
+const char* const Invocations = "#extension GL_ARB_gpu_shader5 : require\n";
+const char* const Layers = "#extension GL_ARB_shader_viewport_layer_array : enable\n";
+
 // The geometry stage of points, lines or triangles, behind what all have.
 std::string PrimitiveSource(const Request& r, const std::vector<Varying>& varyings)
 {
@@ -95,7 +103,8 @@ std::string PrimitiveSource(const Request& r, const std::vector<Varying>& varyin
   }
   // copies of every vertex output at the three corners, which the fragment stage weighs:
   // exact wherever the geometry stage cuts
-  return CornerOutputs(varyings, 3, KnownOf(r)) + preclip_emit_glsl + preclip_planes_glsl +
+  return CornerOutputs(varyings, 3, KnownOf(r)) + (r.BothEyes ? both_eyes_glsl : "") +
+    preclip_emit_glsl + preclip_planes_glsl +
     (OwnRays(r)     ? own_rays_glsl
         : Warped(r) ? warped_cover_glsl
                     : "") +
@@ -110,7 +119,8 @@ std::string GeometrySource(
   const Request& r, const std::vector<Varying>& varyings, const std::string& toView)
 {
   std::string source = std::string("//VTK::System::Dec\n") + (CoversTriangles(r) ? Doubles : "") +
-    Define("WFV_MODEL", !toView.empty()) + "#define WFV_TO_VIEW " + toView + "\n" + ViewSource(r) +
+    (r.BothEyes ? Invocations : "") + Define("WFV_MODEL", !toView.empty()) +
+    "#define WFV_TO_VIEW " + toView + "\n" + ViewSource(r) +
     (r.Kind == Primitive::Points ? "" : preclip_glsl) + (r.DebugView ? debug_kinds_glsl : "") +
     PrimitiveSource(r, varyings);
   if (r.Stage == vtkWideFoVShaderBuilder::Variant::Tessellate)
@@ -134,9 +144,10 @@ void FinishVertices(const Request& r, const std::vector<Varying>& varyings, std:
   }
   else
   {
-    vtkWideFoVShaderBuilder::WrapMain(
-      vertex, "", "  gl_Position = wfvProjectVertex(gl_Position.xyz);\n");
-    vtkWideFoVShaderBuilder::Declare(vertex, ViewSource(r));
+    vtkWideFoVShaderBuilder::WrapMain(vertex, r.BothEyes ? "  wfvChooseEye();\n" : "",
+      "  gl_Position = wfvProjectVertex(gl_Position.xyz);\n");
+    vtkWideFoVShaderBuilder::Declare(vertex,
+      (r.BothEyes ? Layers : "") + ViewSource(r) + (r.BothEyes ? both_eyes_vertex_glsl : ""));
   }
 }
 
@@ -159,9 +170,9 @@ std::string CoverFragment(
     return wfv::point::FragmentSource(varyings, fragment);
   }
   RewriteFlatNormal(fragment);
-  return std::string(ray_fragment_glsl) + cover_fragment_glsl +
-    (Warped(r) ? warped_fragment_glsl : "") + chord_fragment_glsl +
-    (r.Edges || r.DebugView ? edge_distance_glsl : "") +
+  return std::string(r.BothEyes ? "flat in float wfvEye; // that the fragment is for\n" : "") +
+    ray_fragment_glsl + cover_fragment_glsl + (Warped(r) ? warped_fragment_glsl : "") +
+    chord_fragment_glsl + (r.Edges || r.DebugView ? edge_distance_glsl : "") +
     CornerInputs(varyings, { "wfvB.x", "wfvB.y", "wfvB.z" }, KnownOf(r));
 }
 
@@ -220,15 +231,16 @@ std::string DepthSource(const Request& r, const std::string& fragment)
   return (own ? "in vec3 " + OwnPlace + ";\n" : "") + depth_fragment_glsl;
 }
 
-void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
+void FinishFragment(Request r, const std::vector<Varying>& varyings, std::string& fragment)
 {
   const bool covers = Covers(r);
+  r.BothEyes = r.BothEyes && covers; // to others both see alike
   std::string declarations, before, after;
   if (covers)
   {
     RemoveInputs(fragment, varyings);
     declarations = CoverFragment(r, varyings, fragment);
-    before = "  wfvPrepare();\n";
+    before = std::string(r.BothEyes ? "  wfvSeeBy(wfvEye);\n" : "") + "  wfvPrepare();\n";
     after = "  if (wfvHide) { discard; }\n";
     ReplaceAll(fragment, "gl_FrontFacing", "wfvFront");
     before += RewriteDepth(fragment);
@@ -253,10 +265,8 @@ void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std:
   }
   if (!declarations.empty())
   {
-    // for gl_SampleMask; without it a covered pixel is covered whole
-    const std::string extension = "#extension GL_ARB_sample_shading : enable\n";
     vtkWideFoVShaderBuilder::Declare(
-      fragment, (covers ? extension : "") + ViewSource(r) + declarations);
+      fragment, (covers ? SampleMasks : "") + ViewSource(r) + declarations);
   }
 }
 }

@@ -27,6 +27,11 @@ enum Kind : unsigned char
   Aside = 4, // and drawn nevertheless: what is seen does not depend on it
   Calm = 8,  // easy to cover
   Cut = 16,  // better covered in pieces, if it has to be
+
+  // Of two eyes that triangles are sorted for, one sees none of it.
+  NotLeft = 32,
+  NotRight = 64,
+  NotBoth = NotLeft | NotRight,
 };
 
 // The side that the eye sees; nearly edge-on, both.
@@ -78,7 +83,69 @@ inline bool IsOutline(const std::vector<unsigned char>& sides,
   return beside == 0 || (beside | sides[edge / 3]) == BothSides;
 }
 
-using Doubts = vtkSMPThreadLocal<std::vector<EdgeDoubts::Doubt>>;
+using Doubts = std::array<vtkSMPThreadLocal<std::vector<EdgeDoubts::Doubt>>, SortView::MostEyes>;
+
+// One of the eyes that triangles are sorted for.
+struct Looker
+{
+  Looker(const SortView& view, int eye)
+    : Not(view.GetViewOf(eye).stereo.x < 0 ? NotLeft : NotRight)
+    , Judge(view, eye)
+  {
+  }
+
+  int Not; // the kind of what it sees none of
+  TriangleJudge Judge;
+  LastSeen Seen;
+
+  static std::vector<Looker> AllOf(const SortView& view)
+  {
+    std::vector<Looker> eyes;
+    eyes.reserve(SortView::MostEyes);
+    for (int i = 0; i < view.GetNumberOfEyes(); i++)
+    {
+      eyes.emplace_back(view, i);
+    }
+    return eyes;
+  }
+};
+
+// What all of them say of a triangle. One that covers no sample for an eye may be drawn in whatever
+// way there.
+struct Common
+{
+  bool Empty = true;
+  int Not = 0; // kinds: for whom it is empty
+  bool Plain = true;
+  bool Calm = true;
+  bool Large = false; // the shape that covers it is, for some eye
+  unsigned int Reach = 0;
+
+  void Add(const Looker& eye, const TriangleJudge::Verdict& verdict,
+    const TriangleJudge::Corner* const corners[3])
+  {
+    if (verdict.Empty)
+    {
+      this->Not |= eye.Not;
+      return;
+    }
+    this->Empty = false;
+    this->Plain = this->Plain && verdict.Plain;
+    this->Calm = this->Calm && verdict.Calm;
+    this->Reach = TriangleJudge::JoinReaches(this->Reach, verdict.Reach);
+    this->Large = this->Large || !verdict.Calm ||
+      TriangleJudge::GetCalmArea(corners, verdict.Reach) > TrianglePieces::LeastArea;
+  }
+
+  // Of one that is empty for all nothing more is known.
+  void Finish()
+  {
+    this->Not = this->Empty ? 0 : this->Not;
+    this->Plain = this->Plain && !this->Empty;
+    this->Calm = this->Calm && !this->Empty;
+    this->Large = this->Large || this->Empty;
+  }
+};
 
 // Finds which sides of triangles are seen, 0 where nothing is: before their edges are looked at. A
 // functor for threads.
@@ -130,16 +197,15 @@ public:
 
   void operator()(vtkIdType from, vtkIdType to) const
   {
-    const TriangleJudge judge(this->V);
-    LastSeen seen;
+    std::vector<Looker> eyes = Looker::AllOf(this->V);
     for (vtkIdType c = from; c < to; c++)
     {
-      this->Sort(static_cast<int>(c), judge, seen);
+      this->Sort(static_cast<int>(c), eyes);
     }
   }
 
 private:
-  void Sort(int cluster, const TriangleJudge& judge, LastSeen& seen) const
+  void Sort(int cluster, std::vector<Looker>& eyes) const
   {
     const vtkIdType first = this->In.GetFirst(cluster);
     const vtkIdType end = this->In.GetEnd(cluster);
@@ -154,40 +220,49 @@ private:
     }
     for (vtkIdType i = first; i < end; i++)
     {
-      TriangleJudge::Verdict verdict;
-      const int kind = this->GetKind(3 * i, aside != 0, judge, seen, verdict);
-      this->Kinds[i] = static_cast<unsigned char>(kind | aside);
+      const Common found = this->Ask(3 * i, aside != 0, eyes);
+      this->Kinds[i] = static_cast<unsigned char>(this->GetKind(i, found) | aside);
       if (this->Reaches)
       {
-        this->Reaches[i] = verdict.Reach;
+        this->Reaches[i] = found.Reach;
       }
     }
   }
 
-  int GetKind(vtkIdType corner, bool aside, const TriangleJudge& judge, LastSeen& seen,
-    TriangleJudge::Verdict& verdict) const
+  // What all eyes say.
+  Common Ask(vtkIdType corner, bool aside, std::vector<Looker>& eyes) const
   {
-    TriangleJudge::Corner corners[3];
-    seen.Get(this->In, judge, corner, corners);
-    const TriangleJudge::Corner* c[3] = { &corners[0], &corners[1], &corners[2] };
-    verdict = judge.Judge(c);
-    const bool plain = verdict.Plain && this->Sides[corner / 3] != BothSides;
-    const int empty = this->V.Culls ? 0 : Cover | Aside;
-    const int drawn = verdict.Empty ? empty : plain ? Plain : Cover;
-    if (this->V.Plain && !aside && !verdict.Empty)
+    Common found;
+    for (std::size_t i = 0; i < eyes.size(); i++)
     {
-      this->Doubt(corner, c, judge, verdict);
+      TriangleJudge::Corner corners[3];
+      eyes[i].Seen.Get(this->In, eyes[i].Judge, corner, corners);
+      const TriangleJudge::Corner* c[3] = { &corners[0], &corners[1], &corners[2] };
+      const TriangleJudge::Verdict verdict = eyes[i].Judge.Judge(c);
+      found.Add(eyes[i], verdict, c);
+      if (this->V.Plain && !aside && !verdict.Empty)
+      {
+        this->Doubt(corner, c, eyes[i].Judge, verdict, this->InDoubt[i].Local());
+      }
     }
-    const bool large = this->V.Calm && this->V.Measures &&
-      (!verdict.Calm || TriangleJudge::GetCalmArea(c, verdict.Reach) > TrianglePieces::LeastArea);
-    return drawn | (verdict.Calm ? Calm : 0) | (large ? Cut : 0);
+    found.Finish();
+    return found;
+  }
+
+  int GetKind(vtkIdType triangle, const Common& found) const
+  {
+    const bool plain = found.Plain && this->Sides[triangle] != BothSides;
+    const int empty = this->V.Culls ? 0 : Cover | Aside;
+    const int drawn = found.Empty ? empty : plain ? Plain : Cover;
+    const bool large = this->V.Calm && this->V.Measures && found.Large;
+    const int whose = this->V.Culls ? found.Not : 0;
+    return drawn | (found.Calm ? Calm : 0) | (large ? Cut : 0) | whose;
   }
 
   // Collects the samples that are in doubt at the edges.
   void Doubt(vtkIdType corner, const TriangleJudge::Corner* const c[3], const TriangleJudge& judge,
-    const TriangleJudge::Verdict& verdict) const
+    const TriangleJudge::Verdict& verdict, std::vector<EdgeDoubts::Doubt>& doubts) const
   {
-    std::vector<EdgeDoubts::Doubt>& doubts = this->InDoubt.Local();
     for (int j = 0; j < 3; j++)
     {
       const auto edge = static_cast<unsigned int>(corner + j);
@@ -225,6 +300,30 @@ private:
 
 using ThreadPieces = vtkSMPThreadLocal<std::vector<CoverPiece>>;
 
+// What one of the eyes sees of a triangle, and cuts it by.
+struct Cutter
+{
+  Cutter(const SortView& view, int eye)
+    : Judge(view, eye)
+    , Pieces(view, eye)
+  {
+  }
+
+  TriangleJudge Judge;
+  TrianglePieces Pieces;
+
+  static std::vector<Cutter> AllOf(const SortView& view)
+  {
+    std::vector<Cutter> eyes;
+    eyes.reserve(SortView::MostEyes);
+    for (int i = 0; i < view.GetNumberOfEyes(); i++)
+    {
+      eyes.emplace_back(view, i);
+    }
+    return eyes;
+  }
+};
+
 // Finds pieces that cover triangles; those that have none are no longer said to be better so. A
 // functor for threads.
 template <typename Real>
@@ -237,33 +336,40 @@ struct CutWork
 
   void operator()(vtkIdType from, vtkIdType to) const
   {
-    const TriangleJudge judge(this->In.V);
-    const TrianglePieces pieces(this->In.V);
+    const std::vector<Cutter> eyes = Cutter::AllOf(this->In.V);
     std::vector<CoverPiece>& found = this->Found.Local();
     for (vtkIdType i = this->In.GetFirst(static_cast<int>(from));
          i < this->In.GetEnd(static_cast<int>(to) - 1); i++)
     {
-      if ((this->Kinds[i] & (Cover | Cut)) == (Cover | Cut) &&
-        !this->CutOne(i, judge, pieces, found))
+      if ((this->Kinds[i] & (Cover | Cut)) == (Cover | Cut) && !this->CutOne(i, eyes, found))
       {
         this->Kinds[i] &= static_cast<unsigned char>(~Cut);
       }
     }
   }
 
-  bool CutOne(vtkIdType i, const TriangleJudge& judge, const TrianglePieces& pieces,
-    std::vector<CoverPiece>& found) const
+  // For all eyes or none.
+  bool CutOne(vtkIdType i, const std::vector<Cutter>& eyes, std::vector<CoverPiece>& found) const
   {
-    TriangleJudge::Corner corners[3];
-    const TriangleJudge::Corner* c[3];
-    for (int j = 0; j < 3; j++)
+    const std::size_t before = found.size();
+    for (const Cutter& eye : eyes)
     {
-      corners[j] = judge.See(this->In.PlaceOf(3 * i + j));
-      c[j] = &corners[j];
+      TriangleJudge::Corner corners[3];
+      const TriangleJudge::Corner* c[3];
+      for (int j = 0; j < 3; j++)
+      {
+        corners[j] = eye.Judge.See(this->In.PlaceOf(3 * i + j));
+        c[j] = &corners[j];
+      }
+      const double most = (this->Kinds[i] & Calm) ? TriangleJudge::GetCalmArea(c, this->Reaches[i])
+                                                  : std::numeric_limits<double>::infinity();
+      if (!eye.Pieces.Cover(static_cast<unsigned int>(i), c, most, found))
+      {
+        found.resize(before);
+        return false;
+      }
     }
-    const double most = (this->Kinds[i] & Calm) ? TriangleJudge::GetCalmArea(c, this->Reaches[i])
-                                                : std::numeric_limits<double>::infinity();
-    return pieces.Cover(static_cast<unsigned int>(i), c, most, found);
+    return true;
   }
 };
 }

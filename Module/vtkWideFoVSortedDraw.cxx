@@ -5,6 +5,7 @@
 #include "vtkWideFoVGl.h"
 #include "vtkWideFoVShaderBuilder.h"
 #include "vtkWideFoVShaderText.h"
+#include "vtkWideFoVSortedEntry.h"
 #include "vtkWideFoVStages.h"
 
 #include "vtkActor.h"
@@ -49,76 +50,12 @@ constexpr int HastyFrames = 10;
 // of its time.
 constexpr std::size_t LargeMesh = 1000000;
 
-// Actors that may share a mapper and each keep what was sorted for them, once an eye.
+// Actors that may share a mapper and each keep what was sorted for them.
 constexpr std::size_t MostEntries = 16;
 }
 
 namespace wfv
 {
-// What was sorted for one actor.
-struct SortedDraw::Entry
-{
-  vtkWeakPointer<vtkActor> Actor;
-  vtkPolyData* Data = nullptr;
-  vtkMTimeType Time = 0;
-  double ToMap[16] = { 0 };
-  SortView View;
-  int Frames = 0;     // drawn since
-  bool Haste = false; // sorted so
-  std::size_t All = 0;
-  std::size_t Counts[NumberOfLots] = { 0 }; // one lot follows the other
-  FrameCounts Found;
-  std::vector<unsigned int> Order; // kept for programs that ask for numbers
-  vtkNew<vtkOpenGLIndexBufferObject> Indices;
-  std::vector<unsigned int> Reaches; // of the calm ones, until they are loaded
-  std::vector<float> Pieces;         // with them, two places a piece: WFV_PIECE of their shader
-  bool Cuts = false;                 // some triangles are drawn in pieces
-  BufferTexture ReachTexture;
-  BufferTexture PieceTexture;
-
-  void TakePieces(const std::vector<CoverPiece>& pieces);
-  void Load(vtkOpenGLRenderWindow* window);
-
-  std::size_t GetFirst(Lot lot) const
-  {
-    return std::accumulate(this->Counts, this->Counts + lot, std::size_t(0));
-  }
-
-  bool IsWhole() const
-  {
-    return !this->Cuts &&
-      std::find(std::begin(this->Counts), std::end(this->Counts), this->All) !=
-      std::end(this->Counts) &&
-      this->All == this->GetFirst(NumberOfLots);
-  }
-};
-
-void SortedDraw::Entry::TakePieces(const std::vector<CoverPiece>& pieces)
-{
-  this->Cuts = !pieces.empty();
-  this->Pieces.clear();
-  for (const CoverPiece& p : pieces)
-  {
-    for (const double number : { p.From.x, p.From.y, p.Side.x, p.Side.y, p.Height, 0.0, 0.0, 0.0 })
-    {
-      this->Pieces.push_back(static_cast<float>(number));
-    }
-  }
-  this->Pieces.resize(std::max<std::size_t>(this->Pieces.size(), 8)); // the shader reads one
-}
-
-void SortedDraw::Entry::Load(vtkOpenGLRenderWindow* window)
-{
-  if (this->Reaches.empty())
-  {
-    return;
-  }
-  this->ReachTexture.Load(window, this->Reaches);
-  this->PieceTexture.LoadFours(window, this->Pieces);
-  this->Reaches = std::vector<unsigned int>();
-  this->Pieces = std::vector<float>();
-}
-
 bool SortedDraw::IsWorthIt(vtkPolyData* data, bool strips)
 {
   vtkCellArray* const cells = strips ? data->GetStrips() : data->GetPolys();
@@ -139,18 +76,18 @@ SortedDraw::SortedDraw(bool strips)
 SortedDraw::~SortedDraw() = default;
 
 // What is kept for an actor; nullptr where it is one too many.
-SortedDraw::Entry* SortedDraw::Find(const Key& key)
+SortedDraw::Entry* SortedDraw::Find(vtkActor* actor)
 {
-  std::unique_ptr<Entry>& entry = this->Entries[key];
-  if (!entry || entry->Actor != key.first)
+  std::unique_ptr<Entry>& entry = this->Entries[actor];
+  if (!entry || entry->Actor != actor)
   {
     if (this->Entries.size() > MostEntries)
     {
-      this->Entries.erase(key);
+      this->Entries.erase(actor);
       return nullptr;
     }
     entry.reset(new Entry);
-    entry->Actor = key.first;
+    entry->Actor = actor;
   }
   return entry.get();
 }
@@ -170,7 +107,9 @@ bool SortedDraw::Prepare(
   {
     return false;
   }
-  Entry* const found = this->Find(Key(actor, view.Own && view.View.stereo.x > 0));
+  this->Eye = stages->GetEye(stage);
+  this->Both = stages->IsOfBoth(stage);
+  Entry* const found = this->Find(actor);
   return found && this->PrepareEntry(*found, data, view, stages, rounding);
 }
 
@@ -183,7 +122,7 @@ bool SortedDraw::PrepareEntry(
   view.Rounding = rounding * LongestAxis(toMap);
   const bool still = e.Data == data && e.Time == data->GetMTime() &&
     std::equal(toMap, toMap + 16, e.ToMap) && e.View == view;
-  e.Frames = still ? e.Frames : 0;
+  e.CountFrame(still, this->Eye);
   const bool haste = !stages->SortsWhileMoving() && e.Frames < HastyFrames;
   if (!still || (e.Haste && !haste))
   {
@@ -193,10 +132,10 @@ bool SortedDraw::PrepareEntry(
     this->Sort(e, data);
     stages->Counts.SortedMeshes += haste ? 0 : 1;
   }
-  e.Frames++;
   this->Current = &e;
+  e.Found.UnseenTriangles = e.All > 0 ? e.LeftOut[this->Eye + 1] : 0;
   stages->Counts.Add(e.Found);
-  return e.All > 0 && e.Counts[Covered] != e.All;
+  return e.All > 0 && e.Lots[Covered].All != e.All;
 }
 
 void SortedDraw::Sort(Entry& e, vtkPolyData* data)
@@ -230,11 +169,14 @@ void SortedDraw::Sort(Entry& e, vtkPolyData* data)
 void SortedDraw::Take(Entry& e)
 {
   e.Found.UnseenClusters = this->Triangles.GetNumberOfUnseen();
-  e.Found.UnseenTriangles = this->Triangles.GetNumberOfLeftOut();
+  for (const int eye : { -1, 0, 1 })
+  {
+    e.LeftOut[eye + 1] = this->Triangles.GetNumberOfLeftOut(eye);
+  }
   this->Triangles.TakeOrder(e.Order);
-  e.Counts[Covered] = this->Triangles.GetNumberOfCovered();
-  e.Counts[Calm] = this->Triangles.GetNumberOfCalm();
-  e.Counts[Plain] = e.Order.size() - e.Counts[Covered] - e.Counts[Calm];
+  e.Lots[Covered] = this->Triangles.GetCovered();
+  e.Lots[Calm] = this->Triangles.GetCalm();
+  e.Lots[Plain] = this->Triangles.GetPlain();
   e.Reaches = this->Triangles.GetReaches();
   e.TakePieces(this->Triangles.GetPieces());
   this->NumbersOf = this->NumbersOf == &e ? nullptr : this->NumbersOf;
@@ -267,22 +209,33 @@ void SortedDraw::Upload(Entry& e)
 
 std::size_t SortedDraw::GetNumberOf(Lot lot) const
 {
-  return this->Current ? this->Current->Counts[lot] : 0;
+  return this->Current ? this->Current->GetRun(lot, this->Eye).second : 0;
 }
 
 void SortedDraw::Draw(vtkOpenGLIndexBufferObject* all, const DrawnPart& part)
 {
   const bool own = this->Chosen != SortedDraw::All && !this->Current->IsWhole();
   vtkOpenGLIndexBufferObject* const indices = own ? this->Current->Indices.Get() : all;
-  const std::size_t first = own ? 3 * this->Current->GetFirst(this->Chosen) : part.FirstIndex;
-  const std::size_t count =
-    this->Chosen == SortedDraw::All ? part.Indices : 3 * this->Current->Counts[this->Chosen];
+  const auto run = this->Chosen == SortedDraw::All
+    ? std::pair<std::size_t, std::size_t>(0, part.Indices / 3)
+    : this->Current->GetRun(this->Chosen, this->Eye);
+  const std::size_t first = own ? 3 * run.first : part.FirstIndex;
+  const std::size_t count = 3 * run.second;
   // the mapper's own indices count from its first vertex, the sorted ones from the mesh's
   const unsigned int from = own ? 0 : part.FirstVertex;
   indices->Bind();
-  glDrawRangeElementsBaseVertex(GL_TRIANGLES, from, from + part.Vertices - 1,
-    static_cast<GLsizei>(count), GL_UNSIGNED_INT, reinterpret_cast<void*>(first * sizeof(GLuint)),
-    static_cast<GLint>(own ? part.FirstVertex : 0));
+  const auto base = static_cast<GLint>(own ? part.FirstVertex : 0);
+  const auto* const start = reinterpret_cast<void*>(first * sizeof(GLuint));
+  if (this->Both && this->Chosen == Plain)
+  {
+    glDrawElementsInstancedBaseVertex(
+      GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT, start, 2, base);
+  }
+  else
+  {
+    glDrawRangeElementsBaseVertex(GL_TRIANGLES, from, from + part.Vertices - 1,
+      static_cast<GLsizei>(count), GL_UNSIGNED_INT, const_cast<void*>(start), base);
+  }
   indices->Release();
 }
 
@@ -308,6 +261,9 @@ void SortedDraw::SetParameters(vtkShaderProgram* program, vtkWindow* window)
     this->Current->Load(context);
     this->Current->ReachTexture.Activate(program, "wfvReaches");
     this->Current->PieceTexture.Activate(program, "wfvPieces");
+    const std::size_t from =
+      this->Current->GetRun(Calm, this->Eye).first - this->Current->GetFirst(Calm);
+    program->SetUniformi("wfvFirstReach", static_cast<int>(from));
   }
   if (!program->IsUniformUsed("wfvNumbers"))
   {
@@ -317,7 +273,7 @@ void SortedDraw::SetParameters(vtkShaderProgram* program, vtkWindow* window)
   this->LoadNumbers(context);
   this->Numbers.Activate(program, "wfvNumbers");
   const bool own = this->Chosen == SortedDraw::All || this->Current->IsWhole();
-  const std::size_t first = own ? 0 : this->Current->GetFirst(this->Chosen);
+  const std::size_t first = own ? 0 : this->Current->GetRun(this->Chosen, this->Eye).first;
   program->SetUniformi("wfvFirstNumber", own ? -1 : static_cast<int>(first));
 }
 

@@ -92,10 +92,11 @@ private:
   const bool ForStrips;
   Clusters Mesh;
   Sorter Triangles;
-  using Key = std::pair<vtkActor*, bool>; // and which eye, where each has its own
-  Entry* Find(const Key& key);
-  std::map<Key, std::unique_ptr<Entry>> Entries;
+  Entry* Find(vtkActor* actor);
+  std::map<vtkActor*, std::unique_ptr<Entry>> Entries;
   Entry* Current = nullptr;
+  bool Both = false; // eyes are drawn
+  int Eye = 0;       // that is drawn, or 0: pieces of triangles may be for one alone
   Lot Chosen = All;
   bool Bound = false; // textures are, to units of theirs
   vtkOpenGLHelper Helpers[NumberOfLots];

@@ -43,10 +43,14 @@ void Sorter::SortPoints(
   vtkSMPTools::For(0, n, Grain, work);
   if (view.Plain)
   {
-    EdgeDoubts::Lists lists;
-    for (std::vector<EdgeDoubts::Doubt>& some : doubts)
+    std::vector<EdgeDoubts::Lists> lists;
+    for (int i = 0; i < view.GetNumberOfEyes(); i++)
     {
-      lists.push_back(std::move(some));
+      lists.emplace_back();
+      for (std::vector<EdgeDoubts::Doubt>& some : doubts[i])
+      {
+        lists.back().push_back(std::move(some));
+      }
     }
     this->SettleDoubts(scene, clusters, lists);
   }
@@ -56,24 +60,41 @@ void Sorter::SortPoints(
   }
 }
 
-// Where samples are in doubt at the edges of plain triangles, those that cannot stay so.
+// Where samples are in doubt at the edges of plain triangles, those that cannot stay so for some
+// eye.
 template <typename Real>
 void Sorter::SettleDoubts(
-  const Scene<Real>& scene, Clusters& clusters, const EdgeDoubts::Lists& lists)
+  const Scene<Real>& scene, Clusters& clusters, std::vector<EdgeDoubts::Lists>& doubts)
 {
   const SortView& view = scene.V;
   const std::vector<unsigned int>& neighbours = clusters.GetNeighbours();
-  const TriangleJudge judge(view);
-  const EdgeDoubts::Mesh mesh{ clusters,
-    [this](unsigned int triangle) { return (this->Kinds[triangle] & Plain) != 0; },
-    [&](unsigned int edge) { return IsOutline(this->Sides, neighbours, edge); },
-    [&](unsigned int corner) { return judge.See(scene.PlaceOf(corner)).At; },
-    [&](unsigned int sample) { return view.Samples.SampleAt(sample); },
-    [&](unsigned int sample, unsigned int edge) { return scene.IsInside(sample, edge); },
-    [this](unsigned int triangle) { this->CoverTriangle(triangle); }, view.Tolerance };
-  EdgeDoubts::Settle(lists, mesh);
-  this->SpreadCovered(lists, mesh);
-  this->SpreadOverOutlines(lists, mesh);
+  std::vector<EdgeDoubts::Sight> eyes;
+  for (int i = 0; i < view.GetNumberOfEyes(); i++)
+  {
+    const TriangleJudge judge(view, i);
+    eyes.push_back({ std::move(doubts[i]),
+      { clusters,
+        [this](unsigned int triangle) { return (this->Kinds[triangle] & sorting::Plain) != 0; },
+        [&](unsigned int edge) { return IsOutline(this->Sides, neighbours, edge); },
+        [&scene, judge](unsigned int corner) { return judge.See(scene.PlaceOf(corner)).At; },
+        [&](unsigned int sample) { return view.Samples.SampleAt(sample); },
+        [&scene, i](
+          unsigned int sample, unsigned int edge) { return scene.IsInside(sample, edge, i); },
+        [this](unsigned int triangle) { this->CoverTriangle(triangle); }, view.Tolerance } });
+  }
+  EdgeDoubts::Settle(eyes);
+  for (const EdgeDoubts::Sight& eye : eyes)
+  {
+    this->SpreadCovered(eye.Doubts, eye.Seen);
+  }
+  for (bool changed = true; changed;)
+  {
+    changed = false;
+    for (const EdgeDoubts::Sight& eye : eyes)
+    {
+      changed |= this->SpreadOverOutlines(eye.Doubts, eye.Seen);
+    }
+  }
 }
 
 template <typename Real>
@@ -100,6 +121,7 @@ bool Sorter::SortWith(
   this->Kinds.resize(n);
   this->Reaches.resize(view.Calm ? n : 0);
   this->Pieces.clear();
+  this->Eyes = view.GetNumberOfEyes();
   if (auto* singles = vtkFloatArray::SafeDownCast(points->GetData()))
   {
     sort(singles->GetPointer(0));
@@ -161,7 +183,7 @@ void Sorter::CoverBeside(Clusters& clusters)
   for (std::size_t i = 0; i < this->Kinds.size(); i++)
   {
     const auto at = [&](int j) { return static_cast<int>(covered[places[corners[3 * i + j]]]); };
-    if ((this->Kinds[i] & Plain) && at(0) + at(1) + at(2) > 1)
+    if ((this->Kinds[i] & sorting::Plain) && at(0) + at(1) + at(2) > 1)
     {
       this->Kinds[i] |= Cover;
     }
@@ -188,7 +210,7 @@ bool Sorter::SortInHaste(
 // What has been found, counted and in order.
 void Sorter::Finish()
 {
-  const auto isLeftOut = [](unsigned char kind) { return (kind & (Plain | Cover)) == 0; };
+  const auto isLeftOut = [](unsigned char kind) { return (kind & (sorting::Plain | Cover)) == 0; };
   const auto end = this->Kinds.end();
   this->Unseen = 0;
   this->LeftOut = 0;
@@ -201,12 +223,18 @@ void Sorter::Finish()
     first = last;
   }
   this->MakeOrder();
+  const auto count = [this](int mask) {
+    return std::count_if(this->Kinds.begin(), this->Kinds.end(),
+      [mask](unsigned char kind) { return (kind & mask) != 0; });
+  };
+  this->LeftOutLeft = count(NotLeft);
+  this->LeftOutRight = count(NotRight);
 }
 
 void Sorter::CoverTriangle(unsigned int triangle)
 {
   unsigned char& kind = this->Kinds[triangle];
-  kind = static_cast<unsigned char>((kind & ~Plain) | Cover);
+  kind = static_cast<unsigned char>((kind & ~sorting::Plain) | Cover);
 }
 
 template <typename Take>
@@ -216,7 +244,7 @@ void Sorter::VisitPlain(const EdgeDoubts::Lists& lists, const Take& take) const
   {
     for (const EdgeDoubts::Doubt& d : doubts)
     {
-      if (d.Beside <= d.Width && (this->Kinds[d.Edge / 3] & Plain))
+      if (d.Beside <= d.Width && (this->Kinds[d.Edge / 3] & sorting::Plain))
       {
         take(d);
       }
@@ -232,7 +260,8 @@ void Sorter::SpreadCovered(const EdgeDoubts::Lists& lists, const EdgeDoubts::Mes
   std::vector<bool> marked;
   this->VisitPlain(lists, [&](const EdgeDoubts::Doubt& d) {
     const unsigned int other = neighbours[d.Edge];
-    if (other != Clusters::NoTriangle && (this->Kinds[other] & (Cover | Plain | Aside)) == Cover &&
+    if (other != Clusters::NoTriangle &&
+      (this->Kinds[other] & (Cover | sorting::Plain | Aside)) == Cover &&
       EdgeDoubts::MayBeWrong(d, mesh))
     {
       marked.resize(std::max(marked.size(), std::size_t(d.Sample) + 1));
@@ -248,57 +277,109 @@ void Sorter::SpreadCovered(const EdgeDoubts::Lists& lists, const EdgeDoubts::Mes
 }
 
 // A face that is drawn both ways shows beyond the outline of one that is drawn by its chords alone,
-// from behind perhaps: where a sample is in doubt that one is drawn both ways too.
-void Sorter::SpreadOverOutlines(const EdgeDoubts::Lists& lists, const EdgeDoubts::Mesh& mesh)
+// from behind perhaps: where a sample is in doubt that one is drawn both ways too. True where that
+// changes anything.
+bool Sorter::SpreadOverOutlines(const EdgeDoubts::Lists& lists, const EdgeDoubts::Mesh& mesh)
 {
   const std::vector<unsigned int>& neighbours = mesh.Triangles.GetNeighbours();
-  for (bool changed = true; changed;)
+  bool changed = false;
+  this->VisitPlain(lists, [&](const EdgeDoubts::Doubt& d) {
+    const unsigned int other = neighbours[d.Edge];
+    if ((this->Kinds[d.Edge / 3] & Cover) && other != Clusters::NoTriangle &&
+      (this->Kinds[other] & (sorting::Plain | Cover)) == sorting::Plain && mesh.IsOutline(d.Edge))
+    {
+      this->Kinds[other] |= Cover;
+      changed = true;
+    }
+  });
+  return changed;
+}
+
+std::size_t Sorter::AppendKind(int mask, int wanted)
+{
+  const std::size_t before = this->Order.size();
+  for (std::size_t i = 0; i < this->Kinds.size(); i++)
   {
-    changed = false;
-    this->VisitPlain(lists, [&](const EdgeDoubts::Doubt& d) {
-      const unsigned int other = neighbours[d.Edge];
-      if ((this->Kinds[d.Edge / 3] & Cover) && other != Clusters::NoTriangle &&
-        (this->Kinds[other] & (Plain | Cover)) == Plain && mesh.IsOutline(d.Edge))
-      {
-        this->Kinds[other] |= Cover;
-        changed = true;
-      }
-    });
+    if ((this->Kinds[i] & mask) == wanted)
+    {
+      this->Order.push_back(static_cast<unsigned int>(i));
+    }
   }
+  return this->Order.size() - before;
+}
+
+// Those for eyes from one to the other, -1 to 1, once a piece.
+std::size_t Sorter::AppendPieces(int from, int to)
+{
+  const std::size_t before = this->Order.size();
+  for (const CoverPiece& piece : this->Pieces)
+  {
+    if (piece.Eye >= from && piece.Eye <= to)
+    {
+      this->Order.push_back(piece.Triangle);
+    }
+  }
+  return this->Order.size() - before;
+}
+
+Sorter::Lot Sorter::AppendLot(int mask, int wanted)
+{
+  Lot lot;
+  const std::size_t before = this->Order.size();
+  if (this->Eyes > 1)
+  {
+    lot.Left = this->AppendKind(mask | NotBoth, wanted | NotRight);
+  }
+  this->AppendKind(mask | NotBoth, wanted);
+  if (this->Eyes > 1)
+  {
+    lot.Right = this->AppendKind(mask | NotBoth, wanted | NotLeft);
+  }
+  lot.All = this->Order.size() - before;
+  return lot;
+}
+
+// Reaches and pieces as the calm triangles are in order, which begin there.
+void Sorter::OrderReaches(std::size_t first, std::size_t left)
+{
+  std::vector<unsigned int> ordered;
+  ordered.reserve(this->Calm.All);
+  const auto add = [&](int from, int to) {
+    for (std::size_t i = 0; i < this->Pieces.size(); i++)
+    {
+      if (this->Pieces[i].Eye >= from && this->Pieces[i].Eye <= to)
+      {
+        ordered.push_back(PieceBits | static_cast<unsigned int>(i));
+      }
+    }
+  };
+  add(-1, -1);
+  const std::size_t whole = this->Calm.All - this->Pieces.size();
+  for (std::size_t i = 0; i < whole; i++)
+  {
+    ordered.push_back(this->Reaches[this->Order[first + left + i]]);
+  }
+  add(0, 1);
+  this->Reaches.swap(ordered);
 }
 
 void Sorter::MakeOrder()
 {
   const auto add = [](std::size_t sum, unsigned char kind) {
-    return sum + ((kind & Cover) != 0) + ((kind & Plain) != 0);
-  };
-  const auto append = [this](int mask, int wanted) {
-    const std::size_t before = this->Order.size();
-    for (std::size_t i = 0; i < this->Kinds.size(); i++)
-    {
-      if ((this->Kinds[i] & mask) == wanted)
-      {
-        this->Order.push_back(static_cast<unsigned int>(i));
-      }
-    }
-    return this->Order.size() - before;
+    return sum + ((kind & Cover) != 0) + ((kind & sorting::Plain) != 0);
   };
   this->Order.clear();
   this->Order.reserve(
     std::accumulate(this->Kinds.begin(), this->Kinds.end(), this->Pieces.size(), add));
-  this->Covered = append(Cover | sorting::Calm | Cut, Cover);
-  this->Calm = append(Cover | sorting::Calm | Cut, Cover | sorting::Calm);
-  for (std::size_t i = 0; i < this->Calm; i++)
-  {
-    this->Reaches[i] = this->Reaches[this->Order[this->Covered + i]];
-  }
-  this->Reaches.resize(this->Calm);
-  for (const CoverPiece& piece : this->Pieces)
-  {
-    this->Reaches.push_back(PieceBits | static_cast<unsigned int>(&piece - this->Pieces.data()));
-    this->Order.push_back(piece.Triangle);
-  }
-  this->Calm += this->Pieces.size();
-  append(Plain, Plain);
+  this->Covered = this->AppendLot(Cover | sorting::Calm | Cut, Cover);
+  const std::size_t first = this->Order.size();
+  const std::size_t left = this->AppendPieces(-1, -1);
+  this->Calm = this->AppendLot(Cover | sorting::Calm | Cut, Cover | sorting::Calm);
+  const std::size_t others = this->AppendPieces(0, 1);
+  this->Calm.All += left + others;
+  this->Calm.Left += left;
+  this->Calm.Right += this->Eyes > 1 ? others : 0;
+  this->OrderReaches(first, left);
+  this->Plain = this->AppendLot(sorting::Plain, sorting::Plain);
 }
 }

@@ -33,11 +33,21 @@ public:
   bool SortInHaste(
     Clusters& clusters, vtkPoints* points, const double toMap[16], const SortView& view);
 
-  // Numbers of triangles: those to be covered first, calm ones after the others, and among those
+  // Of the triangles in their order some that are drawn alike. What one of two eyes alone needs
+  // comes first or last, so that each draws one run.
+  struct Lot
+  {
+    std::size_t All = 0;
+    std::size_t Left = 0;  // the first ones, for the left eye alone
+    std::size_t Right = 0; // the last ones, for the right eye alone
+  };
+
+  // Numbers of triangles: those to be covered first, calm ones after the others, and with those
   // once a piece the ones that are covered in pieces; then the plain ones. A few are both.
   void TakeOrder(std::vector<unsigned int>& order) { this->Order.swap(order); }
-  std::size_t GetNumberOfCovered() const { return this->Covered; }
-  std::size_t GetNumberOfCalm() const { return this->Calm; }
+  const Lot& GetCovered() const { return this->Covered; }
+  const Lot& GetCalm() const { return this->Calm; }
+  const Lot& GetPlain() const { return this->Plain; }
 
   // Of the calm triangles in their order: TriangleJudge::Verdict::Reach, or PieceBits and a number
   // of GetPieces.
@@ -48,8 +58,11 @@ public:
   // Of clusters, those that nothing is drawn of.
   int GetNumberOfUnseen() const { return this->Unseen; }
 
-  // Of triangles.
-  vtkIdType GetNumberOfLeftOut() const { return this->LeftOut; }
+  // Of triangles; eye: -1, 1, or 0 for all that are sorted for.
+  vtkIdType GetNumberOfLeftOut(int eye) const
+  {
+    return this->LeftOut + (eye < 0 ? this->LeftOutLeft : eye > 0 ? this->LeftOutRight : 0);
+  }
 
 private:
   template <typename SortAll>
@@ -67,11 +80,16 @@ private:
   template <typename Take>
   void VisitPlain(const EdgeDoubts::Lists& doubts, const Take& take) const;
   void SpreadCovered(const EdgeDoubts::Lists& doubts, const EdgeDoubts::Mesh& mesh);
-  void SpreadOverOutlines(const EdgeDoubts::Lists& doubts, const EdgeDoubts::Mesh& mesh);
+  bool SpreadOverOutlines(const EdgeDoubts::Lists& doubts, const EdgeDoubts::Mesh& mesh);
   template <typename Real>
-  void SettleDoubts(const Scene<Real>& scene, Clusters& clusters, const EdgeDoubts::Lists& lists);
+  void SettleDoubts(
+    const Scene<Real>& scene, Clusters& clusters, std::vector<EdgeDoubts::Lists>& doubts);
   template <typename Real>
   void CutCovers(const Scene<Real>& scene);
+  Lot AppendLot(int mask, int wanted);
+  std::size_t AppendKind(int mask, int wanted);
+  std::size_t AppendPieces(int from, int to);
+  void OrderReaches(std::size_t first, std::size_t left);
   void MakeOrder();
 
   std::vector<unsigned char> Kinds;  // one a triangle
@@ -79,10 +97,14 @@ private:
   std::vector<unsigned int> Reaches; // one a triangle; once all is sorted, a calm one
   std::vector<CoverPiece> Pieces;    // by their triangles
   std::vector<unsigned int> Order;
-  std::size_t Covered = 0; // not calm
-  std::size_t Calm = 0;
+  Lot Covered; // not calm
+  Lot Calm;
+  Lot Plain;
+  int Eyes = 1;
   int Unseen = 0;
   vtkIdType LeftOut = 0;
+  vtkIdType LeftOutLeft = 0; // for that eye, beside those
+  vtkIdType LeftOutRight = 0;
 };
 }
 

@@ -189,6 +189,8 @@ void vtkWideFoVStage::FinishTriangles(vtkWideFoVShaderBuilder::Request& request)
   {
     return;
   }
+  const bool moves = this->SurfaceDepth && this->Stereo && this->Stereo->OwnRays;
+  request.BothEyes = this->BothEyes || moves;
   request.ByRays = this->ByRays || this->Calm;
   request.Calm = this->Calm;
   if ((!straight || (this->Stereo && this->Stereo->OwnRays)) && !this->Clipless &&

@@ -86,6 +86,9 @@ public:
   // For triangles that are known to be easy to cover: small, nothing torn where they are.
   void SetCalm(bool calm) { this->Calm = calm; }
 
+  // For triangles that are drawn for both eyes at once, into a layer each.
+  void SetBothEyes(bool both) { this->BothEyes = both; }
+
   // The tables of a direction map; they outlive the frame.
   void SetTextures(vtkWideFoVDirectionTextures* textures) { this->Textures = textures; }
 
@@ -162,6 +165,7 @@ private:
   bool Fades = false;  // likewise
   bool ByRays = false;
   bool Calm = false;
+  bool BothEyes = false;
   bool ExactLines = false;
   bool DebugView = false;
   bool SurfaceDepth = false;

@@ -39,6 +39,17 @@ vtkWideFoVStages::vtkWideFoVStages()
   this->PreClip->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
   this->Exact->SetVariant(vtkWideFoVShaderBuilder::Variant::Exact);
   this->Tessellate->SetVariant(vtkWideFoVShaderBuilder::Variant::Tessellate);
+  this->ExactOfBoth->SetVariant(vtkWideFoVShaderBuilder::Variant::Exact);
+  this->CalmOfBoth->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
+  this->CalmOfBoth->SetCalm(true);
+  this->ExactOfBoth->SetBothEyes(true);
+  this->CalmOfBoth->SetBothEyes(true);
+}
+
+std::array<vtkWideFoVStage*, 8> vtkWideFoVStages::GetAll()
+{
+  return { this->Plain, this->PlainAmong, this->CalmAmong, this->PreClip, this->Exact,
+    this->Tessellate, this->ExactOfBoth, this->CalmOfBoth };
 }
 
 bool vtkWideFoVStages::CanTessellate()
@@ -77,8 +88,7 @@ void vtkWideFoVStages::Begin(
   {
     this->Textures.Load(this->View.map, window);
   }
-  for (vtkWideFoVStage* stage : { this->Plain.Get(), this->PlainAmong.Get(), this->CalmAmong.Get(),
-         this->PreClip.Get(), this->Exact.Get(), this->Tessellate.Get() })
+  for (vtkWideFoVStage* const stage : this->GetAll())
   {
     stage->SetView(renderer, camera, tolerance);
     stage->SetTextures(&this->Textures);
@@ -99,8 +109,8 @@ void vtkWideFoVStages::Begin(
 void vtkWideFoVStages::SetDebugView(bool debugView)
 {
   this->DebugView = debugView;
-  for (vtkWideFoVStage* stage :
-    { this->Plain.Get(), this->PlainAmong.Get(), this->PreClip.Get(), this->Exact.Get() })
+  for (vtkWideFoVStage* stage : { this->Plain.Get(), this->PlainAmong.Get(), this->PreClip.Get(),
+         this->Exact.Get(), this->ExactOfBoth.Get() })
   {
     stage->SetDebugView(debugView);
   }
@@ -157,7 +167,7 @@ vtkWideFoVStage* vtkWideFoVStages::Choose(
   const bool sampled = this->Projection->Axis == wfv::Family::Sampled;
   if (this->Technique == vtkWideFoVPass::EXACT || fine || sampled || this->ByPixels)
   {
-    return this->Exact;
+    return this->Shares && this->ByPixels && facts.Shareable ? this->ExactOfBoth : this->Exact;
   }
   if (this->Technique == vtkWideFoVPass::TESSELLATE)
   {

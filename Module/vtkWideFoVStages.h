@@ -14,6 +14,7 @@
 #include "vtkWideFoVSorter.h"
 #include "vtkWideFoVStage.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -66,6 +67,13 @@ public:
   // all drawn alike.
   bool GetSortView(const vtkWideFoVStage* stage, vtkActor* actor, wfv::SortView& view);
 
+  // Which eye this stage draws for: -1, 1; 0: both, or without stereo.
+  int GetEye(const vtkWideFoVStage* stage) const
+  {
+    const double x = this->IsOfBoth(stage) ? 0 : this->View.stereo.x;
+    return x < 0 ? -1 : x > 0 ? 1 : 0;
+  }
+
   // From the actor's coordinates to the map's own frame, row-major.
   void GetToMap(vtkActor* actor, double matrix[16]) const;
 
@@ -77,6 +85,9 @@ public:
   wfv::ShaderClock Shaders;
   wfv::ShaderMemory Texts;
   wfv::ProgramMemory Programs;
+
+  // Whether Choose tells props that may be drawn for both eyes at once (false).
+  void SetShares(bool shares) { this->Shares = shares; }
 
   // Puts one stage in the place of another in the prop's keys.
   static void Replace(vtkProp* prop, vtkWideFoVStage* from, vtkWideFoVStage* to);
@@ -90,6 +101,18 @@ public:
   vtkNew<vtkWideFoVStage> PreClip;
   vtkNew<vtkWideFoVStage> Exact;
   vtkNew<vtkWideFoVStage> Tessellate; // other mappers than ours: the pre-clip
+
+  // Of triangles that are drawn for both eyes at once.
+  vtkNew<vtkWideFoVStage> ExactOfBoth;
+  vtkNew<vtkWideFoVStage> CalmOfBoth;
+
+  // What the calm ones are drawn with among triangles of this stage; plain ones by PlainAmong, once
+  // for each eye.
+  vtkWideFoVStage* GetCalmAmong(const vtkWideFoVStage* stage)
+  {
+    return this->IsOfBoth(stage) ? this->CalmOfBoth : this->CalmAmong;
+  }
+  bool IsOfBoth(const vtkWideFoVStage* stage) const { return stage == this->ExactOfBoth; }
 
 private:
   // True where no edge of the prop bends by more than the tolerance, seen from here.
@@ -126,6 +149,8 @@ private:
   bool Culling = true;
   bool SortMoving = false;
   bool Hurries = false;
+  bool Shares = false;
+  std::array<vtkWideFoVStage*, 8> GetAll();
   void SetEyes(vtkWideFoVCamera* camera, const wfv::StereoModel* stereo); // after SetPart
   double Reach = 0; // of the rays' beginnings from the middle between the eyes, scene units
 

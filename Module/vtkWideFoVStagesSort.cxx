@@ -3,6 +3,7 @@
 #include "vtkWideFoVStages.h"
 
 #include "vtkWideFoVCamera.h"
+#include "vtkWideFoVEyesAtOnce.h"
 #include "vtkWideFoVPass.h"
 #include "vtkWideFoVPolyDataMapper.h"
 #include "vtkWideFoVSortedDraw.h"
@@ -19,6 +20,7 @@
 #include "vtkShaderProperty.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 namespace
@@ -137,6 +139,7 @@ void vtkWideFoVStages::FindFacts(vtkProp* prop, wfv::PropFacts& facts)
   {
     vtkProperty* const property = actor->GetProperty();
     facts.Bounded = KeepsItsBounds(actor) && !HasOwnShaders(actor);
+    facts.Shareable = wfv::MayShareEyes(actor);
     facts.PointSize = property->GetPointSize();
     const double width = std::max<double>(property->GetLineWidth(), facts.PointSize);
     facts.Reach = facts.Bounded && DrawsOutlines(actor) ? WidthMargin * width : 0;
@@ -195,6 +198,7 @@ bool vtkWideFoVStages::GetSortView(
   }
   view.Map = this->Projection;
   view.View = this->View;
+  view.View.stereo.x = std::abs(this->View.stereo.x); // the same for both eyes
   view.Part = this->Part;
   view.Pixels = this->Pixels;
   view.Culls = this->Culling;
@@ -208,6 +212,7 @@ bool vtkWideFoVStages::GetSortView(
     (this->Technique == vtkWideFoVPass::AUTO ||
       (this->Technique == vtkWideFoVPass::EXACT && this->Culling));
   view.Bends = looks && this->Projection->Axis != wfv::Family::Sampled ? this->GetBends() : nullptr;
+  const bool exact = stage == this->Exact || stage == this->ExactOfBoth;
   // what shines through is mixed in its own order, and would be twice where it is drawn both ways
   const bool opaque = view.Bends && !actor->HasTranslucentPolygonalGeometry();
   view.Plain = opaque && view.Samples.AreKnown() && this->Technique == vtkWideFoVPass::AUTO &&
@@ -215,7 +220,7 @@ bool vtkWideFoVStages::GetSortView(
   view.Cheap = stage == this->Plain || stage == this->PlainAmong;
   view.Tolerance = this->Tolerance;
   view.Moving = view.Plain && this->Hurries ? this->Tolerance : 0;
-  view.Calm = opaque && !this->DebugView && (stage == this->PreClip || stage == this->Exact);
+  view.Calm = opaque && !this->DebugView && (stage == this->PreClip || exact);
   return true;
 }
 

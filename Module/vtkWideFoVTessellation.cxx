@@ -2,13 +2,13 @@
 #include "vtkWideFoVTessellation.h"
 
 #include "WideFoVGlsl.h"
+#include "vtkWideFoVDriver.h"
 
 #include "vtkShader.h"
 #include "vtkShaderProgram.h"
 #include "vtkWideFoVGl.h"
 
 #include <algorithm>
-#include <cstring>
 #include <regex>
 #include <vector>
 
@@ -104,32 +104,11 @@ bool Link(vtkShaderProgram* program)
   glUseProgram(handle);
   return linked != 0;
 }
-
-bool HasExtension(const char* name)
-{
-  GLint count = 0;
-  glGetIntegerv(GL_NUM_EXTENSIONS, &count);
-  for (GLint i = 0; i < count; i++)
-  {
-    const auto* extension = reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, i));
-    if (extension && std::strcmp(extension, name) == 0)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-bool IsSoftwareMesa()
-{
-  const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  return renderer && (std::strstr(renderer, "llvmpipe") || std::strstr(renderer, "softpipe"));
-}
 }
 
 std::string vtkWideFoVTessellation::FindObstacle()
 {
-  if (!HasExtension("GL_ARB_tessellation_shader"))
+  if (!wfv::HasExtension("GL_ARB_tessellation_shader"))
   {
     return "this OpenGL has no tessellation shaders (OpenGL 4.0)";
   }
@@ -215,7 +194,7 @@ std::string vtkWideFoVTessellation::AddTo(vtkShaderProgram* program, const Reque
 void vtkWideFoVTessellation::Draw(
   vtkShaderProgram* program, unsigned int vertices, int indices, int offset)
 {
-  const bool small = IsSoftwareMesa();
+  const bool small = wfv::IsSoftwareMesa();
   const bool few = indices <= 3 * SmallMesh;
   const int most = !small ? indices : 3 * (few ? FewPatches : ManyPatches);
   program->SetUniformf("wfvMaxLevel", static_cast<float>(small && !few ? LessLevel : MaxLevel));

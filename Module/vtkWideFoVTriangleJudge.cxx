@@ -63,8 +63,9 @@ bool SortView::operator==(const SortView& o) const
     this->Tolerance == o.Tolerance && this->Moving == o.Moving;
 }
 
-TriangleJudge::TriangleJudge(const SortView& view)
+TriangleJudge::TriangleJudge(const SortView& view, int eye)
   : V(view)
+  , Seen(view.GetViewOf(eye))
 {
   const vec2 half = 0.5 * view.Pixels;
   this->Scale = half * half / 64.0; // of (a^2 / 8)^2, pixels
@@ -140,7 +141,7 @@ TriangleJudge::Corner TriangleJudge::See(const vec3& place) const
   c.Direction = place / c.Distance;
   if (this->V.Own)
   {
-    const WfvSight sight = this->V.Own->See(place, this->V.View);
+    const WfvSight sight = this->V.Own->See(place, this->Seen);
     c.Distance = sight.seen ? sight.distance : std::numeric_limits<double>::quiet_NaN();
     c.Direction = sight.direction;
   }

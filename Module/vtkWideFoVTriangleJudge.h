@@ -36,6 +36,20 @@ struct SortView
   double Moving = 0;                // pixels: how far chords may be from their edges in haste
   const StereoModel* Own = nullptr; // of an eye whose rays begin in several places; else none
 
+  // Eyes that a triangle is sorted for at once: of an eye whose rays begin in several places, the
+  // other one as well, which sees by the same numbers but for the sign of View.stereo.x. What is
+  // kept serves whichever of them is drawn, and both together.
+  static constexpr int MostEyes = 2;
+  int GetNumberOfEyes() const { return this->Own && this->View.stereo.x != 0 ? MostEyes : 1; }
+
+  // As one of them sees.
+  WfvView GetViewOf(int eye) const
+  {
+    WfvView view = this->View;
+    view.stereo.x *= eye == 0 ? 1 : -1;
+    return view;
+  }
+
   // True where nothing moved: another part of the picture at the most, or another tolerance.
   bool IsSamePlace(const SortView& other) const;
 
@@ -47,8 +61,8 @@ struct SortView
 class WFV_EXPORT TriangleJudge
 {
 public:
-  // The view outlives the judge, and has bends.
-  explicit TriangleJudge(const SortView& view);
+  // The view outlives the judge, and has bends; eye: one of its.
+  explicit TriangleJudge(const SortView& view, int eye = 0);
 
   // A point, in the map's own frame, as the view shows it.
   struct Corner
@@ -92,6 +106,9 @@ public:
            // on the other side of the edge, or of the chord as it is drawn
   };
   Verdict Judge(const Corner* const corners[3]) const;
+
+  // Of a triangle that is calm for two eyes, what holds it for both.
+  static unsigned int JoinReaches(unsigned int a, unsigned int b);
 
   // Square pixels of the shape that covers a calm triangle (preclip_narrow.glsl).
   static double GetCalmArea(const Corner* const corners[3], unsigned int reach);
@@ -169,6 +186,7 @@ private:
   bool IsTurned(const Corner* const c[3]) const;
 
   const SortView& V;
+  WfvView Seen; // by this eye
   vec2 Scale;
   double Pad;        // pixels, round what is drawn
   double Circle = 0; // radius of that on which rays begin, scene units

@@ -67,12 +67,16 @@ struct TrianglePieces::Slab
   vec3 High[2];
 };
 
-TrianglePieces::TrianglePieces(const SortView& view)
+TrianglePieces::TrianglePieces(const SortView& view, int eye)
   : V(view)
-  , Judge(view)
+  , Judge(view, eye)
   , Middle(0.5 * view.Samples.GetSize())
   , Pad(TriangleJudge::GetPad(view.Pixels))
 {
+  if (view.GetNumberOfEyes() > 1)
+  {
+    this->Eye = view.GetViewOf(eye).stereo.x < 0 ? -1 : 1;
+  }
   const Projection& map = *view.Map;
   if (view.Own && map.Axis == Family::Meridian && map.StraightSeam)
   {
@@ -240,6 +244,7 @@ bool TrianglePieces::Enclose(const Slab& slab, double moved, CoverPiece& piece, 
   low -= grow;
   high += grow;
   const vec2 up(-along.y, along.x);
+  piece.Eye = this->Eye;
   piece.From = along * low.x + up * low.y;
   piece.Side = along * (high.x - low.x);
   piece.Height = high.y - low.y;

@@ -15,6 +15,7 @@ namespace wfv
 struct CoverPiece
 {
   unsigned int Triangle = 0;
+  int Eye = 0; // that it is for: -1 the left, 1 the right one; 0: whichever is drawn
   vec2 From{ 0 };
   vec2 Side{ 0 };
   double Height = 0;
@@ -26,7 +27,8 @@ struct CoverPiece
 class WFV_EXPORT TrianglePieces
 {
 public:
-  explicit TrianglePieces(const SortView& view);
+  // eye: one of the view's.
+  explicit TrianglePieces(const SortView& view, int eye = 0);
 
   // Square pixels of a covering shape above which it is worth to look for several.
   static constexpr double LeastArea = 160;
@@ -61,6 +63,7 @@ private:
   const SortView& V;
   TriangleJudge Judge;
   vec2 Middle;      // of the viewport
+  int Eye = 0;      // CoverPiece
   double Pad;       // pixels
   double Round = 0; // pixels, of a turn about a map with a straight seam; 0: seams are left alone
 };

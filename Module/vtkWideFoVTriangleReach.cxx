@@ -76,6 +76,17 @@ unsigned int TriangleJudge::GetReach(
   return reach;
 }
 
+unsigned int TriangleJudge::JoinReaches(unsigned int a, unsigned int b)
+{
+  unsigned int both = 0;
+  for (int i = 0; i < 3; i++)
+  {
+    const unsigned int side = ((1u << ReachBits) - 1) << (ReachBits * i);
+    both |= std::max(a & side, b & side);
+  }
+  return both;
+}
+
 double TriangleJudge::GetCalmArea(const Corner* const c[3], unsigned int reach)
 {
   const vec2 a = c[1]->At - c[0]->At;

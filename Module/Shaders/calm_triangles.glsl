@@ -8,11 +8,15 @@
 // chord (TriangleJudge::Verdict).
 uniform usamplerBuffer wfvReaches;
 
+// Among them, that of the first triangle that is drawn.
+uniform int wfvFirstReach;
+
 // Of these numbers, in a pixel.
 const float WFV_REACHES = 64.0;
 
 // In their place where the two uppermost bits are set: the number of a rectangle that covers a part
-// of the triangle (TrianglePieces), pixels; its first corner and its side, and how high it is.
+// of the triangle (TrianglePieces), pixels; its first corner and its side, how high it is, and
+// CoverPiece::Eye.
 uniform samplerBuffer wfvPieces;
 const uint WFV_PIECE = 3u << 30u;
 
@@ -36,7 +40,7 @@ void main()
   wfvSetSpans(wfvT.w > 0.0 ? 1.0 : -1.0);
 #endif
   wfvVertexMode = WFV_COVERED;
-  uint reaches = texelFetch(wfvReaches, gl_PrimitiveIDIn).x;
+  uint reaches = texelFetch(wfvReaches, gl_PrimitiveIDIn + wfvFirstReach).x;
   vec3 grow = vec3(reaches & 1023u, (reaches >> 10u) & 1023u, reaches >> 20u) / WFV_REACHES;
   bool front = wfvT.w < 0.0;
   int corners = wfvTightShape(grow, front);
@@ -44,9 +48,9 @@ void main()
   {
     int piece = 2 * int(reaches & ~WFV_PIECE);
     vec4 side = texelFetch(wfvPieces, piece);
-    float height = texelFetch(wfvPieces, piece + 1).x;
-    wfvRectangle(side.xy, side.zw, height * normalize(vec2(-side.w, side.z)), front);
-    corners = 4;
+    vec4 more = texelFetch(wfvPieces, piece + 1);
+    wfvRectangle(side.xy, side.zw, more.x * normalize(vec2(-side.w, side.z)), front);
+    corners = more.y * wfvView.stereo.x < 0.0 ? 0 : 4;
   }
   wfvEmitShape(corners);
 }

@@ -8,7 +8,9 @@
 //                 bends more than the tolerance: a shape that surely contains its
 //                 picture, and the fragment stage decides by the pixel's ray.
 
-layout(triangles) in;
+#if !WFV_BOTH_EYES
+layout(triangles) in; // else both_eyes.glsl
+#endif
 #if WFV_CALM
 layout(triangle_strip, max_vertices = 4) out;
 #else
@@ -77,6 +79,9 @@ vec2 wfvDepthsHere; // NDC depths at which the triangle may be
 
 void wfvWriteFlat()
 {
+#if WFV_BOTH_EYES
+  wfvEye = wfvView.stereo.x;
+#endif
   wfvEdge0 = wfvN[0];
   wfvEdge1 = wfvN[1];
   wfvEdge2 = wfvN[2];
@@ -111,6 +116,9 @@ void wfvWriteFlat()
 void wfvEmitVertex(vec4 position, vec3 bary)
 {
   gl_Position = position;
+#if WFV_BOTH_EYES
+  gl_Layer = gl_InvocationID;
+#endif
 #if !WFV_EXACT
   wfvBary = bary;
   wfvPosition = bary.x * wfvP[0] + bary.y * wfvP[1] + bary.z * wfvP[2];

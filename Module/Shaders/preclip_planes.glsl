@@ -146,8 +146,12 @@ vec3 wfvAnchorOf(vec4 plane, vec3 lengths)
 }
 #endif
 
+// First of all.
 void wfvReadCorners()
 {
+#if WFV_BOTH_EYES
+  wfvChooseEye();
+#endif
   wfvEmitted = 0;
   for (int i = 0; i < 3; i++)
   {
