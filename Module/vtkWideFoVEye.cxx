@@ -2,7 +2,6 @@
 #include "vtkWideFoVEye.h"
 
 #include "vtkActor.h"
-#include "vtkCamera.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLVertexBufferObject.h"
@@ -10,6 +9,7 @@
 #include "vtkShaderProgram.h"
 #include "vtkWideFoVGl.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -18,19 +18,34 @@ namespace
 class MapperAccess : public vtkOpenGLPolyDataMapper
 {
 public:
-  // From the vertex buffer to model coordinates, row-major.
-  static void BufferToModel(vtkOpenGLPolyDataMapper* mapper, double m[16])
+  // From the vertex buffer to model coordinates, row-major; false where they are the same.
+  static bool BufferToModel(vtkOpenGLPolyDataMapper* mapper, double m[16])
   {
-    vtkMatrix4x4::Identity(m);
     vtkOpenGLVertexBufferObjectGroup* const group = mapper->*(&MapperAccess::VBOs);
     vtkOpenGLVertexBufferObject* const buffer = group ? group->GetVBO("vertexMC") : nullptr;
-    if (buffer && buffer->GetCoordShiftAndScaleEnabled())
+    const bool shifted = buffer && buffer->GetCoordShiftAndScaleEnabled();
+    if (shifted)
     {
       // VTK keeps it transposed, as its uniforms are
       vtkMatrix4x4::Transpose((mapper->*(&MapperAccess::VBOShiftScale))->GetData(), m);
     }
+    return shifted;
   }
 };
+
+// Takes a place back through a matrix; false where that cannot be turned round.
+bool TakeBack(const double m[16], double place[4])
+{
+  const double determinant = vtkMatrix4x4::Determinant(m);
+  if (determinant == 0 || !std::isfinite(determinant))
+  {
+    return false;
+  }
+  double inverse[16];
+  vtkMatrix4x4::Invert(m, inverse);
+  vtkMatrix4x4::MultiplyPoint(inverse, place, place);
+  return true;
+}
 }
 
 namespace wfv
@@ -45,27 +60,38 @@ EyeUniforms FindEyeUniforms(vtkShaderProgram* program)
   return uniforms;
 }
 
-void SetEye(
-  const EyeUniforms& uniforms, vtkOpenGLPolyDataMapper* mapper, vtkActor* actor, vtkCamera* camera)
+WorldEye FindWorldEye(const double worldToView[16])
 {
+  WorldEye eye;
+  double place[4] = { 0, 0, 0, 1 };
+  eye.Known = TakeBack(worldToView, place);
+  std::copy_n(place, 3, eye.Place);
+  return eye;
+}
+
+void SetEye(const EyeUniforms& uniforms, vtkOpenGLPolyDataMapper* mapper, vtkActor* actor,
+  const WorldEye& eye)
+{
+  double place[4] = { eye.Place[0], eye.Place[1], eye.Place[2], 1 };
+  bool known = eye.Known;
+  if (known && !actor->GetIsIdentity())
+  {
+    known = TakeBack(actor->GetMatrix()->GetData(), place);
+  }
   double m[16];
-  MapperAccess::BufferToModel(mapper, m);
-  vtkMatrix4x4::Multiply4x4(actor->GetMatrix()->GetData(), m, m);
-  vtkMatrix4x4::Multiply4x4(camera->GetModelViewTransformMatrix()->GetData(), m, m);
-  const double determinant = vtkMatrix4x4::Determinant(m);
-  const bool known = determinant != 0 && std::isfinite(determinant);
-  double inverse[16];
-  vtkMatrix4x4::Invert(m, inverse);
+  if (known && MapperAccess::BufferToModel(mapper, m))
+  {
+    known = TakeBack(m, place);
+  }
   float high[3] = { 0, 0, 0 };
   float low[3] = { 0, 0, 0 };
   for (int i = 0; i < 3 && known; i++)
   {
-    const double eye = inverse[4 * i + 3];
     // volatile: GCC 12 vectorizes the three lines without it, and then low[0] and low[1]
     // are 0 at -O2
-    const volatile float rounded = static_cast<float>(eye);
+    const volatile float rounded = static_cast<float>(place[i]);
     high[i] = rounded;
-    low[i] = static_cast<float>(eye - rounded);
+    low[i] = static_cast<float>(place[i] - rounded);
   }
   glUniform1i(uniforms.Known, known);
   glUniform3fv(uniforms.High, 1, high);

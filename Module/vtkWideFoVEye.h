@@ -6,7 +6,6 @@
 #define vtkWideFoVEye_h
 
 class vtkActor;
-class vtkCamera;
 class vtkOpenGLPolyDataMapper;
 class vtkShaderProgram;
 
@@ -23,9 +22,17 @@ struct EyeUniforms
 };
 EyeUniforms FindEyeUniforms(vtkShaderProgram* program);
 
+// The eye in world coordinates: the same for all props of a frame.
+struct WorldEye
+{
+  double Place[3] = { 0, 0, 0 };
+  bool Known = false; // the way from there to view coordinates can be turned round
+};
+WorldEye FindWorldEye(const double worldToView[16]);
+
 // Sets them in the program that is bound.
-void SetEye(
-  const EyeUniforms& uniforms, vtkOpenGLPolyDataMapper* mapper, vtkActor* actor, vtkCamera* camera);
+void SetEye(const EyeUniforms& uniforms, vtkOpenGLPolyDataMapper* mapper, vtkActor* actor,
+  const WorldEye& eye);
 }
 
 #endif

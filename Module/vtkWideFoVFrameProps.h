@@ -10,6 +10,9 @@
 #include <cstdint>
 #include <vector>
 
+class vtkAlgorithm;
+class vtkDataObject;
+class vtkMapper;
 class vtkProp;
 class vtkRenderer;
 class vtkWideFoVStage;
@@ -41,6 +44,9 @@ private:
   {
     vtkProp* Prop = nullptr; // compared; used in its frame only
     const void* Data = nullptr;
+    const vtkMapper* Mapper = nullptr; // compared
+    vtkAlgorithm* Producer = nullptr;  // of its data, through this port, until the mapper changes
+    int Port = 0;
     vtkMTimeType Times[4] = { 0, 0, 0, 0 };
     double Bounds[6] = { 1, -1, 1, -1, 1, -1 };
     bool HasBounds = false;
@@ -51,6 +57,7 @@ private:
   };
 
   static void Look(vtkProp* prop, bool asked, Entry& entry);
+  static vtkDataObject* FindData(vtkMapper* mapper, const Entry& before, Entry& now);
 
   std::vector<Entry> Entries;
 };

@@ -203,6 +203,23 @@ bool WritesDepth(const Request& r)
   return r.DepthMapping != wfv::WFV_DEPTH_LINEAR || r.SurfaceDepth;
 }
 
+// What the fragment stage has as its place in view coordinates: the stock position, which light
+// needs, or, where there is none or the vertices are moved, an output of our own.
+const std::string StockPlace = "vertexVCVSOutput";
+const std::string OwnPlace = "wfvPlaceVSOutput";
+
+const std::string& PlaceOf(const Request& r, const std::string& fragment)
+{
+  const bool stock = fragment.find(StockPlace) != std::string::npos && !MovesVertices(r);
+  return stock ? StockPlace : OwnPlace;
+}
+
+std::string DepthSource(const Request& r, const std::string& fragment)
+{
+  const bool own = PlaceOf(r, fragment) == OwnPlace;
+  return (own ? "in vec3 " + OwnPlace + ";\n" : "") + depth_fragment_glsl;
+}
+
 void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
 {
   const bool covers = Covers(r);
@@ -218,8 +235,8 @@ void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std:
   }
   else if (WritesDepth(r))
   {
-    declarations = depth_fragment_glsl;
-    before = "  wfvPrepareDepth();\n" + RewriteDepth(fragment);
+    declarations = DepthSource(r, fragment);
+    before = "  wfvPrepareDepth(" + PlaceOf(r, fragment) + ".xyz);\n" + RewriteDepth(fragment);
   }
   const std::string border = BorderSource(r);
   if (!border.empty())
@@ -328,10 +345,10 @@ void vtkWideFoVShaderBuilder::Finish(
   {
     wfv::FlattenArrays(vertex, fragment);
   }
-  if (WritesDepth(r) && !Covers(r))
+  if (WritesDepth(r) && !Covers(r) && PlaceOf(r, fragment) == OwnPlace)
   {
-    WrapMain(vertex, "", "  wfvPlaceVSOutput = gl_Position.xyz;\n");
-    Declare(vertex, depth_vertex_glsl);
+    WrapMain(vertex, "", "  " + OwnPlace + " = gl_Position.xyz;\n");
+    Declare(vertex, "out vec3 " + OwnPlace + ";\n");
   }
   if (r.Stage == Variant::Tessellate)
   {

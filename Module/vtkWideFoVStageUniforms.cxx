@@ -145,9 +145,9 @@ void vtkWideFoVStage::SetPropParameters(vtkShaderProgram* program, vtkAbstractMa
     return;
   }
   vtkProperty* const property = actor->GetProperty();
-  if (uses.Eye.Known >= 0 && this->Renderer)
+  if (uses.Eye.Known >= 0)
   {
-    wfv::SetEye(uses.Eye, polydata, actor, this->Renderer->GetActiveCamera());
+    wfv::SetEye(uses.Eye, polydata, actor, this->Stages->Eye);
   }
   if (uses.LineWidth)
   {

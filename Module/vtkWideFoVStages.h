@@ -69,6 +69,9 @@ public:
   // From the actor's coordinates to the map's own frame, row-major.
   void GetToMap(vtkActor* actor, double matrix[16]) const;
 
+  // Where the frame is seen from.
+  wfv::WorldEye Eye;
+
   // What this frame did and left out.
   wfv::FrameCounts Counts;
   wfv::ShaderClock Shaders;

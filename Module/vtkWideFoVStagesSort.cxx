@@ -86,6 +86,7 @@ void vtkWideFoVStages::SetPart(vtkRenderer* renderer, const float tile[4])
 
 void vtkWideFoVStages::SetEyes(vtkWideFoVCamera* camera, const wfv::StereoModel* stereo)
 {
+  this->Eye = wfv::FindWorldEye(this->WorldToView);
   // seen from a place so near the origin, a box is one that is so much larger, seen from it
   this->Reach = stereo && stereo->OwnRays ? camera->GetEyeReach() : 0;
   if (!stereo || stereo->Straight)

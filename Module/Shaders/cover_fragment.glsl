@@ -124,16 +124,12 @@ const float WFV_SAMPLE_REACH = 0.5;
 // Safety over first-order bounds of what changes inside a pixel.
 const float WFV_PIXEL_SAFETY = 1.5;
 
-// Linear depth is x times the distance in the stage's own units, plus y.
-uniform vec2 wfvUnitDepth;
-
 // By the plane; interpolated depth would err along edges that run away from the eye, and
 // the position that corners are weighed to, beside the eye, where they are far.
 void wfvSetDistance(float rho)
 {
   wfvRho = rho;
-  wfvDepth = WFV_DEPTH_MAPPING(wfvView) == WFV_DEPTH_LINEAR ? wfvUnitDepth.x * rho + wfvUnitDepth.y
-                                                            : wfvDepthOf(rho * wfvScale(), wfvView);
+  wfvDepth = wfvDepthInUnits(rho);
 }
 
 #if WFV_OWN_RAYS || WFV_WARPED

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Depth of what the pre-clip does not cover (points, lines, props without a geometry
 // stage), where the mapping is not what the rasterizer interpolates.
-in vec3 wfvPlaceVSOutput;
-
 float wfvDepth; // window depth here, 0 to 1
 
 // Of the distance: by so much a face seen from behind is put back, more than the rasterizer errs
@@ -10,8 +8,10 @@ float wfvDepth; // window depth here, 0 to 1
 // depth; the front shows.
 const float WFV_BACK_YIELDS = 2e-5;
 
-void wfvPrepareDepth()
+// place: the fragment's, view coordinates; between the clip spheres, in whose units no square of it
+// is too large or too small
+void wfvPrepareDepth(vec3 place)
 {
   float back = gl_FrontFacing ? 1.0 : 1.0 + WFV_BACK_YIELDS;
-  wfvDepth = wfvDepthOf(wfvLength(wfvPlaceVSOutput) * back, wfvView);
+  wfvDepth = wfvDepthInUnits(length(place * (1.0 / wfvScale())) * back);
 }

@@ -36,9 +36,23 @@ float wfvScale()
   return wfvUnit;
 }
 
+// Linear depth is x times the distance in those units, plus y.
+uniform vec2 wfvUnitDepth;
+
+float wfvDepthInUnits(float rho)
+{
+  return WFV_DEPTH_MAPPING(wfvView) == WFV_DEPTH_LINEAR ? wfvUnitDepth.x * rho + wfvUnitDepth.y
+                                                        : wfvDepthOf(rho * wfvScale(), wfvView);
+}
+
+// Begun as the map begins, so that a compiler takes what both need from one computation.
 float wfvLength(vec3 p)
 {
+#if WFV_MERIDIAN
+  return wfvHypot(wfvHypot(p.x, p.z), p.y);
+#else
   return wfvHypot(wfvHypot(p.x, p.y), p.z);
+#endif
 }
 
 // View coordinates, as the stock vertex stage leaves them, to clip coordinates.

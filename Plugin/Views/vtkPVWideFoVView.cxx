@@ -68,7 +68,8 @@ vtkPVWideFoVView::vtkPVWideFoVView()
   Internals& in = *this->Internal;
   in.Pass->SetDelegatePass(in.Delegate);
   in.Stereo->SetStereoModelToOmnidirectional();
-  this->SynchronizedRenderers->SetRenderPass(in.Pass);
+  in.Reduced->SetDelegatePass(in.Pass);
+  this->SynchronizedRenderers->SetRenderPass(in.Reduced);
   // a compass is no part of the scene
   vtkSmartPointer<vtkCamera> plain;
   plain.TakeReference(vtkOpenGLCamera::New());
@@ -273,16 +274,28 @@ void vtkPVWideFoVView::ResetCameraClippingRange()
 void vtkPVWideFoVView::AboutToRenderOnLocalProcess(bool interactive)
 {
   this->Superclass::AboutToRenderOnLocalProcess(interactive);
-  // IceT would reduce the picture by its projection matrix, which draws nothing here
-  vtkSynchronizedRenderers* ranks = this->SynchronizedRenderers->GetParallelSynchronizer();
-  if (ranks && ranks->IsA("vtkIceTSynchronizedRenderers"))
-  {
-    this->SynchronizedRenderers->SetImageReductionFactor(1);
-  }
+  this->UpdateReduction();
   for (const std::string& line : this->Internal->Undrawn.Look(this->GetRenderer()))
   {
     vtkWarningMacro(<< line);
   }
+}
+
+void vtkPVWideFoVView::UpdateReduction()
+{
+  vtkSynchronizedRenderers* const ranks = this->SynchronizedRenderers->GetParallelSynchronizer();
+  if (!ranks || !ranks->IsA("vtkIceTSynchronizedRenderers"))
+  {
+    return; // others do without a matrix
+  }
+  int tiles[2];
+  this->GetRenderWindow()->GetTileScale(tiles);
+  if (this->GetMakingSelection() || tiles[0] > 1 || tiles[1] > 1)
+  {
+    // a selection asks for pixels of the window, and a tile is a corner already
+    this->SynchronizedRenderers->SetImageReductionFactor(1);
+  }
+  this->Internal->Reduced->SetFactor(this->SynchronizedRenderers->GetImageReductionFactor());
 }
 
 void vtkPVWideFoVView::StartFrame()

@@ -119,6 +119,9 @@ private:
   // The clip spheres to the data, or as they are set; the same on every process.
   void UpdateClipSpheres();
 
+  // How many pixels of a frame the ranks leave out.
+  void UpdateReduction();
+
   // Around each frame of the renderer: the eye is where the client says.
   void StartFrame();
   void EndFrame();

@@ -12,6 +12,7 @@
 #include "vtkWideFoVCamera.h"
 #include "vtkWideFoVEverywhereProp.h"
 #include "vtkWideFoVPass.h"
+#include "vtkWideFoVReducedPass.h"
 
 #include "vtkNew.h"
 #include "vtkPVDefaultPass.h"
@@ -24,6 +25,7 @@ struct vtkPVWideFoVView::Internals
 {
   vtkNew<vtkWideFoVPass> Pass;
   vtkNew<vtkPVDefaultPass> Delegate;
+  vtkNew<vtkWideFoVReducedPass> Reduced; // round the pass
   vtkNew<vtkWideFoVEverywhereProp> Everywhere;
   std::string Projection = "equirectangular";
   double HorizontalFov = 360;

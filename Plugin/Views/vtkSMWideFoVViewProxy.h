@@ -28,6 +28,11 @@ protected:
   ~vtkSMWideFoVViewProxy() override = default;
   void CreateVTKObjects() override;
 
+  /**
+   * A picture in tiles leaves the server's windows as they were.
+   */
+  vtkImageData* CaptureWindowInternal(int magX, int magY) override;
+
 private:
   vtkSMWideFoVViewProxy(const vtkSMWideFoVViewProxy&) = delete;
   void operator=(const vtkSMWideFoVViewProxy&) = delete;

@@ -24,7 +24,7 @@ void Declare(CLI::App& app, BenchOptions& o)
   group.Name("--output", "FILE.json", o.Output, "what was measured");
   group.Flag("--quick", o.Quick, "every scene at 1024x512, fewer parameters, few frames");
   group.Flag("--table1", o.Table1, "the paper's table 1 instead: cornell and atrium at 1024x512");
-  group.Choices("--scenes", o.Scenes, BenchSceneNames(), "scenes");
+  group.Choices("--scenes", o.Scenes, AllSceneNames(), "scenes");
   group.Choices("--methods", o.Methods, MethodNames(), "methods");
   group.Size("--size", o.Size, "pixels; with --quick or --table1 1024x512");
   group.Number("--turn", "DEGREES", o.Turn, { -180, 180 },

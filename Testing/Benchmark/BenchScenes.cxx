@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BenchScenes.h"
 
+#include "BallScenes.h"
 #include "MessageCatcher.h"
 #include "Messages.h"
 #include "Pipeline.h"
@@ -18,6 +19,8 @@ namespace bench
 namespace
 {
 const char* const Office = "office";
+const char* const Balls = "balls";
+const char* const BallsApart = "balls-apart";
 
 // As Examples/render-pictures.sh shows it: arrows and stream tubes, seen from between the
 // desk and the window; up is +z in these data.
@@ -50,6 +53,13 @@ std::vector<std::string> BenchSceneNames()
   return { "cornell", "room", "atrium", Office, "flow-large", "globe", "vector-cloud", "winds" };
 }
 
+std::vector<std::string> AllSceneNames()
+{
+  std::vector<std::string> names = BenchSceneNames();
+  names.insert(names.end(), { Balls, BallsApart });
+  return names;
+}
+
 BenchScene LoadBenchScene(const std::string& name, const std::string& dataFolder)
 {
   const widefov::Progress progress("making the scene " + name);
@@ -59,6 +69,10 @@ BenchScene LoadBenchScene(const std::string& name, const std::string& dataFolder
   {
     SetOfficeCamera(scene.Camera);
     scene.Scene = widefov::ReadScene({ dataFolder + "/office.binary.vtk" });
+  }
+  else if (name == Balls || name == BallsApart)
+  {
+    scene.Scene = MakeBallScene(name == BallsApart);
   }
   else
   {

@@ -25,6 +25,9 @@ struct BenchScene
 
 std::vector<std::string> BenchSceneNames();
 
+// Those and what is drawn only where it is asked for.
+std::vector<std::string> AllSceneNames();
+
 // Throws a Failure with ExitFailed where the data are not there.
 BenchScene LoadBenchScene(const std::string& name, const std::string& dataFolder);
 

@@ -45,6 +45,7 @@ def parse_arguments():
     parser.add_argument("--plugin", required=True)
     parser.add_argument("--checker", required=True)
     parser.add_argument("--output", required=True)
+    parser.add_argument("--server-ranks", type=int, default=0, help="of a server that draws")
     options = parser.parse_args()
     os.makedirs(options.output, exist_ok=True)
     return options

@@ -7,33 +7,10 @@ so every number of ranks draws the same.
 
 import os
 
-from paraview import simple
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
-import pixels
+import composited
 import scene
-
-PROJECTIONS = ["equirectangular", "azimuthal-equidistant"]
-
-
-# Fraction of the pixels of a translucent picture that other ranks may draw otherwise.
-OTHERWISE = 1e-4
-
-# Levels of 255: blending in another order rounds otherwise.
-ROUNDING = 3
-
-
-def check(options, view, mesh, name):
-    picture = scene.save(view, os.path.join(options.output, name + ".png"))
-    answer = scene.check_cells(options, view, mesh, picture, 0.25)
-    print(name, answer, flush=True)
-    scene.require(answer["unexplained"] == 0 and answer["hits"] > 3000, name)
-
-
-def check_opaque(options, view, mesh):
-    for projection in PROJECTIONS:
-        view.Projection = projection
-        check(options, view, mesh, projection)
 
 
 def check_eyes(options, view, mesh):
@@ -43,47 +20,36 @@ def check_eyes(options, view, mesh):
     for side, mode in ((-1, "Left Eye Only"), (1, "Right Eye Only")):
         path = os.path.join(options.output, "eye%d.png" % side)
         picture = scene.save(view, path, StereoMode=mode)
-        answer = scene.check_cells(options, view, mesh, picture, 0.25, side)
-        print(mode, answer, flush=True)
-        scene.require(answer["unexplained"] == 0 and answer["hits"] > 3000, mode)
+        composited.check_file(options, view, mesh, picture, side)
 
 
-def check_idle_ranks(options, source, mesh):
+def check_idle_ranks(options):
     """The same where all data are on rank 0, in a view of its own."""
-    view = scene.make_view()
-    scene.show_cells(source, view)
-    scene.place_eye(view, [0.5, 0.3, 1], [0.6, 0.2, 0])
-    check(options, view, mesh, "idle")
+    view, mesh, _, _ = composited.show_parts(options, lambda whole: whole)
+    path = os.path.join(options.output, "idle.png")
+    composited.check_file(options, view, mesh, scene.save(view, path))
 
 
-def check_translucent(options, view, display, ranks):
-    """Several layers of one surface, beside the picture of one rank, a test of its own."""
+def check_reduced(options, view, mesh):
+    """With fewer pixels, which ParaView itself draws with several ranks alone."""
     view.Projection = "equirectangular"
-    view.MaximumNumberOfPeels = 30
-    display.Opacity = 0.5
-    simple.ColorBy(display, None)
-    picture = scene.save(view, os.path.join(options.output, "translucent.png"))
-    alone = os.path.join(os.path.dirname(options.output), "Ranks1", "translucent.png")
-    levels = {level for row in pixels.read_levels(alone) for level in row}
-    scene.require({128, 192} <= levels, "one layer alone is drawn: %s" % sorted(levels))
-    other = pixels.count_other(picture, alone, ROUNDING)
-    print(ranks, "ranks,", other, "translucent pixels differ from one rank's", flush=True)
-    scene.require(other <= OTHERWISE * scene.SIZE[0] * scene.SIZE[1], "translucency")
+    view.StillRenderImageReductionFactor = 4
+    picture = scene.save(view, os.path.join(options.output, "few.png"))
+    view.StillRenderImageReductionFactor = 1
+    composited.check_reduced(options, view, mesh, picture, 4)
 
 
 def main(options):
     ranks = vtkMultiProcessController.GetGlobalController().GetNumberOfProcesses()
     scene.load_plugin(options)
-    mesh = os.path.join(options.output, "mesh.vtp")
-    scene.write_mesh(mesh)
-    view = scene.make_view()
-    whole = simple.XMLPolyDataReader(FileName=[mesh])
-    display = scene.show_cells(scene.spread(whole), view)
-    scene.place_eye(view, [0.5, 0.3, 1], [0.6, 0.2, 0])
-    check_opaque(options, view, mesh)
+    view, mesh, _, display = composited.show_parts(options)
+    composited.check_opaque(options, view, mesh)
     check_eyes(options, view, mesh)
-    check_translucent(options, view, display, ranks)
-    check_idle_ranks(options, whole, mesh)
+    if ranks > 1:
+        check_reduced(options, view, mesh)
+    composited.check_in_order(options, view, mesh, display)
+    composited.check_translucent(options, view, display)
+    check_idle_ranks(options)
 
 
 scene.run(main)
