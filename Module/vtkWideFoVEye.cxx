@@ -33,8 +33,8 @@ public:
   }
 };
 
-// Takes a place back through a matrix; false where that cannot be turned round.
-bool TakeBack(const double m[16], double place[4])
+// What a matrix takes to the origin; false where it cannot be turned round.
+bool FindOrigin(const double m[16], double place[4])
 {
   const double determinant = vtkMatrix4x4::Determinant(m);
   if (determinant == 0 || !std::isfinite(determinant))
@@ -43,7 +43,10 @@ bool TakeBack(const double m[16], double place[4])
   }
   double inverse[16];
   vtkMatrix4x4::Invert(m, inverse);
-  vtkMatrix4x4::MultiplyPoint(inverse, place, place);
+  for (int i = 0; i < 3; i++)
+  {
+    place[i] = inverse[4 * i + 3];
+  }
   return true;
 }
 }
@@ -63,25 +66,29 @@ EyeUniforms FindEyeUniforms(vtkShaderProgram* program)
 WorldEye FindWorldEye(const double worldToView[16])
 {
   WorldEye eye;
-  double place[4] = { 0, 0, 0, 1 };
-  eye.Known = TakeBack(worldToView, place);
-  std::copy_n(place, 3, eye.Place);
+  std::copy_n(worldToView, 16, eye.ToView);
+  eye.Known = FindOrigin(worldToView, eye.Place);
   return eye;
 }
 
 void SetEye(const EyeUniforms& uniforms, vtkOpenGLPolyDataMapper* mapper, vtkActor* actor,
   const WorldEye& eye)
 {
-  double place[4] = { eye.Place[0], eye.Place[1], eye.Place[2], 1 };
+  double buffer[16];
+  const bool shifted = MapperAccess::BufferToModel(mapper, buffer);
+  double place[4];
+  std::copy_n(eye.Place, 4, place);
   bool known = eye.Known;
-  if (known && !actor->GetIsIdentity())
+  if (shifted || !actor->GetIsIdentity())
   {
-    known = TakeBack(actor->GetMatrix()->GetData(), place);
-  }
-  double m[16];
-  if (known && MapperAccess::BufferToModel(mapper, m))
-  {
-    known = TakeBack(m, place);
+    // all of the way at once: what is far from the world's origin and near the eye keeps its digits
+    double m[16];
+    vtkMatrix4x4::Multiply4x4(eye.ToView, actor->GetMatrix()->GetData(), m);
+    if (shifted)
+    {
+      vtkMatrix4x4::Multiply4x4(m, buffer, m);
+    }
+    known = FindOrigin(m, place);
   }
   float high[3] = { 0, 0, 0 };
   float low[3] = { 0, 0, 0 };

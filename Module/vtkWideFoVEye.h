@@ -25,8 +25,9 @@ EyeUniforms FindEyeUniforms(vtkShaderProgram* program);
 // The eye in world coordinates: the same for all props of a frame.
 struct WorldEye
 {
-  double Place[3] = { 0, 0, 0 };
-  bool Known = false; // the way from there to view coordinates can be turned round
+  double ToView[16]; // row-major
+  double Place[4] = { 0, 0, 0, 1 };
+  bool Known = false; // the way to view coordinates can be turned round
 };
 WorldEye FindWorldEye(const double worldToView[16]);
 

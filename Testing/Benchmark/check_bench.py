@@ -98,7 +98,7 @@ def script_complaints(folder):
     page = os.path.join(folder, "page.md")
     shutil.copy(PAGE, page)
     for command in (
-        [os.path.join(HERE, "tables.py"), page, bench, table1, turning, "--trial"],
+        [os.path.join(HERE, "tables.py"), page, bench, table1, turning, bench, "--trial"],
         [os.path.join(HERE, "plot.py"), bench, folder],
     ):
         subprocess.run([sys.executable, "-B"] + command, check=True)

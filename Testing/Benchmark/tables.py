@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Writes the tables of the benchmark page from what was measured.
 
-    tables.py PAGE.md BENCH.json TABLE1.json TURNING.json [LARGE.json] [--trial]
+    tables.py PAGE.md BENCH.json TABLE1.json TURNING.json SMALL.json [LARGE.json] [--trial]
 
 Replaces what stands between <!-- begin NAME --> and <!-- end NAME --> in the page: NAME is
-environment, ratios, turning, runs, table1, and large where that is given. --trial says on the page that the machine was not quiet.
+environment, ratios, turning, small, runs, table1, and large where that is given. --trial says on the page that the machine was not quiet.
 """
 
 import json
@@ -115,6 +115,20 @@ def turning_text(turning):
     return text % (size, first["turn"]) + table(header, rows)
 
 
+def small_text(small):
+    """A million small triangles: methods by the floor."""
+    records = small["records"]
+    floor = {r["scene"]: r["ms"]["median"] for r in records if r["method"] == "floor"}
+    rows = []
+    for r in records:
+        error = r["error"] or {}
+        row = [r["scene"], format(r["triangles"], ","), method_of(r), number(r["ms"]["median"])]
+        row += [number(r["ms"]["median"] / floor[r["scene"]]), number(error.get("max_px"))]
+        rows.append(row)
+    text = "%dx%d ([small.json](small.json)):\n\n" % tuple(records[0]["size"])
+    return text + table(["scene", "triangles", "method", "ms", "method / floor", "max, px"], rows)
+
+
 def large_text(large):
     """`auto` beside cubemaps of any resolution: time, and what no reference pixel explains."""
     records = large["records"]
@@ -177,20 +191,21 @@ def replaced(page, name, text):
 
 def main():
     arguments = [a for a in sys.argv[1:] if a != "--trial"]
-    if len(arguments) not in (4, 5):
-        sys.exit("tables.py: give PAGE.md BENCH.json TABLE1.json TURNING.json [LARGE.json] [--trial]")
+    if len(arguments) not in (5, 6):
+        sys.exit(__doc__.strip().split("\n\n")[1].strip())
     with open(arguments[0], encoding="utf-8") as stream:
         page = stream.read()
     measured = [json.load(open(path, encoding="utf-8")) for path in arguments[1:]]
-    bench, table1, turning = measured[:3]
+    bench, table1, turning, small = measured[:4]
     trial = TRIAL if "--trial" in sys.argv else ""
     page = replaced(page, "environment", trial + environment_table(bench))
     page = replaced(page, "ratios", ratios_table(bench))
     page = replaced(page, "turning", turning_text(turning))
+    page = replaced(page, "small", small_text(small))
     page = replaced(page, "runs", runs_table(bench))
     page = replaced(page, "table1", table1_table(table1))
-    if len(measured) > 3:
-        page = replaced(page, "large", large_text(measured[3]))
+    if len(measured) > 4:
+        page = replaced(page, "large", large_text(measured[4]))
     with open(arguments[0], "w", encoding="utf-8") as stream:
         stream.write(page)
 
