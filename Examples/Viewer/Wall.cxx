@@ -2,6 +2,7 @@
 #include "Wall.h"
 
 #include "Choices.h"
+#include "CrashGuard.h"
 
 #include <algorithm>
 
@@ -279,6 +280,9 @@ FrameCost Wall::DrawPane(
 
 FrameCost Wall::Draw(const std::vector<Options>& parts, const Extras& extras)
 {
+  // one that goes while it is drawn to, after CheckAlive, may crash Mesa
+  const CrashGuard guard("a picture could not be drawn: the window was destroyed by another "
+                         "program, or drawing crashed; start again");
   const Place nowhere{ this->Panes.size(), {} };
   const Place under = this->FindPane(extras.Pointer).value_or(nowhere);
   for (const std::size_t i : this->OrderFrom(extras.Cross != nullptr ? under.Part : nowhere.Part))
