@@ -85,6 +85,19 @@ inline bool IsOutline(const std::vector<unsigned char>& sides,
 
 using Doubts = std::array<vtkSMPThreadLocal<std::vector<EdgeDoubts::Doubt>>, SortView::MostEyes>;
 
+// Of all eyes that triangles are sorted for: what each does its share of the work with.
+template <typename Eye>
+std::vector<Eye> AllEyes(const SortView& view)
+{
+  std::vector<Eye> eyes;
+  eyes.reserve(SortView::MostEyes);
+  for (int i = 0; i < view.GetNumberOfEyes(); i++)
+  {
+    eyes.emplace_back(view, i);
+  }
+  return eyes;
+}
+
 // One of the eyes that triangles are sorted for.
 struct Looker
 {
@@ -97,17 +110,6 @@ struct Looker
   int Not; // the kind of what it sees none of
   TriangleJudge Judge;
   LastSeen Seen;
-
-  static std::vector<Looker> AllOf(const SortView& view)
-  {
-    std::vector<Looker> eyes;
-    eyes.reserve(SortView::MostEyes);
-    for (int i = 0; i < view.GetNumberOfEyes(); i++)
-    {
-      eyes.emplace_back(view, i);
-    }
-    return eyes;
-  }
 };
 
 // What all of them say of a triangle. One that covers no sample for an eye may be drawn in whatever
@@ -197,7 +199,7 @@ public:
 
   void operator()(vtkIdType from, vtkIdType to) const
   {
-    std::vector<Looker> eyes = Looker::AllOf(this->V);
+    std::vector<Looker> eyes = AllEyes<Looker>(this->V);
     for (vtkIdType c = from; c < to; c++)
     {
       this->Sort(static_cast<int>(c), eyes);
@@ -311,17 +313,6 @@ struct Cutter
 
   TriangleJudge Judge;
   TrianglePieces Pieces;
-
-  static std::vector<Cutter> AllOf(const SortView& view)
-  {
-    std::vector<Cutter> eyes;
-    eyes.reserve(SortView::MostEyes);
-    for (int i = 0; i < view.GetNumberOfEyes(); i++)
-    {
-      eyes.emplace_back(view, i);
-    }
-    return eyes;
-  }
 };
 
 // Finds pieces that cover triangles; those that have none are no longer said to be better so. A
@@ -336,7 +327,7 @@ struct CutWork
 
   void operator()(vtkIdType from, vtkIdType to) const
   {
-    const std::vector<Cutter> eyes = Cutter::AllOf(this->In.V);
+    const std::vector<Cutter> eyes = AllEyes<Cutter>(this->In.V);
     std::vector<CoverPiece>& found = this->Found.Local();
     for (vtkIdType i = this->In.GetFirst(static_cast<int>(from));
          i < this->In.GetEnd(static_cast<int>(to) - 1); i++)

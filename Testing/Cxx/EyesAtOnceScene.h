@@ -68,6 +68,19 @@ struct Scene : WideFoVTestWindow
     AddTestCones(this->Renderer);
   }
 
+  // Coloured by height, of a mapper that sorts; the renderer keeps it.
+  vtkActor* AddSorted(vtkAlgorithm* source)
+  {
+    vtkNew<vtkElevationFilter> colors;
+    colors->SetInputConnection(source->GetOutputPort());
+    vtkNew<vtkWideFoVPolyDataMapper> mapper;
+    mapper->SetInputConnection(colors->GetOutputPort());
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    this->Renderer->AddActor(actor);
+    return actor;
+  }
+
   // A ring of so many times 10,000 triangles round the eye, of a mapper that sorts them.
   vtkActor* AddRing(int fineness = 1)
   {
@@ -81,14 +94,8 @@ struct Scene : WideFoVTestWindow
     tube->SetNumberOfSides(32);
     vtkNew<vtkTriangleFilter> source;
     source->SetInputConnection(tube->GetOutputPort());
-    vtkNew<vtkElevationFilter> colors;
-    colors->SetInputConnection(source->GetOutputPort());
-    vtkNew<vtkWideFoVPolyDataMapper> mapper;
-    mapper->SetInputConnection(colors->GetOutputPort());
-    vtkNew<vtkActor> ring;
-    ring->SetMapper(mapper);
+    vtkActor* const ring = this->AddSorted(source);
     ring->RotateX(70);
-    this->Renderer->AddActor(ring);
     return ring;
   }
 
@@ -104,13 +111,7 @@ struct Scene : WideFoVTestWindow
     vtkNew<vtkLinearSubdivisionFilter> finer;
     finer->SetInputConnection(triangles->GetOutputPort());
     finer->SetNumberOfSubdivisions(3);
-    vtkNew<vtkElevationFilter> colors;
-    colors->SetInputConnection(finer->GetOutputPort());
-    vtkNew<vtkWideFoVPolyDataMapper> mapper;
-    mapper->SetInputConnection(colors->GetOutputPort());
-    vtkNew<vtkActor> room;
-    room->SetMapper(mapper);
-    this->Renderer->AddActor(room);
+    this->AddSorted(finer);
   }
 
   // What is drawn in each eye's turn: lines, what shines through, text.

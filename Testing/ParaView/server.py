@@ -21,7 +21,7 @@ def _free_port():
         return probe.getsockname()[1]
 
 
-def _environment(changes):
+def make_environment(changes):
     """Without what makes mpirun take the server for its child; None removes a variable."""
     clean = {k: v for k, v in os.environ.items() if not k.startswith(("OMPI_", "PMIX_", "ORTE_"))}
     clean.update({k: v for k, v in changes.items() if v is not None})
@@ -50,7 +50,7 @@ def _running(program, log_path, ranks, environment):
     command += [program, "-p", str(port)]
     with open(log_path, "w") as log:
         # the client is a process of MPI as well
-        process = subprocess.Popen(command, stdout=log, stderr=log, env=_environment(environment))
+        process = subprocess.Popen(command, stdout=log, stderr=log, env=make_environment(environment))
         try:
             _wait(process, log_path)
             yield process, port

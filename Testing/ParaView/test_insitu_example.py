@@ -26,7 +26,7 @@ def simulate(options, ranks):
     """Runs it; returns the pictures."""
     folder = os.path.join(options.output, "ranks%d" % ranks)
     shutil.rmtree(folder, ignore_errors=True)
-    environment = server._environment(
+    environment = server.make_environment(
         {"WIDEFOV_PLUGIN": options.plugin, "WIDEFOV_PICTURES": folder})
     answer = subprocess.run(
         ["bash", os.path.join(ROOT, "Utilities", "run-paraview.sh"),
