@@ -13,8 +13,9 @@ struct FrameCounts
   int UnseenClusters = 0;
   vtkIdType Triangles = 0; // of them
   vtkIdType UnseenTriangles = 0;
-  int ChosenProps = 0;  // anew
-  int SortedMeshes = 0; // anew
+  vtkIdType HiddenTriangles = 0; // of the unseen ones, behind others
+  int ChosenProps = 0;           // anew
+  int SortedMeshes = 0;          // anew
 
   void Add(const FrameCounts& other)
   {
@@ -22,6 +23,7 @@ struct FrameCounts
     this->UnseenClusters += other.UnseenClusters;
     this->Triangles += other.Triangles;
     this->UnseenTriangles += other.UnseenTriangles;
+    this->HiddenTriangles += other.HiddenTriangles;
     this->ChosenProps += other.ChosenProps;
     this->SortedMeshes += other.SortedMeshes;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVFrameProps.h"
 
+#include "vtkWideFoVHiddenScene.h"
 #include "vtkWideFoVStages.h"
 
 #include "vtkActor.h"
@@ -103,6 +104,7 @@ void FrameProps::Look(vtkProp* prop, bool asked, Entry& entry)
   if (!same)
   {
     entry = now;
+    entry.Number = mapper ? HiddenScene::MakeNumber() : 0;
   }
 }
 

@@ -52,6 +52,7 @@ void vtkWideFoVPass::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "KeepUpdateRate: " << this->KeepUpdateRate << "\n"
      << indent << "Relaxation: " << this->Relaxation << "\n"
      << indent << "Culling: " << this->Culling << "\n"
+     << indent << "OcclusionCulling: " << this->OcclusionCulling << "\n"
      << indent << "SortWhileMoving: " << this->SortWhileMoving << "\n"
      << indent << "EyesAtOnce: " << this->EyesAtOnce << "\n"
      << indent << "NumberOfSharedProps: " << this->NumberOfSharedProps << "\n"
@@ -61,6 +62,7 @@ void vtkWideFoVPass::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "NumberOfCulledClusters: " << this->NumberOfCulledClusters << "\n"
      << indent << "NumberOfTriangles: " << this->NumberOfTriangles << "\n"
      << indent << "NumberOfCulledTriangles: " << this->NumberOfCulledTriangles << "\n"
+     << indent << "NumberOfHiddenTriangles: " << this->NumberOfHiddenTriangles << "\n"
      << indent << "NumberOfChosenProps: " << this->NumberOfChosenProps << "\n"
      << indent << "NumberOfSortedMeshes: " << this->NumberOfSortedMeshes << "\n"
      << indent << "NumberOfMadePrograms: " << this->NumberOfMadePrograms << "\n"
@@ -118,6 +120,7 @@ void vtkWideFoVPass::DrawProps(const vtkRenderState* s, vtkProp** props, int cou
 {
   Internals& in = *this->Internal;
   this->BeginShared(s, props);
+  this->BeginHidden(s, props);
   const int first = in.Role == wfv::EyesAtOnce::Second ? in.Shared : 0;
   in.Keys.resize(std::max<std::size_t>(in.Keys.size(), count));
   for (int i = first; i < count; i++)
@@ -215,7 +218,7 @@ void vtkWideFoVPass::ResetCounts(int props)
   this->NumberOfPlainDraws = this->NumberOfPreClipDraws = 0;
   this->NumberOfExactDraws = this->NumberOfTessellateDraws = 0;
   this->NumberOfClusters = this->NumberOfCulledClusters = 0;
-  this->NumberOfTriangles = this->NumberOfCulledTriangles = 0;
+  this->NumberOfTriangles = this->NumberOfCulledTriangles = this->NumberOfHiddenTriangles = 0;
   this->NumberOfChosenProps = this->NumberOfSortedMeshes = 0;
   this->NumberOfCulledProps = 0;
   this->NumberOfDrawnProps = props;
@@ -242,6 +245,7 @@ void vtkWideFoVPass::TakeCounts()
   this->NumberOfCulledClusters = stages.Counts.UnseenClusters;
   this->NumberOfTriangles = stages.Counts.Triangles;
   this->NumberOfCulledTriangles = stages.Counts.UnseenTriangles;
+  this->NumberOfHiddenTriangles = stages.Counts.HiddenTriangles;
   this->NumberOfChosenProps = stages.Counts.ChosenProps;
   this->NumberOfSortedMeshes = stages.Counts.SortedMeshes;
   this->NumberOfMadePrograms = stages.Shaders.GetNumberOfPrograms();

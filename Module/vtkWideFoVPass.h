@@ -95,6 +95,20 @@ public:
 
   ///@{
   /**
+   * Leave out the triangles of large meshes that stand behind everything that is seen where they
+   * are (default on), once a view and what is in it have stood for some ten frames (with
+   * SortWhileMoving, for one), until something of it changes. The picture is the same to the bit.
+   * Not with a delegate pass, with several samples a pixel, with props among those before of which
+   * there is no telling when they change (others than plain actors), or where the depths of a frame
+   * are not its own. Only with Culling.
+   */
+  vtkSetMacro(OcclusionCulling, vtkTypeBool);
+  vtkGetMacro(OcclusionCulling, vtkTypeBool);
+  vtkBooleanMacro(OcclusionCulling, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
    * Sort the triangles of large meshes one by one in every frame, even while the view or the data
    * change from each to the next (default off). That takes longer than it saves in some ten frames,
    * so a view is sorted in haste until it has been drawn as often. The picture is the same, and
@@ -187,11 +201,12 @@ public:
   ///@{
   /**
    * The same by triangles: those of the meshes that have runs, and those of them that were not
-   * drawn, for their run is outside the view or they lie between the samples of the picture. What
-   * a geometry stage lets fall is not known here.
+   * drawn, for their run is outside the view, they lie between the samples of the picture or are
+   * hidden: how many for that alone. What a geometry stage lets fall is not known here.
    */
   vtkGetMacro(NumberOfTriangles, vtkIdType);
   vtkGetMacro(NumberOfCulledTriangles, vtkIdType);
+  vtkGetMacro(NumberOfHiddenTriangles, vtkIdType);
   ///@}
 
   ///@{
@@ -234,6 +249,7 @@ protected:
   int NumberOfExactDraws = 0;
   int NumberOfTessellateDraws = 0;
   vtkTypeBool Culling = 1;
+  vtkTypeBool OcclusionCulling = 1;
   vtkTypeBool SortWhileMoving = 0;
   vtkTypeBool KeepUpdateRate = 0;
   int Relaxation = 0;
@@ -245,6 +261,7 @@ protected:
   int NumberOfCulledClusters = 0;
   vtkIdType NumberOfTriangles = 0;
   vtkIdType NumberOfCulledTriangles = 0;
+  vtkIdType NumberOfHiddenTriangles = 0;
   int NumberOfChosenProps = 0;
   int NumberOfSortedMeshes = 0;
   int NumberOfMadePrograms = 0;
@@ -275,6 +292,12 @@ private:
 
   // Draws or shows them, then the others of the renderer.
   void DrawShared(const vtkRenderState* s);
+
+  // Finds out whether what stands before what is as it was in the last frame.
+  void BeginHidden(const vtkRenderState* s, vtkProp** props);
+
+  // Whether anything may be left out for it.
+  bool MayHide(const vtkRenderState* s, vtkProp** props);
 
   // With a camera that is wide.
   void RenderWide(const vtkRenderState* s, vtkWideFoVCamera* camera);

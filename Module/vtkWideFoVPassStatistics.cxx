@@ -39,6 +39,10 @@ std::string vtkWideFoVPass::GetStatistics()
   AddLine(text, "their triangles: %lld, %lld left out",
     static_cast<long long>(this->NumberOfTriangles),
     static_cast<long long>(this->NumberOfCulledTriangles));
+  if (this->NumberOfHiddenTriangles > 0)
+  {
+    AddLine(text, "of those hidden: %lld", static_cast<long long>(this->NumberOfHiddenTriangles));
+  }
   AddLine(text, "draws: plain %d, pre-clip %d, tessellate %d, exact %d", this->NumberOfPlainDraws,
     this->NumberOfPreClipDraws, this->NumberOfTessellateDraws, this->NumberOfExactDraws);
   AddLine(text, "anew: %d props, %d meshes", this->NumberOfChosenProps, this->NumberOfSortedMeshes);

@@ -63,6 +63,11 @@ void vtkWideFoVPolyDataMapper::RenderPiece(vtkRenderer* renderer, vtkActor* acto
   if (!camera || !camera->IsWide() || stage)
   {
     this->Superclass::RenderPiece(renderer, actor);
+    if (stage)
+    {
+      vtkWideFoVStages* const drawn = stage->GetStages();
+      drawn->Hidden.EndProp(actor, renderer, drawn->GetEye(stage));
+    }
     return;
   }
   vtkWideFoVStages& stages = this->Internal->Stages;

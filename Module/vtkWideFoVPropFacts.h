@@ -13,6 +13,7 @@ struct PropFacts
   bool Shareable = false;  // may be drawn for both eyes at once
   double Reach = 0;        // by which its lines and points may be wider than they are, pixels
   double PointSize = 1;    // pixels
+  bool Tells = false;      // all that is opaque of it is seen to change by its times
   bool Surface = false;    // it draws triangles
   bool Sorts = false;      // its mapper sorts them one by one
   double LongestEdge = -1; // scene units; negative: not asked for yet

@@ -131,9 +131,12 @@ bool SortedDraw::PrepareEntry(
     std::copy_n(toMap, 16, e.ToMap);
     this->Sort(e, data);
     stages->Counts.SortedMeshes += haste ? 0 : 1;
+    stages->Hidden.Change();
   }
+  this->Hide(e, data, stages);
   this->Current = &e;
-  e.Found.UnseenTriangles = e.All > 0 ? e.LeftOut[this->Eye + 1] : 0;
+  e.Found.HiddenTriangles = e.Skips ? static_cast<vtkIdType>(e.GetNumberOfHidden()) : 0;
+  e.Found.UnseenTriangles = e.All > 0 ? e.LeftOut[this->Eye + 1] + e.Found.HiddenTriangles : 0;
   stages->Counts.Add(e.Found);
   return e.All > 0 && e.Lots[Covered].All != e.All;
 }
@@ -178,6 +181,8 @@ void SortedDraw::Take(Entry& e)
   e.Lots[Calm] = this->Triangles.GetCalm();
   e.Lots[Plain] = this->Triangles.GetPlain();
   e.Reaches = this->Triangles.GetReaches();
+  e.Loaded = false;
+  e.HiddenIn = 0;
   e.TakePieces(this->Triangles.GetPieces());
   this->NumbersOf = this->NumbersOf == &e ? nullptr : this->NumbersOf;
   if (e.IsWhole())

@@ -24,6 +24,10 @@ class vtkWideFoVStage;
 
 namespace wfv
 {
+class DepthPicture;
+class HiddenScene;
+class SampleRays;
+
 // Where a mesh lies in the buffers of its mapper.
 struct DrawnPart
 {
@@ -88,6 +92,16 @@ private:
   void Take(Entry& entry); // what was sorted last
   void Upload(Entry& entry);
   void LoadNumbers(vtkOpenGLRenderWindow* window);
+
+  // Leaves out what stands behind others, as soon as the scene says what does.
+  void Hide(Entry& entry, vtkPolyData* data, vtkWideFoVStages* stages);
+  bool FindHidden(Entry& entry, vtkPolyData* data, HiddenScene& scene);
+  template <typename Real>
+  void FindHiddenIn(const Entry& entry, const Real* points, const DepthPicture* const depths[],
+    const SampleRays& rays, std::vector<unsigned char>& hidden);
+  void PutBehind(Entry& entry, vtkPolyData* data, const std::vector<unsigned char>& hidden);
+  void Show(Entry& entry, vtkPolyData* data);
+  void Load(Entry& entry, vtkPolyData* data); // its triangles in another order
 
   const bool ForStrips;
   Clusters Mesh;

@@ -15,6 +15,7 @@
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
 #include <utility>
 #include <vector>
@@ -33,13 +34,16 @@ struct SortedDraw::Entry
   int FirstEye = 0; // that was drawn in the first of them: the other belongs to the same frame
   int LastEye = 0;
   bool Haste = false;             // sorted so
+  std::uint64_t HiddenIn = 0;     // scene in which hidden ones are
+  bool Skips = false;             // those, in this frame
   std::size_t All = 0;            // triangles of the mesh
   Sorter::Lot Lots[NumberOfLots]; // one follows the other
   FrameCounts Found;
   vtkIdType LeftOut[3] = { 0, 0, 0 }; // of triangles, by the left eye, both, the right one
   std::vector<unsigned int> Order;    // kept for programs that ask for numbers
   vtkNew<vtkOpenGLIndexBufferObject> Indices;
-  std::vector<unsigned int> Reaches; // of the calm ones, until they are loaded
+  std::vector<unsigned int> Reaches; // of the calm ones
+  bool Loaded = false;               // those and the pieces
   std::vector<float> Pieces;         // with them, two places a piece: WFV_PIECE of their shader
   bool Cuts = false;                 // some triangles are drawn in pieces
   BufferTexture ReachTexture;
@@ -48,6 +52,15 @@ struct SortedDraw::Entry
   void CountFrame(bool still, int eye);
   void TakePieces(const std::vector<CoverPiece>& pieces);
   void Load(vtkOpenGLRenderWindow* window);
+
+  // Gives one whose order is that of the mesh, which is not kept, a list of it; false where it has
+  // one.
+  bool TakeNaturalOrder();
+
+  // Of the triangles of a lot in their order, those that are hidden are put before all others.
+  void HideInLot(Lot lot, const unsigned char* hidden);
+  void ShowLot(Lot lot);                                         // as they were
+  void Arrange(Lot lot, const std::vector<std::size_t>& places); // from which they come
 
   std::size_t GetFirst(Lot lot) const
   {
@@ -60,19 +73,29 @@ struct SortedDraw::Entry
   }
 
   // What an eye draws of a lot, of all in their order: the first, and how many.
+  // Among hidden ones, if those are drawn, there are some of each eye: then all of the lot is.
   std::pair<std::size_t, std::size_t> GetRun(Lot lot, int eye) const
   {
     const Sorter::Lot& all = this->Lots[lot];
-    const std::size_t before = eye > 0 ? all.Left : 0;
+    if (all.Hidden > 0 && !this->Skips)
+    {
+      return { this->GetFirst(lot), all.All };
+    }
+    const std::size_t before = all.Hidden + (eye > 0 ? all.Left : 0);
     const std::size_t behind = eye < 0 ? all.Right : 0;
     return { this->GetFirst(lot) + before, all.All - before - behind };
+  }
+
+  std::size_t GetNumberOfHidden() const
+  {
+    return this->Lots[Covered].Hidden + this->Lots[Calm].Hidden + this->Lots[Plain].Hidden;
   }
 
   // One lot has all of the mesh, once, for all eyes.
   bool IsWhole() const
   {
     const auto has = [this](const Sorter::Lot& lot) {
-      return lot.All == this->All && lot.Left == 0 && lot.Right == 0;
+      return lot.All == this->All && lot.Left == 0 && lot.Right == 0 && lot.Hidden == 0;
     };
     return !this->Cuts && std::any_of(std::begin(this->Lots), std::end(this->Lots), has) &&
       this->All == this->GetFirst(NumberOfLots);

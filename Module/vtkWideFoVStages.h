@@ -6,6 +6,7 @@
 #include "vtkWideFoVBufferScale.h"
 #include "vtkWideFoVDirectionTextures.h"
 #include "vtkWideFoVFrameCounts.h"
+#include "vtkWideFoVHiddenScene.h"
 #include "vtkWideFoVMeshScale.h"
 #include "vtkWideFoVProgramMemory.h"
 #include "vtkWideFoVPropFacts.h"
@@ -79,6 +80,9 @@ public:
 
   // Where the frame is seen from.
   wfv::WorldEye Eye;
+
+  // What stands before what.
+  wfv::HiddenScene Hidden;
 
   // What this frame did and left out.
   wfv::FrameCounts Counts;

@@ -9,6 +9,7 @@
 #include "vtkWideFoVSortedDraw.h"
 
 #include "vtkActor.h"
+#include "vtkActor2D.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkMath.h"
@@ -66,6 +67,22 @@ bool HasOwnShaders(vtkActor* actor)
   vtkShaderProperty* const shaders = actor->GetShaderProperty();
   return shaders->HasVertexShaderCode() || shaders->HasGeometryShaderCode() ||
     shaders->GetNumberOfShaderReplacements() > 0;
+}
+
+// Actors of a kind that is known; what lies flat on the picture is drawn behind all that is opaque.
+bool Tells(vtkProp* prop)
+{
+  auto* const actor = vtkActor::SafeDownCast(prop);
+  if (!actor)
+  {
+    return vtkActor2D::SafeDownCast(prop) != nullptr;
+  }
+  vtkMapper* const mapper = actor->GetMapper();
+  const char* const name = mapper ? mapper->GetClassName() : "";
+  return std::strcmp(actor->GetClassName(), "vtkOpenGLActor") == 0 && !HasOwnShaders(actor) &&
+    !actor->GetShaderProperty()->HasFragmentShaderCode() &&
+    (std::strcmp(name, "vtkOpenGLPolyDataMapper") == 0 ||
+      std::strcmp(name, "vtkWideFoVPolyDataMapper") == 0);
 }
 
 // Of blocks it is not known, nor asked for.
@@ -145,6 +162,7 @@ void vtkWideFoVStages::FindFacts(vtkProp* prop, wfv::PropFacts& facts)
     facts.Reach = facts.Bounded && DrawsOutlines(actor) ? WidthMargin * width : 0;
     FindTriangles(actor, facts);
   }
+  facts.Tells = facts.Known ? facts.Tells : Tells(prop);
   facts.Known = true;
 }
 

@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What threads do to find the triangles that stand behind everything that is seen where they are.
+#ifndef vtkWideFoVHiddenWork_h
+#define vtkWideFoVHiddenWork_h
+
+#include "vtkWideFoVDepthPicture.h"
+#include "vtkWideFoVSampleRays.h"
+#include "vtkWideFoVSortScene.h"
+#include "vtkWideFoVSortWork.h"
+#include "vtkWideFoVSortedEntry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace wfv
+{
+namespace sorting
+{
+// One of the eyes that triangles are sorted for, and what it saw.
+struct Watcher
+{
+  Watcher(const SortView& view, int eye, const DepthPicture* depths)
+    : View(view.GetViewOf(eye))
+    , Judge(view, eye)
+    , Depths(depths)
+  {
+  }
+
+  WfvView View;
+  TriangleJudge Judge;
+  LastSeen Seen;
+  const DepthPicture* Depths;
+};
+
+// A part of the picture, pixels.
+struct Part
+{
+  vec2 Low;
+  vec2 High;
+};
+
+// The pixels that a triangle may be drawn at: nearly inside its chords, so much farther out.
+class ChordTriangle
+{
+public:
+  ChordTriangle(const TriangleJudge::Corner c[3], double grow)
+  {
+    const vec2 a = c[1].At - c[0].At;
+    const vec2 b = c[2].At - c[0].At;
+    const double turn = a.x * b.y - a.y * b.x < 0 ? -1 : 1;
+    for (int i = 0; i < 3; i++)
+    {
+      const vec2 side = c[(i + 1) % 3].At - c[i].At;
+      this->Across[i] = turn * vec2(-side.y, side.x);
+      this->Least[i] = glm::dot(this->Across[i], c[i].At) - grow * glm::length(side);
+    }
+  }
+
+  bool Holds(const vec2& at) const
+  {
+    return glm::dot(this->Across[0], at) >= this->Least[0] &&
+      glm::dot(this->Across[1], at) >= this->Least[1] &&
+      glm::dot(this->Across[2], at) >= this->Least[2];
+  }
+
+private:
+  vec2 Across[3];
+  double Least[3];
+};
+
+// The rays that meet a triangle, or nearly. Of those that do not begin in the origin the moment
+// counts as well.
+class RayTriangle
+{
+public:
+  explicit RayTriangle(const TriangleJudge::Corner c[3])
+    : Normal(glm::normalize(glm::cross(c[1].Place - c[0].Place, c[2].Place - c[0].Place)))
+    , Ahead(glm::dot(this->Normal, c[0].Place))
+  {
+    for (int i = 0; i < 3; i++)
+    {
+      const vec3& from = c[i].Place;
+      const vec3& to = c[(i + 1) % 3].Place;
+      this->Edges[i] = glm::cross(from, to);
+      this->Spans[i] = to - from;
+      this->Slack[i] = RaySlack * (glm::length(this->Edges[i]) + glm::length(this->Spans[i]));
+    }
+  }
+
+  bool Meets(const vec3& start, const vec3& direction) const
+  {
+    const vec3 moment = glm::cross(start, direction);
+    const double turn = this->GetAhead(start) < 0 ? -1 : 1;
+    for (int i = 0; i < 3; i++)
+    {
+      const double inside = glm::dot(this->Edges[i], direction) + glm::dot(moment, this->Spans[i]);
+      if (turn * inside < -this->Slack[i])
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  // How far the plane is ahead of a place.
+  double GetAhead(const vec3& start) const { return this->Ahead - glm::dot(this->Normal, start); }
+
+  // Of a ray with the plane.
+  double GetSine(const vec3& direction) const { return glm::dot(this->Normal, direction); }
+
+private:
+  // Radians that float32 may turn a ray or an edge by, and more.
+  static constexpr double RaySlack = 1e-6;
+
+  vec3 Normal;
+  double Ahead;
+  vec3 Edges[3];
+  vec3 Spans[3];
+  double Slack[3];
+};
+
+// A triangle in a view, and whether anything of it may be seen.
+class SeenTriangle
+{
+public:
+  // reach: pixels that it is moved out by to cover it; 0: a plain one
+  SeenTriangle(const SortView& view, const Watcher& eye, const SampleRays& rays,
+    const TriangleJudge::Corner c[3], bool covered, double reach)
+    : V(view)
+    , Eye(eye)
+    , Rays(rays)
+    , Covered(covered)
+    , Nearest(FindNearest(view, eye, c))
+    , Chords(c, (covered ? reach : 0) + PlainSlack)
+    , Plane(c)
+  {
+  }
+
+  bool IsBehindAll(const Part& part) const
+  {
+    return this->IsBeyond(this->Nearest, this->Eye.Depths->GetFarthest(part.Low, part.High));
+  }
+
+  // True where it may be drawn at a pixel, and is not surely behind what is seen there.
+  bool MayShow(int x, int y, bool anywhere) const
+  {
+    if (!anywhere && !this->Chords.Holds(vec2(x + 0.5, y + 0.5)))
+    {
+      return false;
+    }
+    const vec3 direction = this->Rays.GetDirection(x, y);
+    if (direction == vec3(0))
+    {
+      return false;
+    }
+    const vec3 start = this->V.Own ? this->V.Own->EyeAt(direction, this->Eye.View) : vec3(0);
+    if (this->Covered && !this->Plane.Meets(start, direction))
+    {
+      return false;
+    }
+    const double sine = this->Plane.GetSine(direction);
+    const double least = this->GetLeast(this->Plane.GetAhead(start) / sine, std::abs(sine));
+    return !this->IsBeyond(least, this->Eye.Depths->GetDepth(x, y));
+  }
+
+private:
+  // Over a distance: what float32 may move it by, where the ray meets the plane at no less than
+  // this sine.
+  static constexpr double DepthSlack = 1e-4;
+  static constexpr double LeastSine = 2e-3;
+
+  // Window depth: four steps of a buffer of 24 bits, for rounding and WFV_BEHIND
+  // (cover_fragment.glsl).
+  static constexpr double DepthSteps = 4.0 / (1 << 24);
+
+  // Pixels that a plain triangle may be off its edges, rasterized.
+  static constexpr double PlainSlack = 0.05;
+
+  // Of places between corners the squared distance is no less than that of the nearest corner, by a
+  // third of the squared longest edge.
+  static double FindNearest(
+    const SortView& view, const Watcher& eye, const TriangleJudge::Corner c[3])
+  {
+    const vec3 p[3] = { c[0].Place, c[1].Place, c[2].Place };
+    const double corners =
+      std::min({ glm::dot(p[0], p[0]), glm::dot(p[1], p[1]), glm::dot(p[2], p[2]) });
+    const double circle = view.Own ? eye.View.stereo.x : 0;
+    const double nearest = corners - TriangleJudge::Longest2(p) / 3 - circle * circle;
+    return std::sqrt(std::max(nearest, 0.0)) - 2 * view.Rounding;
+  }
+
+  // True where a distance is farther than a window depth, whatever rounding does.
+  bool IsBeyond(double distance, double depth) const
+  {
+    return distance > this->Eye.View.radii.x &&
+      wfvDepthOf(distance * (1 - DepthSlack), this->Eye.View) - DepthSteps > depth;
+  }
+
+  // What is drawn at a ray that meets its plane there, at the least. A plain one has the depth of
+  // a place beside.
+  double GetLeast(double distance, double sine) const
+  {
+    if (this->Covered)
+    {
+      return sine >= LeastSine ? distance : 0;
+    }
+    const double beside = PlainSlack * 2 * WFV_PI / std::min(this->V.Pixels.x, this->V.Pixels.y);
+    return std::max(this->Nearest, sine > beside ? distance * (1 - 2 * beside / sine) : 0);
+  }
+
+  const SortView& V;
+  const Watcher& Eye;
+  const SampleRays& Rays;
+  const bool Covered;
+  const double Nearest;
+  const ChordTriangle Chords;
+  const RayTriangle Plane;
+};
+
+// A functor for threads, over the triangles of an entry that are not of its first lot.
+template <typename Real, typename Entry>
+class HiddenWork
+{
+public:
+  // depths: of each eye of the view; hidden: the answers.
+  HiddenWork(const Scene<Real>& scene, const Entry& entry, const DepthPicture* const depths[],
+    const SampleRays& rays, std::vector<unsigned char>& hidden)
+    : In(scene)
+    , Sorted(entry)
+    , Depths(depths)
+    , Rays(rays)
+    , Hidden(hidden)
+    , First(entry.Order.size() - hidden.size())
+  {
+  }
+
+  void operator()(vtkIdType from, vtkIdType to) const
+  {
+    std::vector<Watcher> eyes;
+    eyes.reserve(SortView::MostEyes);
+    for (int i = 0; i < this->In.V.GetNumberOfEyes(); i++)
+    {
+      eyes.emplace_back(this->In.V, i, this->Depths[i]);
+    }
+    for (vtkIdType i = from; i < to; i++)
+    {
+      const auto place = static_cast<std::size_t>(i);
+      const bool hidden = std::all_of(
+        eyes.begin(), eyes.end(), [&](Watcher& eye) { return this->IsHidden(place, eye); });
+      this->Hidden[place] = hidden ? 1 : 0;
+    }
+  }
+
+private:
+  // Pixels beyond what is known to hold a triangle.
+  static constexpr double Margin = 1;
+
+  // Samples that are looked at one by one, at the most.
+  static constexpr double MostSamples = 4096;
+
+  bool IsHidden(std::size_t i, Watcher& eye) const
+  {
+    const bool covered = i < this->Sorted.Reaches.size();
+    const bool piece = covered && this->Sorted.Reaches[i] >= Sorter::PieceBits;
+    const double reach = covered && !piece ? this->GetReach(i) : 0;
+    const vtkIdType corner = 3 * static_cast<vtkIdType>(this->Sorted.Order[this->First + i]);
+    TriangleJudge::Corner c[3];
+    eye.Seen.Get(this->In, eye.Judge, corner, c);
+    const Part part =
+      piece ? this->GetPiece(this->Sorted.Reaches[i] & ~Sorter::PieceBits) : GetPart(c, reach);
+    const vec2 size = this->In.V.Samples.GetSize();
+    // what reaches beyond a border may be drawn at another one
+    const bool inside = part.Low.x >= 0 && part.Low.y >= 0 && part.High.x < size.x &&
+      part.High.y < size.y; // false where it is no number
+    const SeenTriangle triangle(this->In.V, eye, this->Rays, c, covered, reach);
+    return inside && ((!covered && triangle.IsBehindAll(part)) || IsBehind(triangle, part, piece));
+  }
+
+  static bool IsBehind(const SeenTriangle& triangle, const Part& part, bool piece)
+  {
+    const vec2 span = part.High - part.Low;
+    if (!(span.x * span.y <= MostSamples))
+    {
+      return false;
+    }
+    for (int y = static_cast<int>(part.Low.y); y <= static_cast<int>(part.High.y); y++)
+    {
+      for (int x = static_cast<int>(part.Low.x); x <= static_cast<int>(part.High.x); x++)
+      {
+        if (triangle.MayShow(x, y, piece))
+        {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  // Pixels that a calm triangle is moved out by.
+  double GetReach(std::size_t i) const
+  {
+    constexpr unsigned int Side = (1u << TriangleJudge::ReachBits) - 1;
+    const unsigned int reach = this->Sorted.Reaches[i];
+    const unsigned int most = std::max({ reach & Side, (reach >> TriangleJudge::ReachBits) & Side,
+      (reach >> (2 * TriangleJudge::ReachBits)) & Side });
+    return most / TriangleJudge::Reaches;
+  }
+
+  static Part GetPart(const TriangleJudge::Corner c[3], double reach)
+  {
+    return { glm::min(c[0].At, glm::min(c[1].At, c[2].At)) - reach - Margin,
+      glm::max(c[0].At, glm::max(c[1].At, c[2].At)) + reach + Margin };
+  }
+
+  // Of a rectangle that holds a part of a triangle.
+  Part GetPiece(unsigned int piece) const
+  {
+    const float* const numbers = this->Sorted.Pieces.data() + 8 * static_cast<std::size_t>(piece);
+    const vec2 middle = 0.5 * this->In.V.Samples.GetSize();
+    const vec2 from = vec2(numbers[0], numbers[1]) + middle;
+    const vec2 side(numbers[2], numbers[3]);
+    const vec2 up = vec2(-side.y, side.x) * (numbers[4] / glm::length(side));
+    const vec2 c[4] = { from, from + side, from + up, from + side + up };
+    return { glm::min(glm::min(c[0], c[1]), glm::min(c[2], c[3])) - Margin,
+      glm::max(glm::max(c[0], c[1]), glm::max(c[2], c[3])) + Margin };
+  }
+
+  const Scene<Real>& In;
+  const Entry& Sorted;
+  const DepthPicture* const* Depths;
+  const SampleRays& Rays;
+  std::vector<unsigned char>& Hidden;
+  const std::size_t First;
+};
+}
+}
+
+#endif
