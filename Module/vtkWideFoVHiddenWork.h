@@ -74,7 +74,8 @@ private:
 class RayTriangle
 {
 public:
-  explicit RayTriangle(const TriangleJudge::Corner c[3])
+  // moved: by which corners may be drawn elsewhere, scene units
+  RayTriangle(const TriangleJudge::Corner c[3], double moved)
     : Normal(glm::normalize(glm::cross(c[1].Place - c[0].Place, c[2].Place - c[0].Place)))
     , Ahead(glm::dot(this->Normal, c[0].Place))
   {
@@ -84,7 +85,8 @@ public:
       const vec3& to = c[(i + 1) % 3].Place;
       this->Edges[i] = glm::cross(from, to);
       this->Spans[i] = to - from;
-      this->Slack[i] = RaySlack * (glm::length(this->Edges[i]) + glm::length(this->Spans[i]));
+      this->Slack[i] = RaySlack * (glm::length(this->Edges[i]) + glm::length(this->Spans[i])) +
+        moved * (glm::length(from) + glm::length(to));
     }
   }
 
@@ -132,8 +134,8 @@ public:
     , Rays(rays)
     , Covered(covered)
     , Nearest(FindNearest(view, eye, c))
-    , Chords(c, (covered ? reach : 0) + PlainSlack)
-    , Plane(c)
+    , Chords(c, (covered ? reach : FindMoved(view, c)) + PlainSlack)
+    , Plane(c, view.Rounding)
   {
   }
 
@@ -160,7 +162,8 @@ public:
       return false;
     }
     const double sine = this->Plane.GetSine(direction);
-    const double least = this->GetLeast(this->Plane.GetAhead(start) / sine, std::abs(sine));
+    const double moved = 2 * this->V.Rounding / std::abs(sine);
+    const double least = this->GetLeast(this->Plane.GetAhead(start) / sine - moved, std::abs(sine));
     return !this->IsBeyond(least, this->Eye.Depths->GetDepth(x, y));
   }
 
@@ -188,6 +191,17 @@ private:
     const double circle = view.Own ? eye.View.stereo.x : 0;
     const double nearest = corners - TriangleJudge::Longest2(p) / 3 - circle * circle;
     return std::sqrt(std::max(nearest, 0.0)) - 2 * view.Rounding;
+  }
+
+  // Pixels by which the vertex buffer may move the corners of a plain triangle: nothing of it is
+  // much more stretched than its longest edge.
+  static double FindMoved(const SortView& view, const TriangleJudge::Corner c[3])
+  {
+    const vec3 p[3] = { c[0].Place, c[1].Place, c[2].Place };
+    const double longest = std::max({ glm::length(c[1].At - c[0].At),
+      glm::length(c[2].At - c[1].At), glm::length(c[0].At - c[2].At) });
+    const double moved = 4 * view.Rounding * longest / std::sqrt(TriangleJudge::Longest2(p));
+    return view.Rounding > 0 ? moved : 0;
   }
 
   // True where a distance is farther than a window depth, whatever rounding does.

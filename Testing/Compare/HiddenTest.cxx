@@ -45,7 +45,9 @@ public:
     for (int i = 0; i < Balls; ++i)
     {
       const vec3 at = 4.0 * this->Place();
-      this->AddMesh(MakeGlobe(i % 3 ? 8 : 20), at, 0.4 + std::abs(this->Unit()));
+      Placement placement;
+      placement.Double = i % 2 == 0; // which the vertex buffer rounds
+      this->AddMesh(MakeGlobe(i % 3 ? 8 : 20, placement), at, 0.4 + std::abs(this->Unit()));
     }
   }
 
