@@ -139,11 +139,6 @@ public:
   {
   }
 
-  bool IsBehindAll(const Part& part) const
-  {
-    return this->IsBeyond(this->Nearest, this->Eye.Depths->GetFarthest(part.Low, part.High));
-  }
-
   // True where it may be drawn at a pixel, and is not surely behind what is seen there.
   bool MayShow(int x, int y, bool anywhere) const
   {
@@ -176,6 +171,12 @@ private:
   // Window depth: four steps of a buffer of 24 bits, for rounding and WFV_BEHIND
   // (cover_fragment.glsl).
   static constexpr double DepthSteps = 4.0 / (1 << 24);
+
+  // Sines under which a plain triangle surely has the depth of a place, and from which on that of
+  // the ray: WFV_LEAST_SINE (depth_fragment.glsl), by a length that is up to 1.73 times the
+  // normal's.
+  static constexpr double LeastRaySine = 0.009;
+  static constexpr double SureRaySine = 0.02;
 
   // Pixels that a plain triangle may be off its edges, rasterized.
   static constexpr double PlainSlack = 0.05;
@@ -211,8 +212,8 @@ private:
       wfvDepthOf(distance * (1 - DepthSlack), this->Eye.View) - DepthSteps > depth;
   }
 
-  // What is drawn at a ray that meets its plane there, at the least. A plain one has the depth of
-  // a place beside.
+  // What is drawn at a ray that meets its plane there, at the least. Of a plain triangle that is by
+  // the ray as well, or, seen nearly edge-on, by a place of it beside (depth_fragment.glsl).
   double GetLeast(double distance, double sine) const
   {
     if (this->Covered)
@@ -220,7 +221,10 @@ private:
       return sine >= LeastSine ? distance : 0;
     }
     const double beside = PlainSlack * 2 * WFV_PI / std::min(this->V.Pixels.x, this->V.Pixels.y);
-    return std::max(this->Nearest, sine > beside ? distance * (1 - 2 * beside / sine) : 0);
+    const double byRay = sine > beside ? distance * (1 - 2 * beside / sine) : 0;
+    return sine < LeastRaySine ? this->Nearest
+      : sine < SureRaySine     ? std::min(this->Nearest, byRay)
+                               : byRay;
   }
 
   const SortView& V;
@@ -271,7 +275,7 @@ private:
   static constexpr double Margin = 1;
 
   // Samples that are looked at one by one, at the most.
-  static constexpr double MostSamples = 4096;
+  static constexpr double MostSamples = 65536;
 
   bool IsHidden(std::size_t i, Watcher& eye) const
   {
@@ -288,7 +292,7 @@ private:
     const bool inside = part.Low.x >= 0 && part.Low.y >= 0 && part.High.x < size.x &&
       part.High.y < size.y; // false where it is no number
     const SeenTriangle triangle(this->In.V, eye, this->Rays, c, covered, reach);
-    return inside && ((!covered && triangle.IsBehindAll(part)) || IsBehind(triangle, part, piece));
+    return inside && IsBehind(triangle, part, piece);
   }
 
   static bool IsBehind(const SeenTriangle& triangle, const Part& part, bool piece)
