@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVDiscontinuity.h"
 
+#include "Projections/Bend.h"
+
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkType.h"
@@ -85,6 +87,13 @@ double NearestInPlane(double low0, double high0, double low1, double high1)
   return std::hypot(std::max({ low0, -high0, 0.0 }), std::max({ low1, -high1, 0.0 }));
 }
 
+// The same of a box in space.
+double Nearest(const double low[3], const double high[3])
+{
+  const double level = NearestInPlane(low[0], high[0], low[2], high[2]);
+  return std::hypot(level, std::max({ low[1], -high[1], 0.0 }));
+}
+
 // True unless the box lies on one face of the cube round the eye.
 bool MeetsFaceBorder(const double low[3], const double high[3])
 {
@@ -160,10 +169,35 @@ double vtkWideFoVChordError(const wfv::Projection& projection, const wfv::WfvVie
   double low[3];
   double high[3];
   ViewBounds(bounds, worldToView, view, low, high);
-  const double flat = NearestInPlane(low[0], high[0], low[2], high[2]);
-  const double nearest = std::hypot(flat, std::max({ low[1], -high[1], 0.0 }));
+  const double nearest = Nearest(low, high);
   const double angle = nearest > 0 ? longestEdge / nearest : VTK_DOUBLE_MAX;
   const double sine2 = SineToSingularity2(projection.Axis, low, high);
   return angle <= LongestAngle && sine2 > 0 ? 0.125 * view.bend * angle * angle / sine2
                                             : VTK_DOUBLE_MAX;
+}
+
+// A ray that begins at the distance r from the origin meets what is at the distance d under an
+// angle of at most asin(r / d); the map stretches angles by wfv::Stretch, over the squared sine.
+wfv::vec2 vtkWideFoVParallax(const wfv::Projection& projection, const wfv::WfvView& view,
+  const double bounds[6], const double worldToView[16], double reach)
+{
+  const wfv::vec2 unknown(VTK_DOUBLE_MAX);
+  if (!(reach > 0))
+  {
+    return wfv::vec2(0);
+  }
+  double low[3];
+  double high[3];
+  ViewBounds(bounds, worldToView, view, low, high);
+  const double nearest = Nearest(low, high);
+  if (!(nearest > reach))
+  {
+    return unknown;
+  }
+  const double angle = std::asin(reach / nearest);
+  Grow(low, high, 2 * angle); // what is seen of it, by either
+  const double sine2 = SineToSingularity2(projection.Axis, low, high);
+  return angle <= LongestAngle && sine2 > 0 && !MeetsDiscontinuity(projection, low, high)
+    ? wfv::Stretch(projection, view) * (angle / sine2)
+    : unknown;
 }

@@ -56,6 +56,7 @@ void vtkWideFoVPass::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "SortWhileMoving: " << this->SortWhileMoving << "\n"
      << indent << "EyesAtOnce: " << this->EyesAtOnce << "\n"
      << indent << "NumberOfSharedProps: " << this->NumberOfSharedProps << "\n"
+     << indent << "NumberOfFarProps: " << this->NumberOfFarProps << "\n"
      << indent << "NumberOfDrawnProps: " << this->NumberOfDrawnProps << "\n"
      << indent << "NumberOfCulledProps: " << this->NumberOfCulledProps << "\n"
      << indent << "NumberOfClusters: " << this->NumberOfClusters << "\n"
@@ -109,6 +110,7 @@ int vtkWideFoVPass::Cull(vtkProp** props)
     if (!in.Texts.Take(in.Props.GetProp(i)) && !in.Props.IsUnseen(i))
     {
       in.Chosen.push_back(in.Props.GetStage(i));
+      this->NumberOfFarProps += in.Stages.IsFar(in.Chosen.back());
       props[seen++] = in.Props.GetProp(i);
     }
   }
@@ -222,7 +224,7 @@ void vtkWideFoVPass::ResetCounts(int props)
   this->NumberOfChosenProps = this->NumberOfSortedMeshes = 0;
   this->NumberOfCulledProps = 0;
   this->NumberOfDrawnProps = props;
-  this->NumberOfSharedProps = 0;
+  this->NumberOfSharedProps = this->NumberOfFarProps = 0;
   this->Internal->Role = wfv::EyesAtOnce::Alone;
   this->Internal->Shared = 0;
 }
@@ -230,14 +232,16 @@ void vtkWideFoVPass::ResetCounts(int props)
 void vtkWideFoVPass::TakeCounts()
 {
   const vtkWideFoVStages& stages = this->Internal->Stages;
-  this->NumberOfPlainDraws =
-    stages.Plain->GetNumberOfDraws() + stages.PlainAmong->GetNumberOfDraws();
+  this->NumberOfPlainDraws = stages.Plain->GetNumberOfDraws() +
+    stages.PlainAmong->GetNumberOfDraws() + stages.FarPlainAmong->GetNumberOfDraws();
   // of the tessellate stage too, what cannot be tessellated is drawn by the pre-clip
   const int patches = stages.Tessellate->GetNumberOfTessellateDraws();
-  const int calm = stages.CalmAmong->GetNumberOfDraws() + stages.CalmOfBoth->GetNumberOfDraws();
+  const int calm = stages.CalmAmong->GetNumberOfDraws() + stages.CalmOfBoth->GetNumberOfDraws() +
+    stages.FarCalmAmong->GetNumberOfDraws();
   const bool exact = this->Technique == EXACT;
   this->NumberOfPreClipDraws = stages.PreClip->GetNumberOfDraws() +
-    stages.Tessellate->GetNumberOfDraws() - patches + (exact ? 0 : calm);
+    stages.FarPreClip->GetNumberOfDraws() + stages.Tessellate->GetNumberOfDraws() - patches +
+    (exact ? 0 : calm);
   this->NumberOfTessellateDraws = patches;
   this->NumberOfExactDraws =
     stages.Exact->GetNumberOfDraws() + stages.ExactOfBoth->GetNumberOfDraws() + (exact ? calm : 0);

@@ -198,6 +198,12 @@ public:
    */
   vtkGetMacro(NumberOfSharedProps, int);
 
+  /**
+   * Of the props that the last frame drew, those so far away that both eyes see them alike: they
+   * are drawn as without stereo, in each eye's turn.
+   */
+  vtkGetMacro(NumberOfFarProps, int);
+
   ///@{
   /**
    * The same by triangles: those of the meshes that have runs, and those of them that were not
@@ -255,6 +261,7 @@ protected:
   int Relaxation = 0;
   int EyesAtOnce = AUTOMATIC;
   int NumberOfSharedProps = 0;
+  int NumberOfFarProps = 0;
   int NumberOfDrawnProps = 0;
   int NumberOfCulledProps = 0;
   int NumberOfClusters = 0;

@@ -35,6 +35,10 @@ std::string vtkWideFoVPass::GetStatistics()
   {
     AddLine(text, "for both eyes at once: %d", this->NumberOfSharedProps);
   }
+  if (this->NumberOfFarProps > 0)
+  {
+    AddLine(text, "too far away for two eyes: %d", this->NumberOfFarProps);
+  }
   AddLine(text, "runs: %d, %d left out", this->NumberOfClusters, this->NumberOfCulledClusters);
   AddLine(text, "their triangles: %lld, %lld left out",
     static_cast<long long>(this->NumberOfTriangles),

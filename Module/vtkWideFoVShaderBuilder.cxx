@@ -225,17 +225,28 @@ const std::string& PlaceOf(const Request& r, const std::string& fragment)
   return stock ? StockPlace : OwnPlace;
 }
 
-std::string DepthSource(const Request& r, const std::string& fragment)
+// True where the fragment stage is to know its place by an output of our own: for its depth, or for
+// the distance that vtkWideFoVDataPass writes, which is along the ray of the eye.
+bool KeepsPlace(const Request& r, const std::string& fragment)
 {
-  const bool own = PlaceOf(r, fragment) == OwnPlace;
-  return (own ? "in vec3 " + OwnPlace + ";\n" : "") + depth_fragment_glsl;
+  const bool tells = MovesVertices(r) && fragment.find("wfvData(") != std::string::npos;
+  return !Covers(r) && (WritesDepth(r) || tells) && PlaceOf(r, fragment) == OwnPlace;
+}
+
+// What is needed for that.
+std::string PlaceSource(const Request& r, const std::string& fragment)
+{
+  const std::string distance =
+    MovesVertices(r) ? "#define WFV_DISTANCE length(" + OwnPlace + ")\n" : "";
+  return KeepsPlace(r, fragment) ? "in vec3 " + OwnPlace + ";\n" + distance : "";
 }
 
 void FinishFragment(Request r, const std::vector<Varying>& varyings, std::string& fragment)
 {
   const bool covers = Covers(r);
   r.BothEyes = r.BothEyes && covers; // to others both see alike
-  std::string declarations, before, after;
+  std::string declarations = PlaceSource(r, fragment);
+  std::string before, after;
   if (covers)
   {
     RemoveInputs(fragment, varyings);
@@ -247,7 +258,7 @@ void FinishFragment(Request r, const std::vector<Varying>& varyings, std::string
   }
   else if (WritesDepth(r))
   {
-    declarations = DepthSource(r, fragment);
+    declarations += depth_fragment_glsl;
     before = "  wfvPrepareDepth(" + PlaceOf(r, fragment) + ".xyz);\n" + RewriteDepth(fragment);
   }
   const std::string border = BorderSource(r);
@@ -355,7 +366,7 @@ void vtkWideFoVShaderBuilder::Finish(
   {
     wfv::FlattenArrays(vertex, fragment);
   }
-  if (WritesDepth(r) && !Covers(r) && PlaceOf(r, fragment) == OwnPlace)
+  if (KeepsPlace(r, fragment))
   {
     WrapMain(vertex, "", "  " + OwnPlace + " = gl_Position.xyz;\n");
     Declare(vertex, "out vec3 " + OwnPlace + ";\n");

@@ -107,7 +107,7 @@ private:
 void vtkWideFoVStage::NoteView(const wfv::View& view)
 {
   const bool tilts = !this->Tilted && view.GetParameters().tilt != wfv::vec2(1, 0);
-  const wfv::StereoModel* const stereo = view.GetStereoModel();
+  const wfv::StereoModel* const stereo = this->Middle ? nullptr : view.GetStereoModel();
   const bool fades = !this->Fades && stereo && stereo->Fades(view.GetParameters());
   if (&view.GetProjection() != this->Projection || tilts || fades || stereo != this->Stereo ||
     view.GetParameters().depthMapping != this->View.depthMapping)
@@ -132,6 +132,10 @@ void vtkWideFoVStage::SetView(vtkRenderer* renderer, vtkWideFoVCamera* camera, d
   this->SawSamples = false;
   this->Renderer = renderer;
   this->View = view.GetParameters();
+  if (this->Middle)
+  {
+    this->View.stereo = wfv::vec4(0);
+  }
   this->Tolerance = static_cast<float>(tolerance);
 
   this->Pixels = wfv::PixelsOfTile(renderer);

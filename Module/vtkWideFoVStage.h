@@ -89,6 +89,9 @@ public:
   // For triangles that are drawn for both eyes at once, into a layer each.
   void SetBothEyes(bool both) { this->BothEyes = both; }
 
+  // For what both eyes see alike: as the middle between them does, without stereo.
+  void SetMiddle(bool middle) { this->Middle = middle; }
+
   // The tables of a direction map; they outlive the frame.
   void SetTextures(vtkWideFoVDirectionTextures* textures) { this->Textures = textures; }
 
@@ -166,6 +169,7 @@ private:
   bool ByRays = false;
   bool Calm = false;
   bool BothEyes = false;
+  bool Middle = false;
   bool ExactLines = false;
   bool DebugView = false;
   bool SurfaceDepth = false;

@@ -98,8 +98,8 @@ void vtkWideFoVStage::SetFrameParameters(vtkShaderProgram* program, const int vi
   program->SetUniformf("wfvTolerance", this->Tolerance);
   if (program->IsUniformUsed("wfvStretch"))
   {
-    const double stretch = wfv::Stretch(*this->Projection, this->View);
-    program->SetUniformf("wfvStretch", static_cast<float>(stretch));
+    const wfv::vec2 stretch = wfv::Stretch(*this->Projection, this->View);
+    program->SetUniformf("wfvStretch", static_cast<float>(std::max(stretch.x, stretch.y)));
   }
   wfv::SetTileUniforms(program, this->Pixels, this->Tile, viewport, this->View.scale);
 }

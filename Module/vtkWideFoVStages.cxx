@@ -44,12 +44,20 @@ vtkWideFoVStages::vtkWideFoVStages()
   this->CalmOfBoth->SetCalm(true);
   this->ExactOfBoth->SetBothEyes(true);
   this->CalmOfBoth->SetBothEyes(true);
+  this->FarPlainAmong->SetSurfaceDepth(true);
+  this->FarCalmAmong->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
+  this->FarCalmAmong->SetCalm(true);
+  this->FarPreClip->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
+  this->FarPlainAmong->SetMiddle(true);
+  this->FarCalmAmong->SetMiddle(true);
+  this->FarPreClip->SetMiddle(true);
 }
 
-std::array<vtkWideFoVStage*, 8> vtkWideFoVStages::GetAll()
+std::array<vtkWideFoVStage*, 11> vtkWideFoVStages::GetAll()
 {
   return { this->Plain, this->PlainAmong, this->CalmAmong, this->PreClip, this->Exact,
-    this->Tessellate, this->ExactOfBoth, this->CalmOfBoth };
+    this->Tessellate, this->ExactOfBoth, this->CalmOfBoth, this->FarPlainAmong, this->FarCalmAmong,
+    this->FarPreClip };
 }
 
 bool vtkWideFoVStages::CanTessellate()
@@ -109,8 +117,9 @@ void vtkWideFoVStages::Begin(
 void vtkWideFoVStages::SetDebugView(bool debugView)
 {
   this->DebugView = debugView;
-  for (vtkWideFoVStage* stage : { this->Plain.Get(), this->PlainAmong.Get(), this->PreClip.Get(),
-         this->Exact.Get(), this->ExactOfBoth.Get() })
+  for (vtkWideFoVStage* stage :
+    { this->Plain.Get(), this->PlainAmong.Get(), this->PreClip.Get(), this->Exact.Get(),
+      this->ExactOfBoth.Get(), this->FarPlainAmong.Get(), this->FarPreClip.Get() })
   {
     stage->SetDebugView(debugView);
   }
@@ -165,7 +174,9 @@ vtkWideFoVStage* vtkWideFoVStages::Choose(
   const bool fine = this->Technique == vtkWideFoVPass::AUTO && !this->AllowsChords();
   // a direction map has no chords that something could be said of
   const bool sampled = this->Projection->Axis == wfv::Family::Sampled;
-  if (this->Technique == vtkWideFoVPass::EXACT || fine || sampled || this->ByPixels)
+  const bool covers = this->Technique == vtkWideFoVPass::EXACT || fine || sampled;
+  const bool far = !covers && this->IsFar(bounds, facts);
+  if (covers || (this->ByPixels && !far))
   {
     return this->Shares && this->ByPixels && facts.Shareable ? this->ExactOfBoth : this->Exact;
   }
@@ -177,15 +188,22 @@ vtkWideFoVStage* vtkWideFoVStages::Choose(
   {
     return this->PreClip;
   }
+  return this->ChooseByBounds(prop, bounds, facts, far);
+}
+
+vtkWideFoVStage* vtkWideFoVStages::ChooseByBounds(
+  vtkProp* prop, const double bounds[6], wfv::PropFacts& facts, bool far)
+{
   const bool torn = vtkWideFoVNeedsPreClip(
     *this->Projection, this->View, bounds, this->WorldToView, this->GetPointReach(facts));
   if (torn || !this->IsFine(prop, bounds, facts))
   {
-    return this->PreClip;
+    return far ? this->FarPreClip : this->PreClip;
   }
   // no bound on chords is one on depth: along an edge that runs away from the eye it is off by
   // the square of the edge's share of the distance, however near chord and edge are
-  return this->Technique == vtkWideFoVPass::AUTO ? this->PlainAmong : this->Plain;
+  vtkWideFoVStage* const among = far ? this->FarPlainAmong : this->PlainAmong;
+  return this->Technique == vtkWideFoVPass::AUTO ? among : this->Plain.Get();
 }
 
 vtkWideFoVStage* vtkWideFoVStages::FindAttached(vtkProp* prop)

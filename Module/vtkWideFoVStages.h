@@ -110,17 +110,40 @@ public:
   vtkNew<vtkWideFoVStage> ExactOfBoth;
   vtkNew<vtkWideFoVStage> CalmOfBoth;
 
-  // What the calm ones are drawn with among triangles of this stage; plain ones by PlainAmong, once
-  // for each eye.
+  // Of what is so far away that both eyes see it alike: as without stereo.
+  vtkNew<vtkWideFoVStage> FarPlainAmong;
+  vtkNew<vtkWideFoVStage> FarCalmAmong;
+  vtkNew<vtkWideFoVStage> FarPreClip;
+
+  // What the calm ones are drawn with among triangles of this stage, and plain ones, of both eyes
+  // once for each.
   vtkWideFoVStage* GetCalmAmong(const vtkWideFoVStage* stage)
   {
-    return this->IsOfBoth(stage) ? this->CalmOfBoth : this->CalmAmong;
+    return this->IsFar(stage) ? this->FarCalmAmong
+      : this->IsOfBoth(stage) ? this->CalmOfBoth
+                              : this->CalmAmong;
+  }
+  vtkWideFoVStage* GetPlainAmong(const vtkWideFoVStage* stage)
+  {
+    return this->IsFar(stage) ? this->FarPlainAmong : this->PlainAmong;
+  }
+  bool IsFar(const vtkWideFoVStage* stage) const
+  {
+    return stage == this->FarPlainAmong || stage == this->FarPreClip;
   }
   bool IsOfBoth(const vtkWideFoVStage* stage) const { return stage == this->ExactOfBoth; }
 
 private:
   // True where no edge of the prop bends by more than the tolerance, seen from here.
   bool IsFine(vtkProp* prop, const double bounds[6], wfv::PropFacts& facts);
+
+  // True where the prop is so far away that nobody tells where either eye sees it from where the
+  // middle between them does.
+  bool IsFar(const double* bounds, const wfv::PropFacts& facts) const;
+
+  // For a prop whose rays begin all in one place; far: so far away.
+  vtkWideFoVStage* ChooseByBounds(
+    vtkProp* prop, const double bounds[6], wfv::PropFacts& facts, bool far);
 
   // Fills in what is not known yet.
   static void FindFacts(vtkProp* prop, wfv::PropFacts& facts);
@@ -154,7 +177,7 @@ private:
   bool SortMoving = false;
   bool Hurries = false;
   bool Shares = false;
-  std::array<vtkWideFoVStage*, 8> GetAll();
+  std::array<vtkWideFoVStage*, 11> GetAll();
   void SetEyes(vtkWideFoVCamera* camera, const wfv::StereoModel* stereo); // after SetPart
   double Reach = 0; // of the rays' beginnings from the middle between the eyes, scene units
 

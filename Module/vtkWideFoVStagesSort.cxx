@@ -216,29 +216,32 @@ bool vtkWideFoVStages::GetSortView(
   }
   view.Map = this->Projection;
   view.View = this->View;
-  view.View.stereo.x = std::abs(this->View.stereo.x); // the same for both eyes
+  const bool far = this->IsFar(stage);
+  view.View.stereo.x = far ? 0 : std::abs(this->View.stereo.x); // the same for both eyes
   view.Part = this->Part;
   view.Pixels = this->Pixels;
   view.Culls = this->Culling;
-  view.Reach = this->Reach;
+  view.Reach = far ? 0 : this->Reach;
   view.Samples = this->Samples;
   view.Samples.TakeBound();
   // of eyes whose rays are no straight lines all are alike, and where their circle fades
-  const bool own = this->Stereo && this->Stereo->OwnRays && !this->Stereo->Fades(this->View);
+  const bool own =
+    !far && this->Stereo && this->Stereo->OwnRays && !this->Stereo->Fades(this->View);
   view.Own = own ? this->Stereo : nullptr;
-  const bool looks = (!this->ByPixels || own) &&
+  const bool looks = (!this->ByPixels || own || far) &&
     (this->Technique == vtkWideFoVPass::AUTO ||
       (this->Technique == vtkWideFoVPass::EXACT && this->Culling));
   view.Bends = looks && this->Projection->Axis != wfv::Family::Sampled ? this->GetBends() : nullptr;
   const bool exact = stage == this->Exact || stage == this->ExactOfBoth;
+  const bool cut = stage == this->PreClip || stage == this->FarPreClip;
   // what shines through is mixed in its own order, and would be twice where it is drawn both ways
   const bool opaque = view.Bends && !actor->HasTranslucentPolygonalGeometry();
   view.Plain = opaque && view.Samples.AreKnown() && this->Technique == vtkWideFoVPass::AUTO &&
-    (stage == this->PreClip || (own && this->AllowsChords()));
-  view.Cheap = stage == this->Plain || stage == this->PlainAmong;
+    (cut || (own && this->AllowsChords()));
+  view.Cheap = stage == this->Plain || stage == this->PlainAmong || stage == this->FarPlainAmong;
   view.Tolerance = this->Tolerance;
   view.Moving = view.Plain && this->Hurries ? this->Tolerance : 0;
-  view.Calm = opaque && !this->DebugView && (stage == this->PreClip || exact);
+  view.Calm = opaque && !this->DebugView && (cut || exact);
   return true;
 }
 

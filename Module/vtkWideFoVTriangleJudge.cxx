@@ -27,14 +27,17 @@ constexpr double PlaceErrorWidth = 8192;
 constexpr double EdgeOn = 0.02;
 
 // Radii of the circle where rays begin, and edges: so many the horizontal way to a triangle is at
-// least. The bound of GetAside holds there.
+// least. The bound of GetAside is of the second order there.
 constexpr double LeastRadii = 2;
 constexpr double LeastEdges = 4;
+
+// Of a triangle's longest edge: so near its corners is all of it (1 / sqrt(3)).
+constexpr double FromCorners = 0.578;
 
 // Factor on what follows from the middle of a triangle, for its ends.
 constexpr double BetweenCorners = 1.5;
 
-// Radians: edges that are off their great circles by more are not looked into.
+// Radians: edges that are off their great circles by more are measured.
 constexpr double LargestAside = 1e-3;
 
 double Square(double x)
@@ -152,25 +155,35 @@ TriangleJudge::Corner TriangleJudge::See(const vec3& place) const
 // From each corner another ray looks, by as much as the circle turns between them.
 double TriangleJudge::GetAside(const Corner* const c[3]) const
 {
+  constexpr double unknown = std::numeric_limits<double>::infinity();
   const WfvView& v = this->V.View;
   const vec3 up(0, v.tilt.x, -v.tilt.y);
-  double level = std::numeric_limits<double>::infinity();
-  double nearest = level;
+  double level = unknown;
+  double nearest = unknown;
+  double farthest = 0;
   for (int i = 0; i < 3; i++)
   {
     const double sine = glm::dot(c[i]->Direction, up);
     const double way = c[i]->Distance * std::sqrt(std::max(0.0, 1 - sine * sine));
-    if (!(way > LeastRadii * this->Circle))
+    if (!(way > 0))
     {
-      return std::numeric_limits<double>::infinity();
+      return unknown;
     }
     level = std::min(level, way);
+    farthest = std::max(farthest, std::hypot(way, this->Circle)); // from its axis
     nearest = std::min(nearest, c[i]->Distance);
   }
   const vec3 places[3] = { c[0]->Place, c[1]->Place, c[2]->Place };
-  const double edge = std::sqrt(Longest2(places)) / level;
-  return LeastEdges * edge < 1 ? this->Circle * edge * edge / nearest
-                               : std::numeric_limits<double>::infinity();
+  const double edge = std::sqrt(Longest2(places));
+  if (level > LeastRadii * this->Circle && LeastEdges * edge < level)
+  {
+    return this->Circle * Square(edge / level) / nearest;
+  }
+  // what all turn by is a turn of great circles
+  const double inner = std::hypot(level, this->Circle) - FromCorners * edge;
+  return inner - this->Circle >= edge
+    ? std::asin(this->Circle / inner) - std::asin(this->Circle / farthest)
+    : unknown;
 }
 
 int TriangleJudge::GetSide(const vec3& p, const vec3& q, const vec3& r) const
@@ -190,17 +203,19 @@ TriangleJudge::Verdict TriangleJudge::Judge(const Corner* const c[3]) const
   const vec2 sum = c[0]->At + c[1]->At + c[2]->At;
   const bool known = std::isfinite(sum.x + sum.y); // comparisons would pass over a corner
   const double aside = this->V.Own ? this->GetAside(c) : 0;
-  if (!known || !(angle2 <= Square(2 * LongestMeasured)) || !(aside <= LargestAside) ||
+  if (!known || !(angle2 <= Square(2 * LongestMeasured)) || !std::isfinite(aside) ||
     MayTear(this->V.Map->Axis, d, aside))
   {
     return verdict;
   }
   const double nearest = std::min({ c[0]->Distance, c[1]->Distance, c[2]->Distance });
   const Local local = this->LookAt(d, angle2, aside);
-  const bool tiny = angle2 <= Square(LocalBend::LongestEdge);
-  // seen by rays of its own a triangle may fold: its inside is as far off as its edges are
+  const bool tiny = angle2 <= Square(LocalBend::LongestEdge) && aside <= LargestAside;
+  // seen by rays of its own a triangle may fold, where some of them see it edge-on: its inside is
+  // then as far off as its edges are, else it is within them
+  const bool folds = aside > 0 && this->GetSide(c[0]->Place, c[1]->Place, c[2]->Place) == 0;
   const double stretch = local.Stretch * (tiny ? 1 : BetweenCorners);
-  const double moved = this->GetMoved(nearest, stretch) + aside * stretch;
+  const double moved = this->GetMoved(nearest, stretch) + (folds ? aside * stretch : 0);
   Bulge off[3];
   double worst = std::numeric_limits<double>::infinity();
   if (tiny)

@@ -61,10 +61,8 @@ unsigned int TriangleJudge::GetReach(
   const double twice = a.x * b.y - a.y * b.x;
   const double longest = std::max({ glm::length(a), glm::length(b), glm::length(b - a) });
   const double most = std::max({ off[0].GetMost(), off[1].GetMost(), off[2].GetMost() });
-  // by rays of its own it may be seen from both sides
-  const double least = 2 * (sure + (this->V.Own ? most : 0));
-  const bool thin = !(std::abs(twice) > least * longest) ||
-    (!this->V.Own && (IsTurned(c) || GetSide(c[0]->Place, c[1]->Place, c[2]->Place) == 0));
+  const bool thin = !(std::abs(twice) > 2 * sure * longest) || IsTurned(c) ||
+    GetSide(c[0]->Place, c[1]->Place, c[2]->Place) == 0;
   const double ends = std::max({ off[0].Ends, off[1].Ends, off[2].Ends });
   unsigned int reach = 0;
   for (int i = 0; i < 3; i++)

@@ -91,15 +91,16 @@ struct Tangents
 
 // The weighted bend and stretch at one direction of the map's own frame; 0 where they are not asked
 // for.
-vec2 BendAt(const Projection& p, const WfvView& v, const vec3& d)
+vec3 BendAt(const Projection& p, const WfvView& v, const vec3& d)
 {
   const double sine = SineToSingularity(p.Axis, d);
   if (sine < Singular)
   {
-    return vec2(0);
+    return vec3(0);
   }
   const vec2 second = SecondAt(p, v, d);
-  return vec2(std::max(second.x, second.y), FirstAt(p, v, d)) * (sine * sine);
+  const vec2 first = FirstAt(p, v, d);
+  return vec3(std::max(second.x, second.y), first.x, first.y) * (sine * sine);
 }
 
 // The directions on the border of what is seen: of the window, and of a round map's rim.
@@ -126,9 +127,9 @@ std::vector<vec3> BorderDirections(const Projection& p, const WfvView& v)
   return directions;
 }
 
-vec2 Compute(const Projection& p, const WfvView& v)
+vec3 Compute(const Projection& p, const WfvView& v)
 {
-  vec2 bend(0);
+  vec3 bend(0);
   for (int i = 0; i <= Inner; i++)
   {
     for (int j = 0; j <= Inner; j++)
@@ -156,7 +157,7 @@ struct Kept
 {
   const Projection* Map;
   WfvView View;
-  vec2 Bend; // and stretch
+  vec3 Bend; // and stretch
 
   bool Is(const Projection& p, const WfvView& v) const
   {
@@ -185,7 +186,7 @@ vec2 SecondAt(const Projection& p, const WfvView& v, const vec3& d)
     Largest(second[0].x, second[2].x, second[1].x), Largest(second[0].y, second[2].y, second[1].y));
 }
 
-double FirstAt(const Projection& p, const WfvView& v, const vec3& d)
+vec2 FirstAt(const Projection& p, const WfvView& v, const vec3& d)
 {
   const double step = StepIn(v);
   const Tangents tangents(d);
@@ -194,14 +195,14 @@ double FirstAt(const Projection& p, const WfvView& v, const vec3& d)
   {
     if (Torn(p.Axis, d + t * step, d - t * step) || Torn(p.Axis, d + t * step, d))
     {
-      return 0;
+      return vec2(0);
     }
     const vec3 a = d * std::cos(step) + t * std::sin(step);
     const vec3 b = d * std::cos(step) - t * std::sin(step);
     const vec2 first = (p.Project(a, v) - p.Project(b, v)) / (2 * step);
     squares += first * first;
   }
-  return std::sqrt(std::max(squares.x, squares.y));
+  return glm::sqrt(squares);
 }
 
 double SineToSingularity(Family family, const vec3& d)
@@ -219,11 +220,11 @@ double SineToSingularity(Family family, const vec3& d)
 
 namespace
 {
-vec2 BendAndStretch(const Projection& p, const WfvView& v)
+vec3 BendAndStretch(const Projection& p, const WfvView& v)
 {
   if (p.Axis == Family::Sampled)
   {
-    return vec2(0); // nothing is drawn by chords there
+    return vec3(0); // nothing is drawn by chords there
   }
   constexpr std::size_t MaxKept = 16; // as many views as a program may draw in turn
   static std::mutex mutex;
@@ -249,8 +250,9 @@ double Bend(const Projection& p, const WfvView& v)
   return BendAndStretch(p, v).x;
 }
 
-double Stretch(const Projection& p, const WfvView& v)
+vec2 Stretch(const Projection& p, const WfvView& v)
 {
-  return BendAndStretch(p, v).y;
+  const vec3 both = BendAndStretch(p, v);
+  return vec2(both.y, both.z);
 }
 }

@@ -20,17 +20,18 @@ namespace wfv
 // asked for. The tilt does not matter.
 WFV_EXPORT double Bend(const Projection& projection, const WfvView& view);
 
-// As much for the first derivative, NDC per radian: FirstAt, times the same squared sine.
-WFV_EXPORT double Stretch(const Projection& projection, const WfvView& view);
+// As much for the first derivatives of x and of y, NDC per radian: FirstAt, times the same squared
+// sine.
+WFV_EXPORT vec2 Stretch(const Projection& projection, const WfvView& view);
 
 // The largest second derivatives of x and of y along great circles of unit speed at a
 // direction (unit length, in the map's own frame), NDC per squared radian; 0 where the map is
 // torn there.
 vec2 SecondAt(const Projection& projection, const WfvView& view, const vec3& direction);
 
-// How fast a place moves, on the axis where it is faster, as a direction turns: NDC per radian;
-// 0 where the map is torn there.
-double FirstAt(const Projection& projection, const WfvView& view, const vec3& direction);
+// How fast a place moves along x and y as a direction turns, at the most: NDC per radian; 0 where
+// the map is torn there.
+vec2 FirstAt(const Projection& projection, const WfvView& view, const vec3& direction);
 
 // Sine of the angle from a direction to the nearest singular point of a family; 1 where there
 // is none.

@@ -93,7 +93,8 @@ LocalBend::Cell NodeAt(const Projection& p, const WfvView& v, int face, int i, i
     return { { Unbounded, Unbounded, Unbounded } };
   }
   const vec2 second = BendSafety * SecondAt(p, v, d);
-  const double first = BendSafety * FirstAt(p, v, d);
+  const vec2 both = BendSafety * FirstAt(p, v, d);
+  const double first = std::max(both.x, both.y);
   const bool known = std::isfinite(second.x + second.y + first);
   return { { known ? float(second.x) : Unbounded, known ? float(second.y) : Unbounded,
     known ? float(first) : Unbounded } };

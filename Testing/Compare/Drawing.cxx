@@ -67,8 +67,13 @@ vtkPolyData* Drawing::GetMesh() const
 void Drawing::SetActor(vtkActor* actor)
 {
   this->Internal->Renderer->RemoveAllViewProps();
+  this->AddActor(actor, 0);
+}
+
+void Drawing::AddActor(vtkActor* actor, int index)
+{
   this->Internal->Renderer->AddActor(actor);
-  this->Internal->Data->SetPropIndex(actor, 0);
+  this->Internal->Data->SetPropIndex(actor, index);
 }
 
 vtkImageData* Drawing::GetData() const
@@ -122,6 +127,11 @@ int Drawing::GetNumberOfCulledClusters() const
 int Drawing::GetNumberOfPlainDraws() const
 {
   return this->Internal->Pass->GetNumberOfPlainDraws();
+}
+
+int Drawing::GetNumberOfFarProps() const
+{
+  return this->Internal->Pass->GetNumberOfFarProps();
 }
 
 void Drawing::SetLineWidth(double pixels)

@@ -53,6 +53,9 @@ public:
   // Draws this actor in place of the mesh from now on.
   void SetActor(vtkActor* actor);
 
+  // And this one with it; index: in the picture's "prop", from 0.
+  void AddActor(vtkActor* actor, int index);
+
   // Everything the data pass wrote of the last picture.
   vtkImageData* GetData() const;
 
@@ -82,6 +85,9 @@ public:
   // Of the last picture: runs of triangles that were left out, draws by the vertex stage alone.
   int GetNumberOfCulledClusters() const;
   int GetNumberOfPlainDraws() const;
+
+  // Of the last picture, props that both eyes see alike.
+  int GetNumberOfFarProps() const;
 
   // Of lines, pixels (1).
   void SetLineWidth(double pixels);

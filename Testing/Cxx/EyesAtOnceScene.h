@@ -19,6 +19,7 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRegularPolygonSource.h"
+#include "vtkSphereSource.h"
 #include "vtkTextActor.h"
 #include "vtkTriangleFilter.h"
 #include "vtkTubeFilter.h"
@@ -35,6 +36,7 @@ struct Seen
   std::vector<float> Depths;
   int Eye = 0;
   int Shared = 0;
+  int Far = 0;
   int Draws = 0;
   int PlainDraws = 0;
   vtkIdType LeftOut = 0; // triangles
@@ -99,6 +101,25 @@ struct Scene : WideFoVTestWindow
     return ring;
   }
 
+  // A ball ahead whose nearest point is so far from the eye.
+  vtkActor* AddBall(double nearest, double radius)
+  {
+    vtkNew<vtkSphereSource> ball;
+    ball->SetRadius(radius);
+    ball->SetThetaResolution(60);
+    ball->SetPhiResolution(60);
+    vtkActor* const actor = this->AddSorted(ball);
+    this->PlaceBall(actor, nearest, radius);
+    return actor;
+  }
+
+  void PlaceBall(vtkActor* ball, double nearest, double radius)
+  {
+    double eye[3];
+    this->Camera->GetPosition(eye);
+    ball->SetPosition(eye[0], eye[1], eye[2] - nearest - radius);
+  }
+
   // The room again, in 768 triangles that are sorted, some of them cut in pieces for each eye.
   void AddSortedRoom()
   {
@@ -149,6 +170,7 @@ struct Scene : WideFoVTestWindow
     seen.Eye = this->Camera->GetCurrentEye();
     vtkWideFoVPass* const pass = this->Pass();
     seen.Shared = pass->GetNumberOfSharedProps();
+    seen.Far = pass->GetNumberOfFarProps();
     seen.Draws = pass->GetNumberOfExactDraws() + pass->GetNumberOfPlainDraws() +
       pass->GetNumberOfPreClipDraws();
     seen.LeftOut = pass->GetNumberOfCulledTriangles();

@@ -143,6 +143,25 @@ TEST(EyesAtOnce, ShowPartsAndFades)
   ExpectSame(scene.Draw(), scene.DrawTwice(), 10);
 }
 
+// And with what both see alike, which is drawn as it is without stereo.
+TEST(EyesAtOnce, ShowWhatIsFarInEachTurn)
+{
+  for (const bool haste : { false, true })
+  {
+    SCOPED_TRACE(haste);
+    Scene scene("equirectangular", "omnidirectional");
+    scene.AddBall(1000, 300);
+    scene.AddRing();
+    scene.AddBall(1400, 400);
+    scene.Pass()->SetTechnique(vtkWideFoVPass::AUTO);
+    scene.Pass()->SetSortWhileMoving(!haste);
+    const std::vector<Seen> once = scene.Draw();
+    ExpectSame(once, scene.DrawTwice(), 1);
+    EXPECT_EQ(once.at(0).Far, 2);
+    EXPECT_EQ(once.at(1).Far, 2);
+  }
+}
+
 // Every way that shows both eyes draws them at once, the others do not.
 TEST(EyesAtOnce, FollowTheStereoType)
 {

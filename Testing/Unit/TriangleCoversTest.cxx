@@ -253,3 +253,36 @@ TEST(TriangleCovers, HoldEveryPlaceSeenFromACircle)
     }
   }
 }
+
+// Small, ahead and facing the eyes: whatever the distance, as it is without stereo. (Needles may be
+// seen edge-on.)
+TEST(TriangleCovers, IsEasyBesideTheCircle)
+{
+  ViewOptions o;
+  o.Stereo.Model = FindStereoModel("omnidirectional");
+  o.Stereo.InterpupillaryDistance = 2 * Radius;
+  o.Stereo.Eye = Eye::Left;
+  const View eye(*FindProjection("equirectangular"), o);
+  SortView view = MakeSortView(eye);
+  view.Own = eye.GetStereoModel();
+  const TriangleJudge judge(view);
+  Shapes shapes;
+  for (const double radii : { 1.2, 1.5, 2.0, 3.0, 10.0 })
+  {
+    int easy = 0;
+    for (int i = 0; i < 100; i++)
+    {
+      const vec3 at(shapes.Unit(shapes.Engine), 0.3 * shapes.Unit(shapes.Engine), -1);
+      TriangleJudge::Corner c[3];
+      for (TriangleJudge::Corner& corner : c)
+      {
+        const vec3 d = glm::normalize(at + 0.02 * shapes.Direction());
+        corner = judge.See(d * (radii * Radius / std::hypot(d.x, d.z)));
+      }
+      const TriangleJudge::Corner* const corners[3] = { &c[0], &c[1], &c[2] };
+      const TriangleJudge::Verdict verdict = judge.Judge(corners);
+      easy += verdict.Calm || verdict.Empty;
+    }
+    EXPECT_GE(easy, 97) << radii;
+  }
+}
