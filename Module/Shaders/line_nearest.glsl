@@ -104,6 +104,9 @@ void wfvRefine(vec2 p, int which, int most)
     // no slopes across a jump
     float c = s.lo == wfvArcCut ? max(a, wfvStepped(s.lo, h)) : a;
     c = s.hi == wfvBeforeCut ? min(c, wfvStepped(s.hi, -h)) : c;
+#if WFV_OWN_RAYS
+    c = wfvArcGap ? max(wfvStepped(s.lo, h), min(wfvStepped(s.hi, -h), c)) : c;
+#endif
     vec2 turn = wfvNewtonTurn(p, c, s.ref);
     s.a = clamp(wfvStepped(c, turn.x), s.lo, s.hi);
     steps = turn.y < WFV_LINE_STEP ? min(steps, i + 1) : steps;
