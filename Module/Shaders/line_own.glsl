@@ -11,12 +11,17 @@
 
 float wfvArcFoot;     // radians
 float wfvArcDistance; // above 0
-bool wfvArcGap;       // what is next to an end of wfvArcRange is seen by no ray
+vec2 wfvArcGap;       // the angles between which no ray sees the line, or WFV_NO_CUT twice
 
 // Beyond this cosine of its angle from the foot a line goes on no farther.
 const float WFV_OWN_END = 1e-9;
 
-// Where the knots begin and end.
+bool wfvHasGap()
+{
+  return wfvArcGap.x < WFV_NO_CUT;
+}
+
+// Where the knots begin and end, in the turns of wfvFromTop.
 vec2 wfvOwnKnots;
 
 vec3 wfvOwnAhead(float a)
@@ -25,7 +30,8 @@ vec3 wfvOwnAhead(float a)
 }
 
 // Of the line: its point at the top or, where that is very far, its foot; its direction; and what
-// makes the squared level way to the circle of the way s from there: x + s (y + s z).
+// makes the squared level way to the circle of the way s from there: x + s (y + s z). Beside a gap
+// that is z times the product of the ways from its ends, for the azimuth turns as the root of them.
 vec3 wfvOwnBegin;
 vec3 wfvOwnAlong;
 vec3 wfvOwnWay;
@@ -34,9 +40,20 @@ float wfvOwnScale; // one over the cosine of the angle between the two; 0: the f
 // The least such cosine of which float32 leaves enough.
 const float WFV_OWN_FAR = 0.01;
 
-// Part of the circle's radius that the level way is at the least: what is next to a gap keeps its
+// Part of the circle's radius that the level way is at the least: at the end of a gap there is an
 // azimuth.
 const float WFV_OWN_WAY = 1e-7;
+
+// Squared level way from the point at the angle a, which is so far from wfvOwnBegin.
+float wfvOwnWayOf(float a, float s, float far)
+{
+  if (wfvHasGap())
+  {
+    vec2 ways = wfvArcDistance * far * sin(vec2(a) - wfvArcGap) / max(cos(wfvArcGap - wfvArcFoot), WFV_OWN_END);
+    return wfvOwnWay.z * ways.x * ways.y;
+  }
+  return wfvOwnWay.x + s * (wfvOwnWay.y + s * wfvOwnWay.z);
+}
 
 // What the eye sees of the point at the angle a; lengths are in the stage's unit.
 WfvSight wfvOwnSight(float a)
@@ -48,13 +65,12 @@ WfvSight wfvOwnSight(float a)
     sight.distance /= wfvScale();
     return sight;
   }
-  // differences from the top: beside the axis of the circle the azimuth turns as the root of them
   float s = wfvArcDistance * far * (wfvOwnScale > 0.0 ? sin(a) * wfvOwnScale : sin(a - wfvArcFoot));
   vec3 up = wfvUpright(wfvView);
   vec3 p = wfvOwnBegin + s * wfvOwnAlong;
   float y = dot(p, up);
   float r = wfvView.stereo.x / wfvScale();
-  float way = sqrt(max(wfvOwnWay.x + s * (wfvOwnWay.y + s * wfvOwnWay.z), 0.0));
+  float way = sqrt(max(wfvOwnWayOf(a, s, far), 0.0));
   return wfvSeeAt(p - up * y, y, max(way, WFV_OWN_WAY * abs(r)), up, r);
 }
 
@@ -77,9 +93,7 @@ void wfvSetLine()
   vec3 along = wfvOwnAlong - up * dot(wfvOwnAlong, up);
   float r = abs(wfvView.stereo.x) / wfvScale();
   float l = length(level);
-  // at the end of what is seen there is no way
-  bool end = wfvArcGap && wfvOwnScale > 0.0 && (wfvArcRange.x == 0.0 || wfvArcRange.y == 0.0);
-  wfvOwnWay = vec3(end ? 0.0 : (l - r) * (l + r), 2.0 * dot(level, along), dot(along, along));
+  wfvOwnWay = vec3((l - r) * (l + r), 2.0 * dot(level, along), dot(along, along));
 }
 
 float wfvAsinh(float x)
@@ -96,14 +110,20 @@ float wfvFromTop(float turns)
 // Before wfvKnot is asked for.
 void wfvSetKnots()
 {
-  wfvOwnKnots = vec2(wfvAsinh(wfvArcRange.x / wfvArcDelta), wfvAsinh(wfvArcRange.y / wfvArcDelta));
+  vec2 from = wfvHasGap() ? wfvArcRange - wfvArcGap : wfvArcRange;
+  wfvOwnKnots = vec2(wfvAsinh(from.x / wfvArcDelta), wfvAsinh(from.y / wfvArcDelta));
 }
 
 // Angle of knot i, 0 to 4 WFV_KNOTS, from one end of the range to the other. They are dense where
-// the image may bend: near top or, where a map is flat at its rim, at the ends.
+// the image may bend: near top, or both ends of a gap, or, where a map is flat at its rim, the ends.
 float wfvKnot(int i)
 {
   float share = float(i) / float(4 * WFV_KNOTS);
+  if (wfvHasGap())
+  {
+    return share <= 0.5 ? wfvArcGap.x + wfvFromTop(wfvOwnKnots.x * (1.0 - 2.0 * share))
+                        : wfvArcGap.y + wfvFromTop(wfvOwnKnots.y * (2.0 * share - 1.0));
+  }
 #if WFV_FLAT_RIM
   return mix(wfvArcRange.x, wfvArcRange.y, 0.5 - 0.5 * cos(WFV_PI * share));
 #else

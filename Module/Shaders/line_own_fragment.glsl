@@ -9,11 +9,11 @@ float wfvLineSightFar;  // how far along, scene units
 #define WFV_FROM_EYE wfvLineSight
 #define WFV_DISTANCE wfvLineSightFar
 
-void wfvUnpackOwn()
+void wfvUnpackOwn(vec2 gap)
 {
   wfvArcFoot = wfvLineFoot.x;
   wfvArcDistance = abs(wfvLineFoot.y);
-  wfvArcGap = wfvLineFoot.y < 0.0;
+  wfvArcGap = wfvLineFoot.y < 0.0 ? gap : vec2(WFV_NO_CUT);
   wfvSetLine();
 }
 

@@ -49,6 +49,7 @@ void wfvTurnFrame(float to)
   wfvArcEnds.xy -= to;
   wfvArcRange -= to;
   wfvArcFoot -= to;
+  wfvArcGap -= wfvHasGap() ? to : 0.0;
   wfvSetLine();
 }
 
@@ -80,7 +81,7 @@ void wfvFrameOwn(vec3 p, vec3 q)
   wfvArcDelta = 1.0;
   wfvArcCut = WFV_NO_CUT;
   wfvArcJump = false;
-  wfvArcGap = false;
+  wfvArcGap = vec2(WFV_NO_CUT);
   wfvLevel = false;
   wfvTurnFrame(0.5 * (wfvArcEnds.x + wfvArcEnds.y));
 }
@@ -111,6 +112,28 @@ float wfvGapEnd(float seen, float unseen)
     unseen = is ? unseen : a;
   }
   return seen;
+}
+
+// The angles between which the line is nearer to the axis than the circle; at: where it is nearest.
+vec2 wfvFindGap(float at)
+{
+  if (WFV_FADES && wfvView.stereo.z > wfvView.stereo.y)
+  {
+    vec2 ends = wfvArcEnds.xy;
+    return vec2(wfvIsSeen(ends.x) ? wfvGapEnd(ends.x, at) : ends.x,
+      wfvIsSeen(ends.y) ? wfvGapEnd(ends.y, at) : ends.y);
+  }
+  vec3 up = wfvUpright(wfvView);
+  vec3 level = wfvOwnAlong - up * dot(wfvOwnAlong, up);
+  vec3 foot = wfvOwnPlace(wfvArcFoot);
+  foot -= up * dot(foot, up);
+  float l2 = max(dot(level, level), 1e-20);
+  float x = -dot(foot, level) / l2;
+  float aside = length(foot + x * level);
+  float r = wfvOwnRadius();
+  float half_ = sqrt(max((r - aside) * (r + aside), 0.0) / l2);
+  return wfvArcFoot +
+    vec2(wfvAtan2(x - half_, wfvArcDistance), wfvAtan2(x + half_, wfvArcDistance));
 }
 
 // How bent the image may be where the line is at the angle a: the sine of the angle to the axis of
@@ -157,11 +180,11 @@ float wfvOwnTop()
 // Turns the frame to there, for what wfvArcRange leaves of the line.
 void wfvFrameTop()
 {
-  wfvTurnFrame(wfvOwnTop());
-  float s = wfvOwnSine(0.0);
-  wfvArcDelta = clamp(s, WFV_LEAST_DELTA, 1.0);
+  // the ends of a gap, at which the image turns most, are its knots
+  wfvTurnFrame(wfvHasGap() ? 0.5 * (wfvArcGap.x + wfvArcGap.y) : wfvOwnTop());
+  wfvArcDelta = wfvHasGap() ? WFV_LEAST_DELTA : clamp(wfvOwnSine(0.0), WFV_LEAST_DELTA, 1.0);
   vec3 nearest = wfvOwnPlace(clamp(wfvArcFoot, wfvArcRange.x, wfvArcRange.y));
-  wfvOwnWindow = wfvArcGap || length(nearest) < WFV_OWN_CLOSE * wfvOwnRadius();
+  wfvOwnWindow = wfvHasGap() || length(nearest) < WFV_OWN_CLOSE * wfvOwnRadius();
 }
 
 // True where what lies between two angles comes near to where a map or the circle bends without bound.
@@ -175,7 +198,7 @@ bool wfvOwnSingular(float lo, float hi, float sine)
 float wfvSeamAngle()
 {
   bool inside = wfvArcRange.x < 0.0 && wfvArcRange.y > 0.0;
-  float cut = inside && wfvArcDelta <= WFV_LEAST_DELTA ? 0.0 : WFV_NO_CUT;
+  float cut = inside && !wfvHasGap() && wfvArcDelta <= WFV_LEAST_DELTA ? 0.0 : WFV_NO_CUT;
 #if WFV_MERIDIAN && !WFV_STRAIGHT_SEAM
   float a = wfvArcRange.x;
   float x = wfvArcAt(a).x;
@@ -186,7 +209,8 @@ float wfvSeamAngle()
     float y = wfvArcAt(b).x;
     float lo = a;
     float hi = b;
-    bool crosses = (x < 0.0) != (y < 0.0);
+    bool gap = wfvHasGap() && a < wfvArcGap.y && b > wfvArcGap.x;
+    bool crosses = (x < 0.0) != (y < 0.0) && !gap;
     for (int k = 0; k < (crosses ? WFV_OWN_CUTS : 0); k++)
     {
       float m = 0.5 * (lo + hi);
@@ -202,31 +226,22 @@ float wfvSeamAngle()
   return cut;
 }
 
-// Calls for what the axis of the circle leaves of a line: a part on either side of it, or all.
+// Emits what wfvArcRange leaves.
 void wfvEmitSeen(); // line_own_geometry.glsl
 
 void wfvEmitOwn(vec3 p, vec3 q)
 {
   wfvFrameOwn(p, q);
   float at = wfvAngleAtAxis();
-  float r = wfvOwnRadius();
-  wfvOwnAxial = wfvFromAxis(wfvOwnPlace(at)) < WFV_OWN_AXIS * r;
-  wfvArcGap = !wfvIsSeen(at);
-  if (!wfvArcGap)
+  wfvOwnAxial = wfvFromAxis(wfvOwnPlace(at)) < WFV_OWN_AXIS * wfvOwnRadius();
+  if (!wfvIsSeen(at))
   {
-    wfvEmitSeen();
-    return;
-  }
-  for (int i = 0; i < 2; i++)
-  {
-    wfvFrameOwn(p, q);
-    wfvArcGap = true;
-    float end = i == 0 ? wfvArcEnds.x : wfvArcEnds.y;
-    if (wfvIsSeen(end))
+    wfvArcGap = wfvFindGap(at);
+    if (wfvArcGap.x <= wfvArcEnds.x && wfvArcGap.y >= wfvArcEnds.y)
     {
-      float gap = wfvGapEnd(end, at);
-      wfvArcRange = i == 0 ? vec2(end, gap) : vec2(gap, end);
-      wfvEmitSeen();
+      return;
     }
+    wfvOwnAxial = false;
   }
+  wfvEmitSeen();
 }

@@ -55,11 +55,14 @@ void wfvEmitAngles(float lo, float hi, float ref)
 // The whole window, in which each pixel looks at all of the range.
 void wfvEmitAnywhere()
 {
-  wfvMapOut = vec4(wfvArcCut, wfvArcDelta, -WFV_NO_CUT, WFV_NO_CUT);
+  wfvMapOut =
+    vec4(wfvArcCut, wfvArcDelta, wfvHasGap() ? wfvArcGap : vec2(-WFV_NO_CUT, WFV_NO_CUT));
   wfvEmitWindow();
 }
 
 #if WFV_FACES
+const int WFV_FACE_COUNT = 6;
+
 // On one face, of which wfvArcRange is shown.
 void wfvEmitOnFace()
 {
