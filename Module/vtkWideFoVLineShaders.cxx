@@ -24,7 +24,7 @@ constexpr int OwnComponents = 4 + 1 + 15;
 constexpr int RangeComponents = 2;
 
 // And of an eye whose rays begin in several places (line_own.glsl).
-constexpr int FootComponents = 2;
+constexpr int FootComponents = 4;
 
 // Rectangles that the stage may emit: more than these it never needs; with fewer than
 // these a window is too small a price.

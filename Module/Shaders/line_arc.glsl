@@ -23,11 +23,7 @@ bool wfvArcJump;   // it jumps because the arc runs through a pole: azimuths sta
 const float WFV_NO_CUT = 1e9;
 
 // Knots a quarter of a great circle, four quarters.
-#if WFV_OWN_RAYS
-const int WFV_KNOTS = 8; // of the line, from end to end
-#else
 const int WFV_KNOTS = 14;
-#endif
 
 // The scale of the bends counts at least so much: the sine of WFV_AT_POLE.
 const float WFV_LEAST_DELTA = 1e-6;

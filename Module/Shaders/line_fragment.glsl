@@ -170,7 +170,7 @@ void wfvUnpack(vec2 p)
   if (wfvLineKind == 5)
   {
 #if WFV_OWN_RAYS
-    wfvUnpackOwn(wfvLineMap.zw);
+    wfvUnpackOwn(wfvLineMap, false);
     wfvArcFace = wfvShownFace(p);
     wfvKeepShown();
 #else
@@ -185,7 +185,7 @@ void wfvUnpack(vec2 p)
   wfvArcDelta = parts ? abs(wfvLineMap.y) : 1.0;
   wfvArcJump = parts && wfvLineMap.y < 0.0;
 #if WFV_OWN_RAYS
-  wfvUnpackOwn(wfvLineMap.zw);
+  wfvUnpackOwn(wfvLineMap, parts);
   wfvSetKnots();
 #endif
 }

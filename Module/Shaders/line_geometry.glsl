@@ -16,7 +16,7 @@ flat out int wfvLineMode;  // 0 chord, 1 gently bent, 2 anything, 3 two dots; on
 flat out vec2 wfvLineRange; // the angles that the map, or this face, shows
 #endif
 #if WFV_OWN_RAYS
-flat out vec2 wfvLineFoot;  // foot and distance of line_own.glsl; below 0: wfvLineMap.zw is a gap
+flat out vec4 wfvLineFoot;  // foot, distance and gap of line_own.glsl
 #endif
 
 // Pixels added round a shape: where parts share a line, half a pixel's diagonal and the
@@ -78,7 +78,7 @@ void wfvEmitPixels(vec2 corner, vec2 right, vec2 up)
       wfvLineRange = wfvArcRange;
 #endif
 #if WFV_OWN_RAYS
-      wfvLineFoot = vec2(wfvArcFoot, wfvHasGap() ? -wfvArcDistance : wfvArcDistance);
+      wfvLineFoot = vec4(wfvArcFoot, wfvArcDistance, wfvArcGap);
 #endif
       wfvWriteCorners();
       gl_PrimitiveID = gl_PrimitiveIDIn;

@@ -47,6 +47,7 @@ float wfvStepped(float a, float turn)
   float base = abs(a) > 0.5 * WFV_PI ? (a < 0.0 ? -WFV_PI : WFV_PI) : 0.0;
 #if WFV_OWN_RAYS
   base = wfvHasGap() ? (a <= 0.0 ? wfvArcGap.x : wfvArcGap.y) : base;
+  base = wfvTwoTops ? (a <= 0.0 ? wfvArcTops.x : wfvArcTops.y) : base;
 #endif
   float b = a - base;
   return base + b * cosh(turn) + sqrt(b * b + wfvArcDelta * wfvArcDelta) * sinh(turn);
@@ -290,7 +291,7 @@ float wfvFindNearest(vec2 p)
   float d = wfvDistance(p, WFV_LINE_STEPS);
   bool whole = wfvLineKind == 1 || wfvLineKind > 3;
 #if WFV_OWN_RAYS
-  whole = whole || wfvHasGap();
+  whole = whole || wfvHasGap() || wfvTwoTops;
 #endif
   bool own = whole || (wfvBestAngle >= wfvLineMap.z && wfvBestAngle < wfvLineMap.w);
   return own ? d : 1e9;

@@ -16,13 +16,17 @@ vec2 wfvArcGap;       // the angles between which no ray sees the line, or WFV_N
 // Beyond this cosine of its angle from the foot a line goes on no farther.
 const float WFV_OWN_END = 1e-9;
 
+// Two angles, on either side of 0, near which the image bends most, where top alone is not enough.
+vec2 wfvArcTops;
+bool wfvTwoTops;
+
 bool wfvHasGap()
 {
   return wfvArcGap.x < WFV_NO_CUT;
 }
 
-// Where the knots begin and end, in the turns of wfvFromTop.
-vec2 wfvOwnKnots;
+// Where the knots begin and end, in the turns of wfvFromTop; of two tops those of the second too.
+vec4 wfvOwnKnots;
 
 vec3 wfvOwnAhead(float a)
 {
@@ -110,8 +114,13 @@ float wfvFromTop(float turns)
 // Before wfvKnot is asked for.
 void wfvSetKnots()
 {
-  vec2 from = wfvHasGap() ? wfvArcRange - wfvArcGap : wfvArcRange;
-  wfvOwnKnots = vec2(wfvAsinh(from.x / wfvArcDelta), wfvAsinh(from.y / wfvArcDelta));
+  vec4 ends = vec4(wfvArcRange, 0.0, 0.0);
+  ends = wfvHasGap() ? vec4(wfvArcRange - wfvArcGap, 0.0, 0.0) : ends;
+  ends = wfvTwoTops ? vec4(wfvArcRange - wfvArcTops, -wfvArcTops) : ends;
+  for (int i = 0; i < 4; i++)
+  {
+    wfvOwnKnots[i] = wfvAsinh(ends[i] / wfvArcDelta);
+  }
 }
 
 // Angle of knot i, 0 to 4 WFV_KNOTS, from one end of the range to the other. They are dense where
@@ -119,6 +128,12 @@ void wfvSetKnots()
 float wfvKnot(int i)
 {
   float share = float(i) / float(4 * WFV_KNOTS);
+  if (wfvTwoTops)
+  {
+    return share <= 0.5
+      ? wfvArcTops.x + wfvFromTop(mix(wfvOwnKnots.x, wfvOwnKnots.z, 2.0 * share))
+      : wfvArcTops.y + wfvFromTop(mix(wfvOwnKnots.w, wfvOwnKnots.y, 2.0 * share - 1.0));
+  }
   if (wfvHasGap())
   {
     return share <= 0.5 ? wfvArcGap.x + wfvFromTop(wfvOwnKnots.x * (1.0 - 2.0 * share))

@@ -2,18 +2,21 @@
 // Fragment side of lines of an eye whose rays begin on a circle: what line_fragment.glsl asks of
 // them. Depth is the distance along the ray that sees the nearest point.
 
-flat in vec2 wfvLineFoot;
+flat in vec4 wfvLineFoot;
 
 vec3 wfvLineSight;      // unit vector from the eye, view coordinates
 float wfvLineSightFar;  // how far along, scene units
 #define WFV_FROM_EYE wfvLineSight
 #define WFV_DISTANCE wfvLineSightFar
 
-void wfvUnpackOwn(vec2 gap)
+void wfvUnpackOwn(vec4 map, bool parts)
 {
   wfvArcFoot = wfvLineFoot.x;
-  wfvArcDistance = abs(wfvLineFoot.y);
-  wfvArcGap = wfvLineFoot.y < 0.0 ? gap : vec2(WFV_NO_CUT);
+  wfvArcDistance = wfvLineFoot.y;
+  wfvArcGap = wfvLineFoot.zw;
+  wfvTwoTops = parts && map.y < 0.0;
+  wfvArcTops = map.zw;
+  wfvArcJump = false;
   wfvSetLine();
 }
 

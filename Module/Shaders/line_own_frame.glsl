@@ -17,6 +17,13 @@ const int WFV_OWN_STEPS = 30;
 // Steps of a search by halves for float32.
 const int WFV_OWN_CUTS = 26;
 
+// Radians: the scale of the bends at the ends of a gap, where the image runs as the root of the angle.
+const float WFV_GAP_DELTA = 1e-5;
+
+// Sine under which both axes count, and radians by which they have to be apart on the line.
+const float WFV_OWN_BOTH = 0.7;
+const float WFV_OWN_APART = 0.02;
+
 // What keeps the top in the middle of a line where nothing else draws it.
 const float WFV_OWN_NONE = 1e-3;
 
@@ -27,6 +34,7 @@ const float WFV_OWN_BETWEEN = 0.25;
 
 bool wfvLevel;     // see line_frame.glsl: false, for angles are looked at all along
 bool wfvOwnAxial;  // the axis of the circle is near
+bool wfvOwnMapped; // the axis of the map counts
 bool wfvOwnWindow; // nothing less than the window surely holds it
 
 float wfvOwnRadius()
@@ -49,7 +57,7 @@ void wfvTurnFrame(float to)
   wfvArcEnds.xy -= to;
   wfvArcRange -= to;
   wfvArcFoot -= to;
-  wfvArcGap -= wfvHasGap() ? to : 0.0;
+  wfvArcGap -= wfvHasGap() ? vec2(to) : vec2(0.0);
   wfvSetLine();
 }
 
@@ -82,6 +90,8 @@ void wfvFrameOwn(vec3 p, vec3 q)
   wfvArcCut = WFV_NO_CUT;
   wfvArcJump = false;
   wfvArcGap = vec2(WFV_NO_CUT);
+  wfvTwoTops = false;
+  wfvOwnMapped = true;
   wfvLevel = false;
   wfvTurnFrame(0.5 * (wfvArcEnds.x + wfvArcEnds.y));
 }
@@ -148,6 +158,7 @@ float wfvOwnSine(float a)
 #else
   float s = 1.0 + WFV_OWN_NONE * abs(a);
 #endif
+  s = wfvOwnMapped ? s : 1.0 + WFV_OWN_NONE * abs(a);
   return wfvOwnAxial ? min(s, length(cross(d, wfvUpright(wfvView)))) : s;
 }
 
@@ -177,14 +188,58 @@ float wfvOwnTop()
   return wfvOwnSine(wfvArcRange.y) < wfvOwnSine(top) ? wfvArcRange.y : top;
 }
 
+// Where a gap leaves one part of the line: its end is one place, what is beside the axis of the map
+// the other.
+void wfvFindTopBesideGap()
+{
+  bool first = wfvArcGap.y >= wfvArcRange.y;
+  if (!first && wfvArcGap.x > wfvArcRange.x)
+  {
+    return;
+  }
+  wfvArcRange = first ? vec2(wfvArcRange.x, wfvArcGap.x) : vec2(wfvArcGap.y, wfvArcRange.y);
+  float end = first ? wfvArcRange.y : wfvArcRange.x;
+  float top = wfvOwnTop();
+  wfvArcTops = vec2(min(top, end), max(top, end));
+  wfvTwoTops = wfvOwnSine(top) < WFV_OWN_BOTH && abs(top - end) > WFV_OWN_APART;
+}
+
+// Looks for two places, beside either axis; sets wfvArcTops and, where both count, wfvTwoTops.
+void wfvFindTwoTops()
+{
+  wfvOwnMapped = false;
+  float first = wfvOwnTop();
+  float s = wfvOwnSine(first);
+  wfvOwnMapped = true;
+  wfvOwnAxial = false;
+  float second = wfvOwnTop();
+  s = max(s, wfvOwnSine(second));
+  wfvOwnAxial = true;
+  wfvArcTops = vec2(min(first, second), max(first, second));
+  wfvTwoTops = s < WFV_OWN_BOTH && wfvArcTops.y - wfvArcTops.x > WFV_OWN_APART;
+}
+
 // Turns the frame to there, for what wfvArcRange leaves of the line.
 void wfvFrameTop()
 {
   // the ends of a gap, at which the image turns most, are its knots
-  wfvTurnFrame(wfvHasGap() ? 0.5 * (wfvArcGap.x + wfvArcGap.y) : wfvOwnTop());
-  wfvArcDelta = wfvHasGap() ? WFV_LEAST_DELTA : clamp(wfvOwnSine(0.0), WFV_LEAST_DELTA, 1.0);
+  if (wfvHasGap())
+  {
+    wfvFindTopBesideGap();
+  }
+  else if (wfvOwnAxial)
+  {
+    wfvFindTwoTops();
+  }
+  float top = wfvOwnTop();
+  float sine = wfvOwnSine(top);
+  top = wfvTwoTops ? 0.5 * (wfvArcTops.x + wfvArcTops.y) : top;
+  top = wfvHasGap() && !wfvTwoTops ? 0.5 * (wfvArcGap.x + wfvArcGap.y) : top;
+  wfvTurnFrame(top);
+  wfvArcTops -= top;
+  wfvArcDelta = wfvHasGap() ? WFV_GAP_DELTA : clamp(sine, WFV_LEAST_DELTA, 1.0);
   vec3 nearest = wfvOwnPlace(clamp(wfvArcFoot, wfvArcRange.x, wfvArcRange.y));
-  wfvOwnWindow = wfvHasGap() || length(nearest) < WFV_OWN_CLOSE * wfvOwnRadius();
+  wfvOwnWindow = wfvHasGap() || wfvTwoTops || length(nearest) < WFV_OWN_CLOSE * wfvOwnRadius();
 }
 
 // True where what lies between two angles comes near to where a map or the circle bends without bound.

@@ -55,8 +55,8 @@ void wfvEmitAngles(float lo, float hi, float ref)
 // The whole window, in which each pixel looks at all of the range.
 void wfvEmitAnywhere()
 {
-  wfvMapOut =
-    vec4(wfvArcCut, wfvArcDelta, wfvHasGap() ? wfvArcGap : vec2(-WFV_NO_CUT, WFV_NO_CUT));
+  vec2 own = wfvTwoTops ? wfvArcTops : vec2(-WFV_NO_CUT, WFV_NO_CUT);
+  wfvMapOut = vec4(wfvArcCut, wfvTwoTops ? -wfvArcDelta : wfvArcDelta, own);
   wfvEmitWindow();
 }
 
@@ -121,7 +121,7 @@ void wfvEmitHard()
   wfvEmitParts(a0, a1, wfvArcRef(a0, a1));
 }
 
-void wfvEmitSeen()
+void wfvEmitPiece()
 {
 #if WFV_FLAT_RIM
   wfvKeepShown();
@@ -141,5 +141,24 @@ void wfvEmitSeen()
     return;
   }
   wfvEmitStretch(s);
+}
+
+void wfvEmitSeen()
+{
+#if WFV_FLAT_RIM
+  if (wfvHasGap())
+  {
+    // what the rim leaves is in one piece on either side of the gap alone
+    vec4 ends = vec4(wfvArcRange.x, wfvArcGap, wfvArcRange.y);
+    float turned = wfvArcFoot;
+    for (int i = 0; i < 4; i += 2)
+    {
+      wfvArcRange = vec2(ends[i], ends[i + 1]) + (wfvArcFoot - turned);
+      wfvEmitPiece();
+    }
+    return;
+  }
+#endif
+  wfvEmitPiece();
 }
 #endif

@@ -100,6 +100,9 @@ void Arc::Place(const vec3& point, const vec3& direction, Sample& s) const
   s.Counts = !behind && (!this->Face || this->Face->Has(direction));
   const vec3 forward = view.Forward(point).Ndc;
   const vec2 ndc = this->Face ? this->Face->Ndc(direction) : vec2(forward.x, forward.y);
+  // what a direction map does not show has no place
+  s.Counts =
+    s.Counts && (!view.GetParameters().map || std::max(std::abs(ndc.x), std::abs(ndc.y)) <= 1);
   s.Pixel =
     vec2(0.5 * (1 + ndc.x) * this->TheWindow.Width, 0.5 * (1 - ndc.y) * this->TheWindow.Height);
 }
