@@ -197,7 +197,8 @@ void wfvFindTopBesideGap()
   {
     return;
   }
-  wfvArcRange = first ? vec2(wfvArcRange.x, wfvArcGap.x) : vec2(wfvArcGap.y, wfvArcRange.y);
+  wfvArcRange = first ? vec2(wfvArcRange.x, min(wfvArcGap.x, wfvArcRange.y))
+                      : vec2(max(wfvArcGap.y, wfvArcRange.x), wfvArcRange.y);
   float end = first ? wfvArcRange.y : wfvArcRange.x;
   float top = wfvOwnTop();
   wfvArcTops = vec2(min(top, end), max(top, end));
