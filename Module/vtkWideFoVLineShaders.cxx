@@ -20,8 +20,11 @@ constexpr int MaxComponents = 1024;
 // line_geometry.glsl writes (3 + 3 + 4 + 4 + 1).
 constexpr int OwnComponents = 4 + 1 + 15;
 
-// And where the map does not show the whole of an arc.
+// And where the map does not show the whole of an arc, or no eye sees all of it.
 constexpr int RangeComponents = 2;
+
+// And of an eye whose rays begin in several places (line_own.glsl).
+constexpr int FootComponents = 4;
 
 // Rectangles that the stage may emit: more than these it never needs; with fewer than
 // these a window is too small a price.
@@ -34,8 +37,9 @@ const char* const StockNormal =
 
 int LineVertices(const Request& r, const std::vector<Varying>& varyings)
 {
-  const bool cut = r.Projection->Axis == Family::Faces || r.Projection->FlatRim;
-  const int own = OwnComponents + (cut ? RangeComponents : 0);
+  const bool rays = OwnRays(r);
+  const bool cut = r.Projection->Axis == Family::Faces || r.Projection->FlatRim || rays;
+  const int own = OwnComponents + (cut ? RangeComponents : 0) + (rays ? FootComponents : 0);
   const int quads = MaxComponents / (4 * (own + CornerComponents(varyings, 2)));
   return 4 * std::min(std::max(quads, FewestQuads), MostQuads);
 }
@@ -65,16 +69,24 @@ bool Draws(const Request& r)
 
 std::string GeometrySource(const Request& r, const std::vector<Varying>& varyings)
 {
-  return Define("WFV_LINE_VERTICES", LineVertices(r, varyings)) + line_arc_glsl + line_frame_glsl +
-    CornerOutputs(varyings, 2) + line_geometry_glsl +
+  const std::string head = Define("WFV_LINE_VERTICES", LineVertices(r, varyings)) + line_arc_glsl;
+  const std::string corners = CornerOutputs(varyings, 2);
+  if (OwnRays(r))
+  {
+    return head + line_own_glsl + line_own_frame_glsl + corners + line_geometry_glsl +
+      line_own_geometry_glsl;
+  }
+  return head + line_frame_glsl + corners + line_geometry_glsl +
     (r.Projection->Axis == Family::Faces ? line_on_faces_glsl : "");
 }
 
-std::string FragmentSource(const std::vector<Varying>& varyings, std::string& fragment)
+std::string FragmentSource(
+  const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
 {
   RewriteNormal(varyings, fragment);
-  return std::string(line_arc_glsl) + line_fragment_glsl + line_nearest_glsl +
-    CornerInputs(varyings, { "(1.0 - wfvAlong)", "wfvAlong" });
+  return std::string(line_arc_glsl) +
+    (OwnRays(r) ? std::string(line_own_glsl) + line_own_fragment_glsl : "") + line_fragment_glsl +
+    line_nearest_glsl + CornerInputs(varyings, { "(1.0 - wfvAlong)", "wfvAlong" });
 }
 }
 }

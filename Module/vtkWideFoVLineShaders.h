@@ -19,7 +19,8 @@ std::string GeometrySource(
 
 // Declarations of the fragment stage, behind the mathematics of the view. The stock text
 // is changed where it finds a line's normal from derivatives across the picture.
-std::string FragmentSource(const std::vector<shader::Varying>& varyings, std::string& fragment);
+std::string FragmentSource(
+  const shader::Request& r, const std::vector<shader::Varying>& varyings, std::string& fragment);
 }
 }
 

@@ -61,7 +61,8 @@ bool CoversTriangles(const Request& r)
 // True where an eye whose rays begin in several places is served by moving the vertices.
 bool MovesVertices(const Request& r)
 {
-  return r.Stereo && r.Stereo->OwnRays && !CoversTriangles(r) && !wfv::quadric::Draws(r.Kind);
+  return r.Stereo && r.Stereo->OwnRays && !CoversTriangles(r) && !wfv::quadric::Draws(r.Kind) &&
+    !wfv::line::Draws(r);
 }
 
 // What follows from the ray and the distance, where triangles are covered whatever their edges.
@@ -163,7 +164,7 @@ std::string CoverFragment(
 {
   if (wfv::line::Draws(r))
   {
-    return wfv::line::FragmentSource(varyings, fragment);
+    return wfv::line::FragmentSource(r, varyings, fragment);
   }
   if (wfv::point::Draws(r))
   {

@@ -2,6 +2,7 @@
 #include "vtkWideFoVShaderText.h"
 
 #include "WideFoVGlsl.h"
+#include "vtkWideFoVLineShaders.h"
 #include "vtkWideFoVQuadricShaders.h"
 
 #include <regex>
@@ -88,7 +89,7 @@ bool AllCovered(const Request& r)
 
 bool OwnRays(const Request& r)
 {
-  return r.Stereo && r.Stereo->OwnRays && AllCovered(r);
+  return r.Stereo && r.Stereo->OwnRays && (AllCovered(r) || line::Draws(r));
 }
 
 bool OwnBodies(const Request& r)

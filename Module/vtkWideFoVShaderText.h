@@ -68,8 +68,7 @@ std::string CornerInputs(const std::vector<Varying>& varyings,
 // Components of all copies.
 int CornerComponents(const std::vector<Varying>& varyings, int corners);
 
-// The mathematics of the view, for any stage.
-// True for triangles of an eye whose rays begin in several places.
+// True for triangles and exact lines of an eye whose rays begin in several places.
 bool OwnRays(const Request& r);
 
 // True for balls, sticks, tubes and splats of an eye whose rays begin in several places.
@@ -78,6 +77,7 @@ bool OwnBodies(const Request& r);
 // True for triangles of an eye whose rays are no straight lines.
 bool Warped(const Request& r);
 
+// The mathematics of the view, for any stage.
 std::string ViewSource(const Request& request);
 
 // The wide camera's view and clip coordinates are the same; both stock statements are

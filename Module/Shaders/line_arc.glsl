@@ -28,10 +28,14 @@ const int WFV_KNOTS = 14;
 // The scale of the bends counts at least so much: the sine of WFV_AT_POLE.
 const float WFV_LEAST_DELTA = 1e-6;
 
+#if WFV_OWN_RAYS
+vec3 wfvArcAt(float a); // line_own.glsl
+#else
 vec3 wfvArcAt(float a)
 {
   return cos(a) * wfvArcTop + sin(a) * wfvArcSide;
 }
+#endif
 
 // The angle so many turns away that is nearest to `ref`.
 float wfvNearestTurn(float angle, float ref)
@@ -107,6 +111,7 @@ vec2 wfvAcrossSeam(vec2 d)
   return d;
 }
 
+#if !WFV_OWN_RAYS
 // Angle of knot i, 0 to 4 WFV_KNOTS, from half a turn before top to half a turn behind it.
 // They are dense where the image may bend: near top, and opposite to it; or, where a map is
 // flat at its rim, which arcs meet a quarter of a turn from top, there.
@@ -126,6 +131,7 @@ float wfvKnot(int i)
   bool far = i < WFV_KNOTS || i > 3 * WFV_KNOTS;
   return turned * (far ? WFV_PI - g : g);
 }
+#endif
 
 // Angle a pixel takes up in the middle of the map, radians.
 float wfvPixelAngle()
@@ -148,6 +154,16 @@ const float WFV_FACE_PAD = 2.0;
 // Radians: the map of a face is carried on no farther.
 const float WFV_FACE_BEYOND = 0.6;
 
+#if WFV_OWN_RAYS
+// Tangent of the angle from the middle of a face as far as which its map is carried on.
+float wfvFaceTangent()
+{
+  vec2 pixel = 0.5 * WFV_PI * vec2(3.0, 2.0) / (wfvViewport.zw * wfvTile.xy);
+  float more = (0.5 * wfvLineWidth + WFV_FACE_PAD) * max(pixel.x, pixel.y);
+  float angle = 0.25 * WFV_PI + min(more, WFV_FACE_BEYOND);
+  return sin(angle) / cos(angle);
+}
+#else
 // Leaves, of the arc, what a face shows with its map carried on beyond its borders by as much
 // as the strip is wide: it is continued there as it is on the face.
 void wfvKeepFace(int face)
@@ -165,4 +181,5 @@ void wfvKeepFace(int face)
   wfvKeepHalf(t * top.z - top.y, t * side.z - side.y);
   wfvKeepHalf(t * top.z + top.y, t * side.z + side.y);
 }
+#endif
 #endif

@@ -20,7 +20,7 @@ flat in vec3 wfvLineSide;
 flat in vec4 wfvLineEnds;
 flat in vec4 wfvLineMap;
 flat in int wfvLineMode;
-#if WFV_FACES || WFV_FLAT_RIM
+#if WFV_FACES || WFV_FLAT_RIM || WFV_OWN_RAYS
 flat in vec2 wfvLineRange;
 #endif
 
@@ -70,7 +70,11 @@ float wfvChordDistance(vec2 p)
 #else
   vec3 d = wfvUnproject(ndc, wfvView).direction;
 #endif
+#if WFV_OWN_RAYS
+  float a = wfvAngleOf(d);
+#else
   float a = wfvAtan2(dot(d, wfvArcSide), dot(d, wfvArcTop));
+#endif
   a = wfvNearestTurn(a, 0.5 * (wfvArcRange.x + wfvArcRange.y));
   wfvBestAngle = clamp(a, wfvArcRange.x, wfvArcRange.y);
   wfvBestOffset = r - t * chord;
@@ -155,7 +159,7 @@ void wfvUnpack(vec2 p)
   wfvArcTop = wfvLineTop;
   wfvArcSide = wfvLineSide;
   wfvArcEnds = wfvLineEnds;
-#if WFV_FACES || WFV_FLAT_RIM
+#if WFV_FACES || WFV_FLAT_RIM || WFV_OWN_RAYS
   wfvArcRange = wfvLineRange;
 #else
   wfvArcRange = wfvLineEnds.xy;
@@ -165,7 +169,13 @@ void wfvUnpack(vec2 p)
   wfvLineKind = wfvLineMode - WFV_FACE_UNIT * wfvArcFace;
   if (wfvLineKind == 5)
   {
+#if WFV_OWN_RAYS
+    wfvUnpackOwn(wfvLineMap, false);
+    wfvArcFace = wfvShownFace(p);
+    wfvKeepShown();
+#else
     wfvKeepFace(wfvShownFace(p));
+#endif
   }
 #else
   wfvLineKind = wfvLineMode;
@@ -174,6 +184,10 @@ void wfvUnpack(vec2 p)
   wfvArcCut = parts ? wfvLineMap.x : WFV_NO_CUT;
   wfvArcDelta = parts ? abs(wfvLineMap.y) : 1.0;
   wfvArcJump = parts && wfvLineMap.y < 0.0;
+#if WFV_OWN_RAYS
+  wfvUnpackOwn(wfvLineMap, parts);
+  wfvSetKnots();
+#endif
 }
 
 void wfvPrepare()
@@ -186,9 +200,14 @@ void wfvPrepare()
   bool inside = wfvUnproject(wfvNdcOfPixel(gl_FragCoord.xy), wfvView).inside;
   float d = wfvFindNearest(p);
   wfvAlong = wfvLineParameter(wfvBestAngle);
+#if WFV_OWN_RAYS
+  wfvSeeLine(wfvAlong);
+  float rho = wfvLineSightFar;
+#else
   vec3 at = mix(wfvLineEnds.z * wfvArcAt(wfvLineEnds.x), wfvLineEnds.w * wfvArcAt(wfvLineEnds.y),
     wfvAlong);
   float rho = length(at) * wfvScale();
+#endif
   wfvDepth = wfvDepthOf(rho, wfvView);
   wfvInterpolate();
   // a pixel that the other part of a line draws has no sample inside
@@ -199,6 +218,9 @@ void wfvPrepare()
 // Normal of a line for its light: across it, and towards the eye.
 vec3 wfvLineNormal(vec3 direction, vec3 position)
 {
+#if WFV_OWN_RAYS
+  position = wfvLineSight;
+#endif
   vec3 n = cross(cross(direction, -position), direction);
   float l = length(n);
   return l > 0.0 ? n / l : normalize(-position);

@@ -12,8 +12,11 @@ flat out vec3 wfvLineSide;
 flat out vec4 wfvLineEnds; // its ends, as in line_arc.glsl
 flat out vec4 wfvLineMap;  // modes 0, 1: the chord, pixels; 2, 3: cut, bend, own range
 flat out int wfvLineMode;  // 0 chord, 1 gently bent, 2 anything, 3 two dots; on a face: 4, 5
-#if WFV_FACES || WFV_FLAT_RIM
+#if WFV_FACES || WFV_FLAT_RIM || WFV_OWN_RAYS
 flat out vec2 wfvLineRange; // the angles that the map, or this face, shows
+#endif
+#if WFV_OWN_RAYS
+flat out vec4 wfvLineFoot;  // foot, distance and gap of line_own.glsl
 #endif
 
 // Pixels added round a shape: where parts share a line, half a pixel's diagonal and the
@@ -71,8 +74,11 @@ void wfvEmitPixels(vec2 corner, vec2 right, vec2 up)
 #if WFV_FACES
       wfvLineMode += WFV_FACE_UNIT * wfvArcFace;
 #endif
-#if WFV_FACES || WFV_FLAT_RIM
+#if WFV_FACES || WFV_FLAT_RIM || WFV_OWN_RAYS
       wfvLineRange = wfvArcRange;
+#endif
+#if WFV_OWN_RAYS
+      wfvLineFoot = vec4(wfvArcFoot, wfvArcDistance, wfvArcGap);
 #endif
       wfvWriteCorners();
       gl_PrimitiveID = gl_PrimitiveIDIn;
@@ -165,6 +171,16 @@ float wfvLineSingularSine()
   return max(wfvSingularSine(), sin(min(1.0, (wfvLineWidth + 4.0) * wfvPixelAngle())));
 }
 
+void wfvEmitWindow()
+{
+  wfvEmitPixels(-0.5 * wfvViewport.zw, vec2(wfvViewport.z, 0.0), vec2(0.0, wfvViewport.w));
+}
+
+#if WFV_OWN_RAYS
+// line_own_geometry.glsl
+bool wfvChordHolds(WfvStretch s, float lo, float hi);
+void wfvEmitAngles(float lo, float hi, float ref);
+#else
 bool wfvLineSingular(vec3 a, vec3 b)
 {
 #if WFV_FACES
@@ -204,17 +220,13 @@ void wfvEmitAngles(float lo, float hi, float ref)
   wfvEmitRound(low, vec2(size.x, 0.0), vec2(0.0, size.y));
 }
 
-void wfvEmitWindow()
-{
-  wfvEmitPixels(-0.5 * wfvViewport.zw, vec2(wfvViewport.z, 0.0), vec2(0.0, wfvViewport.w));
-}
-
 // True where the chord of a stretch, grown, surely holds its image.
 bool wfvChordHolds(WfvStretch s, float lo, float hi)
 {
   return cos(hi - lo) > WFV_LINE_LONG && !wfvLineSingular(wfvArcAt(lo), wfvArcAt(hi)) &&
     WFV_LINE_REACH * s.bend <= 0.25 * min(wfvViewport.z, wfvViewport.w);
 }
+#endif
 
 // The parts between two angles, at the knots of line_arc.glsl.
 void wfvEmitParts(float from, float to, float ref)
@@ -253,6 +265,22 @@ void wfvEmitParts(float from, float to, float ref)
   }
 }
 
+// The mode of a stretch whose chord, grown, holds it; 2 where neither of the first two will do.
+int wfvModeOf(WfvStretch s)
+{
+  float l = length(s.to - s.from);
+  bool gentle = s.bend <= WFV_LINE_FLAT ||
+    (s.bend <= WFV_LINE_BULGE * l && 4.0 * s.bend * wfvLineWidth <= WFV_LINE_BEND * l * l);
+  return s.bend <= WFV_LINE_STRAIGHT ? 0 : (gentle ? 1 : 2);
+}
+
+void wfvEmitStretch(WfvStretch s)
+{
+  wfvMapOut = vec4(s.from, s.to);
+  wfvEmitAlong(s.from, s.to, wfvLineGrow() + (wfvModeOut == 0 ? 0.0 : WFV_LINE_REACH * s.bend));
+}
+
+#if !WFV_OWN_RAYS
 void wfvEmitHard()
 {
   wfvModeOut = 2;
@@ -283,21 +311,6 @@ void wfvEmitDots()
     vec2 p = wfvArcPixel(a, wfvArcRef(a, a));
     wfvEmitAlong(p, p, wfvLineGrow());
   }
-}
-
-// The mode of a stretch whose chord, grown, holds it; 2 where neither of the first two will do.
-int wfvModeOf(WfvStretch s)
-{
-  float l = length(s.to - s.from);
-  bool gentle = s.bend <= WFV_LINE_FLAT ||
-    (s.bend <= WFV_LINE_BULGE * l && 4.0 * s.bend * wfvLineWidth <= WFV_LINE_BEND * l * l);
-  return s.bend <= WFV_LINE_STRAIGHT ? 0 : (gentle ? 1 : 2);
-}
-
-void wfvEmitStretch(WfvStretch s)
-{
-  wfvMapOut = vec4(s.from, s.to);
-  wfvEmitAlong(s.from, s.to, wfvLineGrow() + (wfvModeOut == 0 ? 0.0 : WFV_LINE_REACH * s.bend));
 }
 
 #if WFV_FACES
@@ -334,6 +347,7 @@ void wfvEmitArc(bool dots)
   }
 }
 #endif
+#endif
 
 void main()
 {
@@ -345,13 +359,17 @@ void main()
   {
     return;
   }
-  wfvLevel = false;
   wfvQuadsLeft = WFV_LINE_VERTICES / 4;
+#if WFV_OWN_RAYS
+  wfvEmitOwn(p, q);
+#else
+  wfvLevel = false;
   bool plane = wfvFrameArc(p, q);
   bool dots = !plane && wfvArcEnds.y > wfvArcEnds.x;
 #if WFV_FACES
   wfvEmitOnFaces(dots);
 #else
   wfvEmitArc(dots);
+#endif
 #endif
 }

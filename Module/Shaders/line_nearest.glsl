@@ -45,6 +45,10 @@ const float WFV_LINE_LONGEST_STEP = 0.7;
 float wfvStepped(float a, float turn)
 {
   float base = abs(a) > 0.5 * WFV_PI ? (a < 0.0 ? -WFV_PI : WFV_PI) : 0.0;
+#if WFV_OWN_RAYS
+  base = wfvHasGap() ? (a <= 0.0 ? wfvArcGap.x : wfvArcGap.y) : base;
+  base = wfvTwoTops ? (a <= 0.0 ? wfvArcTops.x : wfvArcTops.y) : base;
+#endif
   float b = a - base;
   return base + b * cosh(turn) + sqrt(b * b + wfvArcDelta * wfvArcDelta) * sinh(turn);
 }
@@ -104,6 +108,10 @@ void wfvRefine(vec2 p, int which, int most)
     // no slopes across a jump
     float c = s.lo == wfvArcCut ? max(a, wfvStepped(s.lo, h)) : a;
     c = s.hi == wfvBeforeCut ? min(c, wfvStepped(s.hi, -h)) : c;
+#if WFV_OWN_RAYS
+    c = s.lo == wfvArcGap.y ? max(a, wfvStepped(s.lo, h)) : c;
+    c = s.hi == wfvArcGap.x ? min(c, wfvStepped(s.hi, -h)) : c;
+#endif
     vec2 turn = wfvNewtonTurn(p, c, s.ref);
     s.a = clamp(wfvStepped(c, turn.x), s.lo, s.hi);
     steps = turn.y < WFV_LINE_STEP ? min(steps, i + 1) : steps;
@@ -152,6 +160,31 @@ void wfvScan(vec2 p, float lo, float hi, float ref)
   }
 }
 
+#if WFV_OWN_RAYS
+// The starts between two angles, which a cut may part.
+void wfvScanParts(vec2 p, float lo, float hi)
+{
+  if (wfvArcCut > lo && wfvArcCut < hi)
+  {
+    wfvScan(p, lo, wfvBeforeCut, wfvArcRef(lo, wfvArcCut));
+    lo = wfvArcCut;
+  }
+  wfvScan(p, lo, hi, wfvArcRef(lo, hi));
+}
+
+// The starts on either side of a gap, or all along.
+void wfvStartAnywhere(vec2 p)
+{
+  wfvScanned[0] = wfvScanned[1] = 1e9;
+  float gap = wfvHasGap() ? wfvArcGap.x : wfvArcRange.y;
+  wfvScanParts(p, wfvArcRange.x, min(gap, wfvArcRange.y));
+  if (wfvHasGap())
+  {
+    wfvScanParts(p, max(wfvArcGap.y, wfvArcRange.x), wfvArcRange.y);
+  }
+  wfvStartCount = wfvScanned[1] < 1e9 ? 2 : 1;
+}
+#else
 // The starts for an arc of any kind.
 void wfvStartAnywhere(vec2 p)
 {
@@ -166,6 +199,7 @@ void wfvStartAnywhere(vec2 p)
   wfvScan(p, lo, hi, wfvArcRef(lo, hi));
   wfvStartCount = wfvScanned[1] < 1e9 ? 2 : 1;
 }
+#endif
 
 void wfvStartDots()
 {
@@ -256,6 +290,9 @@ float wfvFindNearest(vec2 p)
   }
   float d = wfvDistance(p, WFV_LINE_STEPS);
   bool whole = wfvLineKind == 1 || wfvLineKind > 3;
+#if WFV_OWN_RAYS
+  whole = whole || wfvHasGap() || wfvTwoTops;
+#endif
   bool own = whole || (wfvBestAngle >= wfvLineMap.z && wfvBestAngle < wfvLineMap.w);
   return own ? d : 1e9;
 }

@@ -102,6 +102,19 @@ WFV_FN WfvSight wfvSee(vec3 p, WfvView v)
   return s;
 }
 
+// The same, without a fade, of a point whose level way to the circle is known better than its place
+// tells: level is the point without its height y, up the vertical.
+WFV_FN WfvSight wfvSeeAt(vec3 level, float y, float way, vec3 up, float r)
+{
+  float squared = way * way + r * r;
+  vec3 ahead = squared > 0.0 ? (level * way - cross(level, up) * r) / squared : level;
+  WfvSight s;
+  s.distance = wfvHypot(way, y);
+  s.direction = s.distance > 0.0 ? (ahead * way + up * y) / s.distance : ahead;
+  s.seen = s.distance > 0.0;
+  return s;
+}
+
 WFV_FN vec2 wfvShift(vec2 ndc, float depth, WfvView v)
 {
   return ndc;

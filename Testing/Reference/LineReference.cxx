@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LineReference.h"
 
+#include "LineArc.h"
+
 #include <vtkIdList.h>
 #include <vtkCellArray.h>
 #include <vtkNew.h>
@@ -23,172 +25,9 @@ constexpr double Step = 0.1;
 constexpr int FirstSamples = 2048;
 constexpr int LeastSamples = 64;
 
-// Radians: a stretch so short is not parted further; what is still far apart is a jump.
-constexpr double ShortestStretch = 1e-12;
-
-// Radians: as far as this from the middle of a cube's face its map is carried on.
-constexpr double FaceEnd = 1.3;
-
 // Pixels outside the picture, over the reach: whether lines are there does not matter, and
 // some maps go on to infinity.
 constexpr double Beyond = 2;
-
-struct Sample
-{
-  double Angle = 0;
-  vec2 Pixel{ 0 };
-  double Rho = 0;
-  bool Counts = true; // the map has a place for it
-};
-
-// The picture: its size and, of a cube's faces, which one: pixels.
-struct Window
-{
-  double Width = 0;
-  double Height = 0;
-  double Reach = 0;
-  vec2 Low{ 0 };
-  vec2 High{ 0 };
-};
-
-// The map of one face of a cube, from the rays at its middle and half-way to its borders.
-class FaceMap
-{
-public:
-  FaceMap(const View& view, int face)
-    : Centre((face % 3 - 1) * 2 / 3., face < 3 ? 0.5 : -0.5)
-    , Ahead(view.Ray(this->Centre).Direction)
-  {
-    const double half = WFV_PI / 8;
-    const auto axis = [&](const vec2& step) {
-      const vec3 d = view.Ray(this->Centre + step).Direction;
-      return (d - std::cos(half) * this->Ahead) / std::sin(half);
-    };
-    this->Right = axis(vec2(1 / 6., 0));
-    this->Up = axis(vec2(0, 0.25));
-  }
-
-  vec2 Angles(const vec3& d) const
-  {
-    const double ahead = glm::dot(d, this->Ahead);
-    return vec2(
-      std::atan2(glm::dot(d, this->Right), ahead), std::atan2(glm::dot(d, this->Up), ahead));
-  }
-
-  bool Has(const vec3& d) const
-  {
-    const vec2 a = this->Angles(d);
-    return std::max(std::abs(a.x), std::abs(a.y)) < FaceEnd;
-  }
-
-  vec2 Ndc(const vec3& d) const
-  {
-    return this->Centre + this->Angles(d) * vec2(4 / WFV_PI / 3, 2 / WFV_PI);
-  }
-
-private:
-  vec2 Centre;
-  vec3 Ahead;
-  vec3 Right;
-  vec3 Up;
-};
-
-// The line as an arc about the eye.
-class Arc
-{
-public:
-  // face: of a cube, the one whose map counts; else null.
-  Arc(const Segment& segment, const View& view, const Window& window, const FaceMap* face);
-
-  double GetSpan() const { return this->Span; }
-  bool IsDots() const { return this->Dots; }
-  double GetShortest() const { return this->Shortest; }
-  double GetPeriod() const { return this->Period; }
-  const Window& GetWindow() const { return this->TheWindow; }
-  Sample At(double angle) const;
-
-private:
-  void Place(const vec3& direction, Sample& sample) const;
-
-  const View* TheView;
-  const FaceMap* Face;
-  Window TheWindow;
-  vec3 From;
-  vec3 To;
-  vec3 First;  // the direction of From
-  vec3 Second; // at a right angle to it, towards To
-  double Span = 0;
-  double Shortest = ShortestStretch;
-  double Period = 0; // pixels, 0 where the map does not close across a straight seam
-  bool Dots = false;
-};
-
-// Sine below which a line counts as pointing at the eye: float32's, as the picture's.
-constexpr double Radial = 4e-7;
-
-Arc::Arc(const Segment& s, const View& view, const Window& window, const FaceMap* face)
-  : TheView(&view)
-  , Face(face)
-  , TheWindow(window)
-  , From(s.From)
-  , To(s.To)
-{
-  const bool atEye = !(glm::length(s.From) > 0);
-  this->First = glm::normalize(atEye ? s.To : s.From);
-  const vec3 base = glm::length(s.To - s.From) < glm::length(s.To) ? s.To - s.From : s.To;
-  const vec3 across = base - this->First * glm::dot(this->First, base);
-  const double sine = glm::length(across);
-  if (atEye || sine <= Radial * glm::length(base))
-  {
-    this->Dots = true;
-    this->Span = !atEye && glm::dot(s.From, s.To) < 0 ? WFV_PI : 0;
-    return;
-  }
-  this->Second = across / sine;
-  this->Span = std::atan2(sine, glm::dot(this->First, s.To));
-  const Projection& p = view.GetProjection();
-  const WfvView& v = view.GetParameters();
-  const vec3 normal = wfvTilt(glm::cross(this->First, this->Second), v);
-  const double aside = p.Axis == Family::Meridian ? normal.y : normal.z;
-  this->Shortest = std::abs(aside) <= ThroughPole ? 2 * ThroughPole : ShortestStretch;
-  if (p.Axis == Family::Meridian && p.StraightSeam)
-  {
-    this->Period = window.Width * p.Map(vec2(WFV_PI, 0), v).x;
-  }
-}
-
-void Arc::Place(const vec3& direction, Sample& s) const
-{
-  const View& view = *this->TheView;
-  // behind the rim of a half sphere there is none
-  const bool behind =
-    view.GetProjection().FlatRim && wfvTilt(direction, view.GetParameters()).z > 0;
-  s.Counts = !behind && (!this->Face || this->Face->Has(direction));
-  const vec3 forward = view.Forward(direction).Ndc;
-  const vec2 ndc = this->Face ? this->Face->Ndc(direction) : vec2(forward.x, forward.y);
-  s.Pixel =
-    vec2(0.5 * (1 + ndc.x) * this->TheWindow.Width, 0.5 * (1 - ndc.y) * this->TheWindow.Height);
-}
-
-Sample Arc::At(double angle) const
-{
-  Sample s;
-  s.Angle = angle;
-  if (this->Dots)
-  {
-    const vec3 end = angle > 0 || !(glm::length(this->From) > 0) ? this->To : this->From;
-    s.Rho = glm::length(end);
-    this->Place(glm::normalize(end), s);
-    return s;
-  }
-  const vec3 direction = std::cos(angle) * this->First + std::sin(angle) * this->Second;
-  this->Place(direction, s);
-  const double a = std::sin(angle) * glm::length(this->From);
-  const double b = std::sin(this->Span - angle) * glm::length(this->To);
-  const double t = angle <= 0 ? 0 : (angle >= this->Span ? 1 : a / (a + b));
-  s.Rho = glm::length(this->From + t * (this->To - this->From));
-  return s;
-}
 
 double Apart(const Sample& a, const Sample& b, double period)
 {

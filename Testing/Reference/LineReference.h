@@ -3,7 +3,8 @@
 // that consecutive samples are a tenth of a pixel apart, and the distance of the pixel
 // centres from it. It shares nothing with the shaders but the view's `forward`. On the faces of
 // a cube each shows the lines as its own map would if it went on beyond the face's borders. A
-// map that shows the half sphere ahead shows no part of a line behind it.
+// map that shows the half sphere ahead shows no part of a line behind it. Where the rays of an eye
+// begin in several places, each point of a line is where its own ray sees it.
 #ifndef WideFoVLineReference_h
 #define WideFoVLineReference_h
 

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Lines, what both stages share where each ray of an eye begins at a place of its own, on a circle
+// round the origin (Stereo/omnidirectional.glsl): the image of a line is that of the directions in
+// which its points are seen, which is no great circle.
+//
+// A point of the line is known by its angle a, as on an arc seen from the origin:
+//   (cos(a) top + sin(a) side) distance / cos(a - foot)
+// where `foot` is the angle of the line's point nearest to the origin. The distance is not that of
+// this point but about that of the line from the circle, so that also a line towards the origin
+// has angles, which grow as those under which the eye sees it do. Lengths are in the stage's unit.
+
+float wfvArcFoot;     // radians
+float wfvArcDistance; // above 0
+vec2 wfvArcGap;       // the angles between which no ray sees the line, or WFV_NO_CUT twice
+
+// Beyond this cosine of its angle from the foot a line goes on no farther.
+const float WFV_OWN_END = 1e-9;
+
+// Two angles, on either side of 0, near which the image bends most, where top alone is not enough.
+vec2 wfvArcTops;
+bool wfvTwoTops;
+
+bool wfvHasGap()
+{
+  return wfvArcGap.x < WFV_NO_CUT;
+}
+
+// Where the knots begin and end, in the turns of wfvFromTop; of two tops those of the second too.
+vec4 wfvOwnKnots;
+
+vec3 wfvOwnAhead(float a)
+{
+  return cos(a) * wfvArcTop + sin(a) * wfvArcSide;
+}
+
+// Of the line: its point at the top or, where that is very far, its foot; its direction; and what
+// makes the squared level way to the circle of the way s from there: x + s (y + s z). Beside a gap
+// that is z times the product of the ways from its ends, for the azimuth turns as the root of them.
+vec3 wfvOwnBegin;
+vec3 wfvOwnAlong;
+vec3 wfvOwnWay;
+float wfvOwnScale; // one over the cosine of the angle between the two; 0: the foot
+
+// The least such cosine of which float32 leaves enough.
+const float WFV_OWN_FAR = 0.01;
+
+// Part of the circle's radius that the level way is at the least: at the end of a gap there is an
+// azimuth.
+const float WFV_OWN_WAY = 1e-7;
+
+// Squared level way from the point at the angle a, which is so far from wfvOwnBegin.
+float wfvOwnWayOf(float a, float s, float far)
+{
+  if (wfvHasGap())
+  {
+    vec2 ways = wfvArcDistance * far * sin(vec2(a) - wfvArcGap) / max(cos(wfvArcGap - wfvArcFoot), WFV_OWN_END);
+    return wfvOwnWay.z * ways.x * ways.y;
+  }
+  return wfvOwnWay.x + s * (wfvOwnWay.y + s * wfvOwnWay.z);
+}
+
+// What the eye sees of the point at the angle a; lengths are in the stage's unit.
+WfvSight wfvOwnSight(float a)
+{
+  float far = 1.0 / max(cos(a - wfvArcFoot), WFV_OWN_END);
+  if (WFV_FADES && wfvView.stereo.z > wfvView.stereo.y)
+  {
+    WfvSight sight = wfvSee(wfvOwnAhead(a) * (wfvArcDistance * far * wfvScale()), wfvView);
+    sight.distance /= wfvScale();
+    return sight;
+  }
+  float s = wfvArcDistance * far * (wfvOwnScale > 0.0 ? sin(a) * wfvOwnScale : sin(a - wfvArcFoot));
+  vec3 up = wfvUpright(wfvView);
+  vec3 p = wfvOwnBegin + s * wfvOwnAlong;
+  float y = dot(p, up);
+  float r = wfvView.stereo.x / wfvScale();
+  float way = sqrt(max(wfvOwnWayOf(a, s, far), 0.0));
+  return wfvSeeAt(p - up * y, y, max(way, WFV_OWN_WAY * abs(r)), up, r);
+}
+
+vec3 wfvArcAt(float a)
+{
+  return wfvOwnSight(a).direction;
+}
+
+// Behind every change of the frame or the range.
+void wfvSetLine()
+{
+  float c = cos(wfvArcFoot);
+  float s = sin(wfvArcFoot);
+  vec3 up = wfvUpright(wfvView);
+  wfvOwnScale = c > WFV_OWN_FAR ? 1.0 / c : 0.0;
+  wfvOwnAlong = c * wfvArcSide - s * wfvArcTop;
+  vec3 begin = c > WFV_OWN_FAR ? wfvArcTop / c : c * wfvArcTop + s * wfvArcSide;
+  wfvOwnBegin = wfvArcDistance * begin;
+  vec3 level = wfvOwnBegin - up * dot(wfvOwnBegin, up);
+  vec3 along = wfvOwnAlong - up * dot(wfvOwnAlong, up);
+  float r = abs(wfvView.stereo.x) / wfvScale();
+  float l = length(level);
+  wfvOwnWay = vec3((l - r) * (l + r), 2.0 * dot(level, along), dot(along, along));
+}
+
+float wfvAsinh(float x)
+{
+  float s = abs(x);
+  return sign(x) * log(s + sqrt(s * s + 1.0));
+}
+
+float wfvFromTop(float turns)
+{
+  return wfvArcDelta * sinh(turns);
+}
+
+// Before wfvKnot is asked for.
+void wfvSetKnots()
+{
+  vec4 ends = vec4(wfvArcRange, 0.0, 0.0);
+  ends = wfvHasGap() ? vec4(wfvArcRange - wfvArcGap, 0.0, 0.0) : ends;
+  ends = wfvTwoTops ? vec4(wfvArcRange - wfvArcTops, -wfvArcTops) : ends;
+  for (int i = 0; i < 4; i++)
+  {
+    wfvOwnKnots[i] = wfvAsinh(ends[i] / wfvArcDelta);
+  }
+}
+
+// Angle of knot i, 0 to 4 WFV_KNOTS, from one end of the range to the other. They are dense where
+// the image may bend: near top, or both ends of a gap, or, where a map is flat at its rim, the ends.
+float wfvKnot(int i)
+{
+  float share = float(i) / float(4 * WFV_KNOTS);
+  if (wfvTwoTops)
+  {
+    return share <= 0.5
+      ? wfvArcTops.x + wfvFromTop(mix(wfvOwnKnots.x, wfvOwnKnots.z, 2.0 * share))
+      : wfvArcTops.y + wfvFromTop(mix(wfvOwnKnots.w, wfvOwnKnots.y, 2.0 * share - 1.0));
+  }
+  if (wfvHasGap())
+  {
+    return share <= 0.5 ? wfvArcGap.x + wfvFromTop(wfvOwnKnots.x * (1.0 - 2.0 * share))
+                        : wfvArcGap.y + wfvFromTop(wfvOwnKnots.y * (2.0 * share - 1.0));
+  }
+#if WFV_FLAT_RIM
+  return mix(wfvArcRange.x, wfvArcRange.y, 0.5 - 0.5 * cos(WFV_PI * share));
+#else
+  return wfvFromTop(mix(wfvOwnKnots.x, wfvOwnKnots.y, share));
+#endif
+}
+
+#if WFV_FACES || WFV_FLAT_RIM
+// Steps of a search by halves for float32, and of one by thirds; where the latter begins.
+const int WFV_OWN_HALVES = 26;
+const int WFV_OWN_THIRDS = 24;
+const int WFV_OWN_PLACES = 24;
+
+// By how much the direction at the angle a is inside what the map, or the face, shows.
+float wfvOwnMargin(float a)
+{
+  vec3 d = wfvArcAt(a);
+#if WFV_FACES
+  vec3 q = wfvInFace(d, wfvArcFace);
+  return wfvFaceTangent() * q.z - max(abs(q.x), abs(q.y));
+#else
+  return -d.z;
+#endif
+}
+
+float wfvOwnMiddle()
+{
+  float best = -1e9;
+  float at = wfvArcRange.x;
+  float step_ = (wfvArcRange.y - wfvArcRange.x) / float(WFV_OWN_PLACES);
+  for (int i = 0; i <= WFV_OWN_PLACES; i++)
+  {
+    float a = wfvArcRange.x + float(i) * step_;
+    float m = wfvOwnMargin(a);
+    at = m > best ? a : at;
+    best = max(best, m);
+  }
+  vec2 ends = clamp(vec2(at - step_, at + step_), wfvArcRange.x, wfvArcRange.y);
+  for (int i = 0; i < WFV_OWN_THIRDS; i++)
+  {
+    vec2 inner = mix(ends.xx, ends.yy, vec2(1.0, 2.0) / 3.0);
+    ends = wfvOwnMargin(inner.x) > wfvOwnMargin(inner.y) ? vec2(ends.x, inner.y)
+                                                         : vec2(inner.x, ends.y);
+  }
+  return 0.5 * (ends.x + ends.y);
+}
+
+// The angle between inside and outside at which the one becomes the other.
+float wfvOwnBorder(float inside, float outside)
+{
+  for (int i = 0; i < WFV_OWN_HALVES; i++)
+  {
+    float a = 0.5 * (inside + outside);
+    bool in_ = wfvOwnMargin(a) >= 0.0;
+    inside = in_ ? a : inside;
+    outside = in_ ? outside : a;
+  }
+  return inside;
+}
+
+// Leaves, of the range of angles, what the map or the face shows: what is inside is in one piece.
+void wfvKeepShown()
+{
+  float middle = wfvOwnMiddle();
+  vec2 range = wfvArcRange;
+  bool none = !(wfvOwnMargin(middle) >= 0.0);
+  wfvArcRange.x = wfvOwnMargin(range.x) >= 0.0 ? range.x : wfvOwnBorder(middle, range.x);
+  wfvArcRange.y = wfvOwnMargin(range.y) >= 0.0 ? range.y : wfvOwnBorder(middle, range.y);
+  wfvArcRange = none ? vec2(1.0, -1.0) : wfvArcRange;
+}
+#endif

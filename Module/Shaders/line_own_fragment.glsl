@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Fragment side of lines of an eye whose rays begin on a circle: what line_fragment.glsl asks of
+// them. Depth is the distance along the ray that sees the nearest point.
+
+flat in vec4 wfvLineFoot;
+
+vec3 wfvLineSight;      // unit vector from the eye, view coordinates
+float wfvLineSightFar;  // how far along, scene units
+#define WFV_FROM_EYE wfvLineSight
+#define WFV_DISTANCE wfvLineSightFar
+
+void wfvUnpackOwn(vec4 map, bool parts)
+{
+  wfvArcFoot = wfvLineFoot.x;
+  wfvArcDistance = wfvLineFoot.y;
+  wfvArcGap = wfvLineFoot.zw;
+  wfvTwoTops = parts && map.y < 0.0;
+  wfvArcTops = map.zw;
+  wfvArcJump = false;
+  wfvSetLine();
+}
+
+// The angle of the point of the line that is nearest to the ray of a direction.
+float wfvAngleOf(vec3 d)
+{
+  float c = cos(wfvArcFoot);
+  float s = sin(wfvArcFoot);
+  vec3 u = c * wfvArcSide - s * wfvArcTop;
+  vec3 foot = (c * wfvArcTop + s * wfvArcSide) * wfvArcDistance;
+  vec3 n = cross(u, d);
+  float x = dot(n, cross(wfvEyeAt(d, wfvView) / wfvScale() - foot, d)) / max(dot(n, n), 1e-30);
+  return wfvArcFoot + wfvAtan2(x, wfvArcDistance);
+}
+
+// Sets what is seen of the point with this parameter, and its depth.
+void wfvSeeLine(float along)
+{
+  vec3 at = mix(wfvArcEnds.z * wfvOwnAhead(wfvArcEnds.x),
+    wfvArcEnds.w * wfvOwnAhead(wfvArcEnds.y), along);
+  WfvSight sight = wfvSee(at * wfvScale(), wfvView);
+  wfvLineSight = wfvUntilt(sight.direction, wfvView);
+  wfvLineSightFar = sight.distance;
+}

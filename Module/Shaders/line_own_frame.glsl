@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Lines, geometry stage, of an eye whose rays begin on a circle: the frame of line_own.glsl from the
+// two ends of the line, what of it no ray sees, and where its image is torn or bends most.
+
+// Part of the line's or the circle's distance that the frame's is at the least.
+const float WFV_OWN_LEAST = 0.1;
+
+// Radii of the circle: what passes its axis nearer than so many may bend much overhead and
+// underfoot; and what is nearer to its middle is bounded by nothing less than the window.
+const float WFV_OWN_AXIS = 16.0;
+const float WFV_OWN_CLOSE = 1.5;
+
+// Where the search for the top of a line begins, and its steps.
+const int WFV_OWN_FIRST = 32;
+const int WFV_OWN_STEPS = 30;
+
+// Steps of a search by halves for float32.
+const int WFV_OWN_CUTS = 26;
+
+// Radians: the scale of the bends at the ends of a gap, where the image runs as the root of the angle.
+const float WFV_GAP_DELTA = 1e-5;
+
+// Sine under which both axes count, and radians by which they have to be apart on the line.
+const float WFV_OWN_BOTH = 0.7;
+const float WFV_OWN_APART = 0.02;
+
+// What keeps the top in the middle of a line where nothing else draws it.
+const float WFV_OWN_NONE = 1e-3;
+
+// Parts of a stretch at which its angles are looked at, and the share of the largest change from one
+// to the next by which they may do more between.
+const int WFV_OWN_PARTS = 8;
+const float WFV_OWN_BETWEEN = 0.25;
+
+bool wfvLevel;     // see line_frame.glsl: false, for angles are looked at all along
+bool wfvOwnAxial;  // the axis of the circle is near
+bool wfvOwnMapped; // the axis of the map counts
+bool wfvOwnWindow; // nothing less than the window surely holds it
+
+float wfvOwnRadius()
+{
+  return abs(wfvView.stereo.x) / wfvScale();
+}
+
+float wfvFromAxis(vec3 p)
+{
+  vec3 up = wfvUpright(wfvView);
+  return length(p - up * dot(p, up));
+}
+
+// Turns the frame so that the point at this angle becomes its top.
+void wfvTurnFrame(float to)
+{
+  vec3 top = wfvOwnAhead(to);
+  wfvArcSide = cos(to) * wfvArcSide - sin(to) * wfvArcTop;
+  wfvArcTop = top;
+  wfvArcEnds.xy -= to;
+  wfvArcRange -= to;
+  wfvArcFoot -= to;
+  wfvArcGap -= wfvHasGap() ? vec2(to) : vec2(0.0);
+  wfvSetLine();
+}
+
+vec3 wfvOwnPlace(float a)
+{
+  return wfvOwnAhead(a) * (wfvArcDistance / max(cos(a - wfvArcFoot), WFV_OWN_END));
+}
+
+// The frame whose top is the foot.
+void wfvFrameOwn(vec3 p, vec3 q)
+{
+  vec3 d = q - p;
+  float l = length(d);
+  vec3 u = l > 0.0 ? d / l : normalize(cross(p, abs(p.x) < abs(p.y) ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0)));
+  bool first = dot(p, p) < dot(q, q);
+  float along = dot(first ? p : q, u);
+  vec3 foot = (first ? p : q) - along * u;
+  vec2 x = first ? vec2(along, along + l) : vec2(along - l, along);
+  float from = length(foot);
+  float r = wfvOwnRadius();
+  float distance_ = sqrt(abs((from - r) * (from + r)));
+  wfvArcDistance = max(max(distance_, WFV_OWN_LEAST * max(from, r)), 1e-6 * length(p) + 1e-12);
+  wfvArcTop = foot / wfvArcDistance;
+  wfvArcSide = u;
+  wfvArcFoot = 0.0;
+  vec2 far = sqrt(x * x + wfvArcDistance * wfvArcDistance);
+  wfvArcEnds = vec4(wfvAtan2(x.x, wfvArcDistance), wfvAtan2(x.y, wfvArcDistance), far);
+  wfvArcRange = wfvArcEnds.xy;
+  wfvArcDelta = 1.0;
+  wfvArcCut = WFV_NO_CUT;
+  wfvArcJump = false;
+  wfvArcGap = vec2(WFV_NO_CUT);
+  wfvTwoTops = false;
+  wfvOwnMapped = true;
+  wfvLevel = false;
+  wfvTurnFrame(0.5 * (wfvArcEnds.x + wfvArcEnds.y));
+}
+
+// The angle at which the line passes the axis of the circle.
+float wfvAngleAtAxis()
+{
+  vec3 up = wfvUpright(wfvView);
+  vec3 u = cos(wfvArcFoot) * wfvArcSide - sin(wfvArcFoot) * wfvArcTop;
+  vec3 foot = wfvOwnPlace(wfvArcFoot);
+  vec3 level = u - up * dot(u, up);
+  float x = -dot(foot, level) / max(dot(level, level), 1e-20);
+  return clamp(wfvArcFoot + wfvAtan2(x, wfvArcDistance), wfvArcEnds.x, wfvArcEnds.y);
+}
+
+bool wfvIsSeen(float a)
+{
+  return wfvSee(wfvOwnPlace(a) * wfvScale(), wfvView).seen;
+}
+
+float wfvGapEnd(float seen, float unseen)
+{
+  for (int i = 0; i < WFV_OWN_CUTS; i++)
+  {
+    float a = 0.5 * (seen + unseen);
+    bool is = wfvIsSeen(a);
+    seen = is ? a : seen;
+    unseen = is ? unseen : a;
+  }
+  return seen;
+}
+
+// The angles between which the line is nearer to the axis than the circle; at: where it is nearest.
+vec2 wfvFindGap(float at)
+{
+  if (WFV_FADES && wfvView.stereo.z > wfvView.stereo.y)
+  {
+    vec2 ends = wfvArcEnds.xy;
+    return vec2(wfvIsSeen(ends.x) ? wfvGapEnd(ends.x, at) : ends.x,
+      wfvIsSeen(ends.y) ? wfvGapEnd(ends.y, at) : ends.y);
+  }
+  vec3 up = wfvUpright(wfvView);
+  vec3 level = wfvOwnAlong - up * dot(wfvOwnAlong, up);
+  vec3 foot = wfvOwnPlace(wfvArcFoot);
+  foot -= up * dot(foot, up);
+  float l2 = max(dot(level, level), 1e-20);
+  float x = -dot(foot, level) / l2;
+  float aside = length(foot + x * level);
+  float r = wfvOwnRadius();
+  float half_ = sqrt(max((r - aside) * (r + aside), 0.0) / l2);
+  return wfvArcFoot +
+    vec2(wfvAtan2(x - half_, wfvArcDistance), wfvAtan2(x + half_, wfvArcDistance));
+}
+
+// How bent the image may be where the line is at the angle a: the sine of the angle to the axis of
+// the map or, for a line beside it, to that of the circle.
+float wfvOwnSine(float a)
+{
+  vec3 d = wfvArcAt(a);
+#if WFV_MERIDIAN
+  float s = wfvHypot(d.x, d.z);
+#elif WFV_ROUND && !WFV_FLAT_RIM
+  float s = d.z > 0.0 ? wfvHypot(d.x, d.y) : 1.0 + WFV_OWN_NONE * abs(a);
+#else
+  float s = 1.0 + WFV_OWN_NONE * abs(a);
+#endif
+  s = wfvOwnMapped ? s : 1.0 + WFV_OWN_NONE * abs(a);
+  return wfvOwnAxial ? min(s, length(cross(d, wfvUpright(wfvView)))) : s;
+}
+
+// The angle of the range at which that is least.
+float wfvOwnTop()
+{
+  float step_ = (wfvArcRange.y - wfvArcRange.x) / float(WFV_OWN_FIRST);
+  float best = 1e9;
+  float at = wfvArcRange.x;
+  for (int i = 0; i <= WFV_OWN_FIRST; i++)
+  {
+    float a = min(wfvArcRange.x + float(i) * step_, wfvArcRange.y);
+    float s = wfvOwnSine(a);
+    at = s < best ? a : at;
+    best = min(best, s);
+  }
+  vec2 ends = clamp(vec2(at - step_, at + step_), wfvArcRange.x, wfvArcRange.y);
+  for (int i = 0; i < WFV_OWN_STEPS; i++)
+  {
+    vec2 inner = mix(ends.xx, ends.yy, vec2(1.0, 2.0) / 3.0);
+    ends = wfvOwnSine(inner.x) < wfvOwnSine(inner.y) ? vec2(ends.x, inner.y)
+                                                     : vec2(inner.x, ends.y);
+  }
+  float top = 0.5 * (ends.x + ends.y);
+  // at an end of the range, to the last digit
+  top = wfvOwnSine(wfvArcRange.x) <= wfvOwnSine(top) ? wfvArcRange.x : top;
+  return wfvOwnSine(wfvArcRange.y) < wfvOwnSine(top) ? wfvArcRange.y : top;
+}
+
+// Where a gap leaves one part of the line: its end is one place, what is beside the axis of the map
+// the other.
+void wfvFindTopBesideGap()
+{
+  bool first = wfvArcGap.y >= wfvArcRange.y;
+  if (!first && wfvArcGap.x > wfvArcRange.x)
+  {
+    return;
+  }
+  wfvArcRange = first ? vec2(wfvArcRange.x, min(wfvArcGap.x, wfvArcRange.y))
+                      : vec2(max(wfvArcGap.y, wfvArcRange.x), wfvArcRange.y);
+  float end = first ? wfvArcRange.y : wfvArcRange.x;
+  float top = wfvOwnTop();
+  wfvArcTops = vec2(min(top, end), max(top, end));
+  wfvTwoTops = wfvOwnSine(top) < WFV_OWN_BOTH && abs(top - end) > WFV_OWN_APART;
+}
+
+// Looks for two places, beside either axis; sets wfvArcTops and, where both count, wfvTwoTops.
+void wfvFindTwoTops()
+{
+  wfvOwnMapped = false;
+  float first = wfvOwnTop();
+  float s = wfvOwnSine(first);
+  wfvOwnMapped = true;
+  wfvOwnAxial = false;
+  float second = wfvOwnTop();
+  s = max(s, wfvOwnSine(second));
+  wfvOwnAxial = true;
+  wfvArcTops = vec2(min(first, second), max(first, second));
+  wfvTwoTops = s < WFV_OWN_BOTH && wfvArcTops.y - wfvArcTops.x > WFV_OWN_APART;
+}
+
+// Turns the frame to there, for what wfvArcRange leaves of the line.
+void wfvFrameTop()
+{
+  // the ends of a gap, at which the image turns most, are its knots
+  if (wfvHasGap())
+  {
+    wfvFindTopBesideGap();
+  }
+  else if (wfvOwnAxial)
+  {
+    wfvFindTwoTops();
+  }
+  float top = wfvOwnTop();
+  float sine = wfvOwnSine(top);
+  top = wfvTwoTops ? 0.5 * (wfvArcTops.x + wfvArcTops.y) : top;
+  top = wfvHasGap() && !wfvTwoTops ? 0.5 * (wfvArcGap.x + wfvArcGap.y) : top;
+  wfvTurnFrame(top);
+  wfvArcTops -= top;
+  wfvArcDelta = wfvHasGap() ? WFV_GAP_DELTA : clamp(sine, WFV_LEAST_DELTA, 1.0);
+  vec3 nearest = wfvOwnPlace(clamp(wfvArcFoot, wfvArcRange.x, wfvArcRange.y));
+  wfvOwnWindow = wfvHasGap() || wfvTwoTops || length(nearest) < WFV_OWN_CLOSE * wfvOwnRadius();
+}
+
+// True where what lies between two angles comes near to where a map or the circle bends without bound.
+bool wfvOwnSingular(float lo, float hi, float sine)
+{
+  float top = clamp(0.0, lo, hi);
+  return min(wfvOwnSine(top), min(wfvOwnSine(lo), wfvOwnSine(hi))) < sine;
+}
+
+// Angle at which the image crosses a seam that is not straight, or jumps over the top, or WFV_NO_CUT.
+float wfvSeamAngle()
+{
+  bool inside = wfvArcRange.x < 0.0 && wfvArcRange.y > 0.0;
+  float cut = inside && !wfvHasGap() && wfvArcDelta <= WFV_LEAST_DELTA ? 0.0 : WFV_NO_CUT;
+#if WFV_MERIDIAN && !WFV_STRAIGHT_SEAM
+  float a = wfvArcRange.x;
+  float x = wfvArcAt(a).x;
+  wfvSetKnots();
+  for (int i = 1; i <= 4 * WFV_KNOTS; i++)
+  {
+    float b = i == 4 * WFV_KNOTS ? wfvArcRange.y : wfvKnot(i);
+    float y = wfvArcAt(b).x;
+    float lo = a;
+    float hi = b;
+    bool gap = wfvHasGap() && a < wfvArcGap.y && b > wfvArcGap.x;
+    bool crosses = (x < 0.0) != (y < 0.0) && !gap;
+    for (int k = 0; k < (crosses ? WFV_OWN_CUTS : 0); k++)
+    {
+      float m = 0.5 * (lo + hi);
+      bool same = (wfvArcAt(m).x < 0.0) == (x < 0.0);
+      lo = same ? m : lo;
+      hi = same ? hi : m;
+    }
+    cut = crosses && cut == WFV_NO_CUT && wfvArcAt(hi).z > 0.0 ? hi : cut;
+    a = b;
+    x = y;
+  }
+#endif
+  return cut;
+}
+
+// Emits what wfvArcRange leaves.
+void wfvEmitSeen(); // line_own_geometry.glsl
+
+void wfvEmitOwn(vec3 p, vec3 q)
+{
+  wfvFrameOwn(p, q);
+  float at = wfvAngleAtAxis();
+  wfvOwnAxial = wfvFromAxis(wfvOwnPlace(at)) < WFV_OWN_AXIS * wfvOwnRadius();
+  if (!wfvIsSeen(at))
+  {
+    wfvArcGap = wfvFindGap(at);
+    if (wfvArcGap.x <= wfvArcEnds.x && wfvArcGap.y >= wfvArcEnds.y)
+    {
+      return;
+    }
+    wfvOwnAxial = false;
+  }
+  wfvEmitSeen();
+}

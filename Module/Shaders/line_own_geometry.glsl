@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Lines, geometry stage, of an eye whose rays begin on a circle: the shapes of line_geometry.glsl for
+// an image that is no great circle's.
+
+// True where the chord of a stretch, grown, surely holds its image.
+bool wfvChordHolds(WfvStretch s, float lo, float hi)
+{
+  bool flat_ = false;
+#if WFV_FLAT_RIM
+  flat_ = max(wfvArcAt(lo).z, wfvArcAt(hi).z) > -WFV_LINE_RIM;
+#endif
+  return cos(hi - lo) > WFV_LINE_LONG && !flat_ && !wfvOwnWindow &&
+    !wfvOwnSingular(lo, hi, wfvLineSingularSine()) &&
+    WFV_LINE_REACH * s.bend <= 0.25 * min(wfvViewport.z, wfvViewport.w);
+}
+
+// The angle of place i of a stretch, dense near the top as knots are.
+float wfvOwnBetween(float lo, float hi, int i)
+{
+  vec2 turns = vec2(wfvAsinh(lo / wfvArcDelta), wfvAsinh(hi / wfvArcDelta));
+  float a = wfvFromTop(mix(turns.x, turns.y, float(i) / float(WFV_OWN_PARTS)));
+  return i == 0 ? lo : (i == WFV_OWN_PARTS ? hi : a);
+}
+
+// A rectangle round the image of a stretch.
+void wfvEmitAngles(float lo, float hi, float ref)
+{
+  vec2 last = wfvArcAngles(wfvArcAt(lo), ref);
+  vec4 r = vec4(last, last);
+  vec2 change = vec2(WFV_LINE_ANGLE_PAD);
+  for (int i = 1; i <= WFV_OWN_PARTS; i++)
+  {
+    vec2 p = wfvArcAngles(wfvArcAt(wfvOwnBetween(lo, hi, i)), ref);
+    r = vec4(min(r.xy, p), max(r.zw, p));
+    change = max(change, WFV_OWN_BETWEEN * abs(p - last));
+    last = p;
+  }
+  // the extreme latitude
+  vec2 top = wfvArcAngles(wfvArcAt(clamp(0.0, lo, hi)), ref);
+  r = vec4(r.x, min(r.y, top.y), r.z, max(r.w, top.y)) + vec4(-change, change);
+#if WFV_MERIDIAN
+  r = vec4(r.x, max(r.y, -0.5 * WFV_PI), r.z, min(r.w, 0.5 * WFV_PI));
+#if !WFV_STRAIGHT_SEAM
+  r = vec4(max(r.x, -WFV_PI), r.y, min(r.z, WFV_PI), r.w);
+#endif
+#else
+  r = vec4(r.x, max(r.y, 0.0), r.z, min(r.w, WFV_PI));
+#endif
+  r = wfvBounds(r, wfvView);
+  vec2 low = wfvTilePixel(r.xy) - wfvLineGrow();
+  vec2 size = wfvTilePixel(r.zw) + wfvLineGrow() - low;
+  wfvEmitRound(low, vec2(size.x, 0.0), vec2(0.0, size.y));
+}
+
+// The whole window, in which each pixel looks at all of the range.
+void wfvEmitAnywhere()
+{
+  vec2 own = wfvTwoTops ? wfvArcTops : vec2(-WFV_NO_CUT, WFV_NO_CUT);
+  wfvMapOut = vec4(wfvArcCut, wfvTwoTops ? -wfvArcDelta : wfvArcDelta, own);
+  wfvEmitWindow();
+}
+
+#if WFV_FACES
+const int WFV_FACE_COUNT = 6;
+
+// On one face, of which wfvArcRange is shown.
+void wfvEmitOnFace()
+{
+  WfvStretch s = wfvMeasure(wfvArcRange.x, wfvArcRange.y, 0.0);
+  wfvModeOut = wfvModeOf(s);
+  if (wfvOwnWindow || wfvOwnSingular(wfvArcRange.x, wfvArcRange.y, wfvLineSingularSine()))
+  {
+    wfvModeOut = 2;
+    wfvEmitAnywhere();
+    return;
+  }
+  wfvModeOut = wfvModeOut == 2 ? 4 : wfvModeOut;
+  wfvEmitStretch(s);
+}
+
+void wfvEmitSeen()
+{
+  wfvFrameTop();
+  vec2 range = wfvArcRange;
+  if (wfvQuadsLeft < WFV_FACE_COUNT)
+  {
+    // every pixel takes its own face
+    wfvModeOut = 5;
+    wfvEmitAnywhere();
+    return;
+  }
+  for (int face = 0; face < WFV_FACE_COUNT; face++)
+  {
+    wfvArcFace = face;
+    wfvArcRange = range;
+    wfvKeepShown();
+    if (wfvArcRange.x <= wfvArcRange.y)
+    {
+      wfvEmitOnFace();
+    }
+  }
+}
+#else
+void wfvEmitHard()
+{
+  wfvModeOut = 2;
+  wfvArcCut = wfvSeamAngle();
+  wfvSetKnots();
+  if (wfvOwnWindow)
+  {
+    wfvEmitAnywhere();
+    return;
+  }
+  float a0 = wfvArcRange.x;
+  float a1 = wfvArcRange.y;
+  if (wfvArcCut < WFV_NO_CUT)
+  {
+    wfvEmitParts(a0, wfvArcCut, wfvArcRef(a0, wfvArcCut));
+    a0 = wfvArcCut;
+  }
+  wfvEmitParts(a0, a1, wfvArcRef(a0, a1));
+}
+
+void wfvEmitPiece()
+{
+#if WFV_FLAT_RIM
+  wfvKeepShown();
+#endif
+  if (!(wfvArcRange.x <= wfvArcRange.y))
+  {
+    return;
+  }
+  wfvFrameTop();
+  float lo = wfvArcRange.x;
+  float hi = wfvArcRange.y;
+  WfvStretch s = wfvMeasure(lo, hi, wfvArcRef(lo, hi));
+  wfvModeOut = wfvModeOf(s);
+  if (wfvModeOut == 2 || !wfvChordHolds(s, lo, hi) || wfvSeamAngle() < WFV_NO_CUT)
+  {
+    wfvEmitHard();
+    return;
+  }
+  wfvEmitStretch(s);
+}
+
+void wfvEmitSeen()
+{
+#if WFV_FLAT_RIM
+  if (wfvHasGap())
+  {
+    // what the rim leaves is in one piece on either side of the gap alone
+    vec4 ends = vec4(wfvArcRange.x, wfvArcGap, wfvArcRange.y);
+    float turned = wfvArcFoot;
+    for (int i = 0; i < 4; i += 2)
+    {
+      wfvArcRange = vec2(ends[i], ends[i + 1]) + (wfvArcFoot - turned);
+      wfvEmitPiece();
+    }
+    return;
+  }
+#endif
+  wfvEmitPiece();
+}
+#endif
