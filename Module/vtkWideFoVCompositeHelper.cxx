@@ -292,7 +292,7 @@ void vtkWideFoVCompositeHelper::DrawSorted(
       continue;
     }
     vtkWideFoVStage* const other = lot == Sorted::Calm ? stages->GetCalmAmong(stage)
-      : lot == Sorted::Plain                           ? stages->PlainAmong.Get()
+      : lot == Sorted::Plain                           ? stages->GetPlainAmong()
                                                        : stage;
     vtkOpenGLHelper& helper = lot == Sorted::Covered ? own : surfaces.Helpers[lot];
     helper.IBO->IndexCount = own.IBO->IndexCount; // the others have none of their own

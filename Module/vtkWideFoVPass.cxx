@@ -227,8 +227,8 @@ void vtkWideFoVPass::ResetCounts(int props)
 void vtkWideFoVPass::TakeCounts()
 {
   const vtkWideFoVStages& stages = this->Internal->Stages;
-  this->NumberOfPlainDraws =
-    stages.Plain->GetNumberOfDraws() + stages.PlainAmong->GetNumberOfDraws();
+  this->NumberOfPlainDraws = stages.Plain->GetNumberOfDraws() +
+    stages.PlainAlone->GetNumberOfDraws() + stages.PlainAmong->GetNumberOfDraws();
   // of the tessellate stage too, what cannot be tessellated is drawn by the pre-clip
   const int patches = stages.Tessellate->GetNumberOfTessellateDraws();
   const int calm = stages.CalmAmong->GetNumberOfDraws() + stages.CalmOfBoth->GetNumberOfDraws();

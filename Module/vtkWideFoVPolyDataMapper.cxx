@@ -154,7 +154,7 @@ void vtkWideFoVPolyDataMapper::DrawSorted(int primitive, vtkRenderer* renderer, 
       continue;
     }
     vtkWideFoVStage* const other = lot == Sorted::Calm ? stages->GetCalmAmong(stage)
-      : lot == Sorted::Plain                           ? stages->PlainAmong.Get()
+      : lot == Sorted::Plain                           ? stages->GetPlainAmong()
                                                        : stage;
     vtkOpenGLHelper& helper = lot == Sorted::Covered ? own : sorted.GetHelper(lot);
     helper.IBO->IndexCount = own.IBO->IndexCount; // the others have none of their own

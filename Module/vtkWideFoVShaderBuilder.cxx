@@ -228,7 +228,8 @@ const std::string& PlaceOf(const Request& r, const std::string& fragment)
 std::string DepthSource(const Request& r, const std::string& fragment)
 {
   const bool own = PlaceOf(r, fragment) == OwnPlace;
-  return (own ? "in vec3 " + OwnPlace + ";\n" : "") + depth_fragment_glsl;
+  return (own ? "in vec3 " + OwnPlace + ";\n" : "") + Define("WFV_RAY_DEPTH", r.RayDepth) +
+    (r.RayDepth ? ray_fragment_glsl : "") + depth_fragment_glsl;
 }
 
 void FinishFragment(Request r, const std::vector<Varying>& varyings, std::string& fragment)

@@ -193,6 +193,7 @@ void vtkWideFoVStage::FinishTriangles(vtkWideFoVShaderBuilder::Request& request)
   request.BothEyes = this->BothEyes || moves;
   request.ByRays = this->ByRays || this->Calm;
   request.Calm = this->Calm;
+  request.RayDepth = this->RayDepth && straight;
   if ((!straight || (this->Stereo && this->Stereo->OwnRays)) && !this->Clipless &&
     !this->SurfaceDepth)
   {

@@ -52,6 +52,11 @@ public:
   // are covered, so that which of two is in front is decided alike.
   void SetSurfaceDepth(bool surfaceDepth) { this->SurfaceDepth = surfaceDepth; }
 
+  // With it: where the pixel's own ray meets the surface, not at the place that is interpolated
+  // along chords, which is off by as much as these are. Beyond an outline what is behind comes out
+  // in front so; for triangles of which is known that none is drawn there.
+  void SetRayDepth(bool rayDepth) { this->RayDepth = rayDepth; }
+
   // Lines by the exact variant, as long as they are few: the technique "auto".
   void SetExactLines(bool exact)
   {
@@ -169,6 +174,7 @@ private:
   bool ExactLines = false;
   bool DebugView = false;
   bool SurfaceDepth = false;
+  bool RayDepth = false;
   int NumberOfDraws = 0;
   int NumberOfTessellateDraws = 0;
 };

@@ -33,7 +33,9 @@ constexpr double PixelSafety = 8;
 
 vtkWideFoVStages::vtkWideFoVStages()
 {
+  this->PlainAlone->SetSurfaceDepth(true);
   this->PlainAmong->SetSurfaceDepth(true);
+  this->PlainAmong->SetRayDepth(true);
   this->CalmAmong->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
   this->CalmAmong->SetCalm(true);
   this->PreClip->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
@@ -46,10 +48,10 @@ vtkWideFoVStages::vtkWideFoVStages()
   this->CalmOfBoth->SetBothEyes(true);
 }
 
-std::array<vtkWideFoVStage*, 8> vtkWideFoVStages::GetAll()
+std::array<vtkWideFoVStage*, 9> vtkWideFoVStages::GetAll()
 {
-  return { this->Plain, this->PlainAmong, this->CalmAmong, this->PreClip, this->Exact,
-    this->Tessellate, this->ExactOfBoth, this->CalmOfBoth };
+  return { this->Plain, this->PlainAlone, this->PlainAmong, this->CalmAmong, this->PreClip,
+    this->Exact, this->Tessellate, this->ExactOfBoth, this->CalmOfBoth };
 }
 
 bool vtkWideFoVStages::CanTessellate()
@@ -109,8 +111,8 @@ void vtkWideFoVStages::Begin(
 void vtkWideFoVStages::SetDebugView(bool debugView)
 {
   this->DebugView = debugView;
-  for (vtkWideFoVStage* stage : { this->Plain.Get(), this->PlainAmong.Get(), this->PreClip.Get(),
-         this->Exact.Get(), this->ExactOfBoth.Get() })
+  for (vtkWideFoVStage* stage : { this->Plain.Get(), this->PlainAlone.Get(), this->PlainAmong.Get(),
+         this->PreClip.Get(), this->Exact.Get(), this->ExactOfBoth.Get() })
   {
     stage->SetDebugView(debugView);
   }
@@ -185,7 +187,7 @@ vtkWideFoVStage* vtkWideFoVStages::Choose(
   }
   // no bound on chords is one on depth: along an edge that runs away from the eye it is off by
   // the square of the edge's share of the distance, however near chord and edge are
-  return this->Technique == vtkWideFoVPass::AUTO ? this->PlainAmong : this->Plain;
+  return this->Technique == vtkWideFoVPass::AUTO ? this->PlainAlone : this->Plain;
 }
 
 vtkWideFoVStage* vtkWideFoVStages::FindAttached(vtkProp* prop)

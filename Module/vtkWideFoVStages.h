@@ -96,7 +96,8 @@ public:
   static vtkWideFoVStage* FindAttached(vtkProp* prop);
 
   vtkNew<vtkWideFoVStage> Plain;      // vertex, preclip: with depth interpolated along chords
-  vtkNew<vtkWideFoVStage> PlainAmong; // auto: with the surface's own, also among covered ones
+  vtkNew<vtkWideFoVStage> PlainAlone; // auto: with the surface's own
+  vtkNew<vtkWideFoVStage> PlainAmong; // auto: among covered ones, with that on the pixel's own ray
   vtkNew<vtkWideFoVStage> CalmAmong;  // covered triangles that are easy, of a prop with others
   vtkNew<vtkWideFoVStage> PreClip;
   vtkNew<vtkWideFoVStage> Exact;
@@ -106,13 +107,16 @@ public:
   vtkNew<vtkWideFoVStage> ExactOfBoth;
   vtkNew<vtkWideFoVStage> CalmOfBoth;
 
-  // What the calm ones are drawn with among triangles of this stage; plain ones by PlainAmong, once
-  // for each eye.
+  // What the calm ones are drawn with among triangles of this stage; plain ones by
+  // GetPlainAmong, once for each eye.
   vtkWideFoVStage* GetCalmAmong(const vtkWideFoVStage* stage)
   {
     return this->IsOfBoth(stage) ? this->CalmOfBoth : this->CalmAmong;
   }
   bool IsOfBoth(const vtkWideFoVStage* stage) const { return stage == this->ExactOfBoth; }
+
+  // What the plain ones are drawn with. In a hurry nobody has looked at outlines.
+  vtkWideFoVStage* GetPlainAmong() { return this->Hurries ? this->PlainAlone : this->PlainAmong; }
 
 private:
   // True where no edge of the prop bends by more than the tolerance, seen from here.
@@ -150,7 +154,7 @@ private:
   bool SortMoving = false;
   bool Hurries = false;
   bool Shares = false;
-  std::array<vtkWideFoVStage*, 8> GetAll();
+  std::array<vtkWideFoVStage*, 9> GetAll();
   void SetEyes(vtkWideFoVCamera* camera, const wfv::StereoModel* stereo); // after SetPart
   double Reach = 0; // of the rays' beginnings from the middle between the eyes, scene units
 

@@ -217,7 +217,7 @@ bool vtkWideFoVStages::GetSortView(
   const bool opaque = view.Bends && !actor->HasTranslucentPolygonalGeometry();
   view.Plain = opaque && view.Samples.AreKnown() && this->Technique == vtkWideFoVPass::AUTO &&
     (stage == this->PreClip || (own && this->AllowsChords()));
-  view.Cheap = stage == this->Plain || stage == this->PlainAmong;
+  view.Cheap = stage == this->Plain || stage == this->PlainAlone;
   view.Tolerance = this->Tolerance;
   view.Moving = view.Plain && this->Hurries ? this->Tolerance : 0;
   view.Calm = opaque && !this->DebugView && (stage == this->PreClip || exact);
