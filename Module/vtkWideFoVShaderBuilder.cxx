@@ -7,6 +7,7 @@
 #include "vtkWideFoVPointShaders.h"
 #include "vtkWideFoVQuadricShaders.h"
 #include "vtkWideFoVShaderText.h"
+#include "vtkWideFoVWholeText.h"
 
 #include <regex>
 #include <vector>
@@ -171,8 +172,9 @@ std::string CoverFragment(
   }
   RewriteFlatNormal(fragment);
   return std::string(r.BothEyes ? "flat in float wfvEye; // that the fragment is for\n" : "") +
-    ray_fragment_glsl + cover_fragment_glsl + (Warped(r) ? warped_fragment_glsl : "") +
-    chord_fragment_glsl + (r.Edges || r.DebugView ? edge_distance_glsl : "") +
+    ray_fragment_glsl + (r.Whole ? WholeSource(*r.Projection) : "") + cover_fragment_glsl +
+    (Warped(r) ? warped_fragment_glsl : "") + chord_fragment_glsl +
+    (r.Edges || r.DebugView ? edge_distance_glsl : "") +
     CornerInputs(varyings, { "wfvB.x", "wfvB.y", "wfvB.z" }, KnownOf(r));
 }
 
@@ -266,8 +268,9 @@ void FinishFragment(Request r, const std::vector<Varying>& varyings, std::string
   }
   if (!declarations.empty())
   {
-    vtkWideFoVShaderBuilder::Declare(
-      fragment, (covers ? SampleMasks : "") + ViewSource(r) + declarations);
+    vtkWideFoVShaderBuilder::Declare(fragment,
+      (covers ? std::string(SampleMasks) + (r.Whole ? Doubles : "") : "") + ViewSource(r) +
+        declarations);
   }
 }
 }

@@ -57,6 +57,17 @@ public:
   // in front so; for triangles of which is known that none is drawn there.
   void SetRayDepth(bool rayDepth) { this->RayDepth = rayDepth; }
 
+  // Covered triangles decided in double, where the projection has rays for that: the technique
+  // "exact". Not with several samples, which would each take as long, nor in a tilted view.
+  void SetWhole(bool whole)
+  {
+    if (whole != this->Whole)
+    {
+      this->Whole = whole;
+      this->SourceTime.Modified();
+    }
+  }
+
   // Lines by the exact variant, as long as they are few: the technique "auto".
   void SetExactLines(bool exact)
   {
@@ -138,6 +149,7 @@ private:
   void SetFrameParameters(vtkShaderProgram* program, const int viewport[4]);
 
   // Sets the stereo model, and how triangles are covered, in a request whose primitives are known.
+  bool HasWholeRays() const;
   void FinishTriangles(vtkWideFoVShaderBuilder::Request& request) const;
 
   // Looks whether the bound framebuffer has several samples a pixel.
@@ -175,6 +187,7 @@ private:
   bool DebugView = false;
   bool SurfaceDepth = false;
   bool RayDepth = false;
+  bool Whole = false;
   int NumberOfDraws = 0;
   int NumberOfTessellateDraws = 0;
 };

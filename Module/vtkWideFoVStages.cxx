@@ -98,6 +98,7 @@ void vtkWideFoVStages::Begin(
     stage->SetClipless(technique == vtkWideFoVPass::VERTEX);
     stage->SetByRays(
       this->Technique == vtkWideFoVPass::TESSELLATE || this->Technique == vtkWideFoVPass::AUTO);
+    stage->SetWhole(this->IsExact());
     stage->SetExactLines(this->Technique == vtkWideFoVPass::AUTO && (!stereo || stereo->Straight));
     stage->ResetNumberOfDraws();
   }
@@ -140,6 +141,12 @@ bool vtkWideFoVStages::IsFine(vtkProp* prop, const double bounds[6], wfv::PropFa
   return error * this->HalfDiagonal <= most;
 }
 
+bool vtkWideFoVStages::IsExact() const
+{
+  return this->Technique == vtkWideFoVPass::EXACT ||
+    (this->Technique == vtkWideFoVPass::AUTO && !this->AllowsChords());
+}
+
 bool vtkWideFoVStages::AllowsChords() const
 {
   return this->Tolerance >= LeastTolerance;
@@ -164,10 +171,9 @@ vtkWideFoVStage* vtkWideFoVStages::Choose(
   {
     return this->Plain;
   }
-  const bool fine = this->Technique == vtkWideFoVPass::AUTO && !this->AllowsChords();
   // a direction map has no chords that something could be said of
   const bool sampled = this->Projection->Axis == wfv::Family::Sampled;
-  if (this->Technique == vtkWideFoVPass::EXACT || fine || sampled || this->ByPixels)
+  if (this->IsExact() || sampled || this->ByPixels)
   {
     return this->Shares && this->ByPixels && facts.Shareable ? this->ExactOfBoth : this->Exact;
   }

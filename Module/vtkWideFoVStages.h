@@ -144,6 +144,7 @@ private:
   bool ByPixels = false; // the stereo model leaves chords no edge to stand for
   const wfv::StereoModel* Stereo = nullptr;
   bool AllowsChords() const; // the tolerance does
+  bool IsExact() const;      // every triangle is covered
   wfv::WfvView View;
   double WorldToView[16];
   void SetPart(vtkRenderer* renderer, const float tile[4]);
