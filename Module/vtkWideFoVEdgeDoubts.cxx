@@ -166,8 +166,7 @@ bool SettleSample(const Case* first, const Case* last, const EdgeDoubts::Mesh& m
       continue;
     }
     const bool folds = e->Beside <= e->Width && mesh.IsPlain(e->Edge / 3) && MayFold(mesh, *e);
-    const bool alone = e->Width > EdgeDoubts::OutlineWidth || !IsOneChord(mesh, *e);
-    if (folds || (alone && e->MayBeWrong(mesh)))
+    if (folds || e->MayBeWrong(mesh))
     {
       changed |= Cover(mesh, *e);
     }

@@ -13,9 +13,9 @@ namespace wfv
 {
 // What is in front of what is decided at the outlines of surfaces: where front meets back, or the
 // mesh ends. Beside the chord of an outline a hidden face may show, which is seen nowhere near: if
-// a sample is so near the chord that it is in doubt, and another edge passes there as well. What
-// two faces do at one sample is known: both are drawn there, or neither, as they share the chord,
-// and either is what is seen right beside it.
+// a sample is so near the chord that it is in doubt. The two faces that meet there are both drawn
+// at it or neither, as they share the chord, but beyond their edge its ray meets the plane of the
+// one behind first. Another edge may pass there as well.
 class EdgeDoubts
 {
 public:

@@ -33,6 +33,17 @@ public:
   }
 };
 
+// The uniform dmat3, of a row-major matrix.
+void SetTurn(GLint location, const double m[16])
+{
+  if (location < 0)
+  {
+    return;
+  }
+  const double turn[9] = { m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10] };
+  glUniformMatrix3dv(location, 1, GL_TRUE, turn);
+}
+
 // What a matrix takes to the origin; false where it cannot be turned round.
 bool FindOrigin(const double m[16], double place[4])
 {
@@ -60,6 +71,7 @@ EyeUniforms FindEyeUniforms(vtkShaderProgram* program)
   uniforms.Known = glGetUniformLocation(handle, "wfvEyeKnown");
   uniforms.High = glGetUniformLocation(handle, "wfvEyeHigh");
   uniforms.Low = glGetUniformLocation(handle, "wfvEyeLow");
+  uniforms.ToView = glGetUniformLocation(handle, "wfvToView");
   return uniforms;
 }
 
@@ -79,10 +91,11 @@ void SetEye(const EyeUniforms& uniforms, vtkOpenGLPolyDataMapper* mapper, vtkAct
   double place[4];
   std::copy_n(eye.Place, 4, place);
   bool known = eye.Known;
+  double m[16];
+  std::copy_n(eye.ToView, 16, m);
   if (shifted || !actor->GetIsIdentity())
   {
     // all of the way at once: what is far from the world's origin and near the eye keeps its digits
-    double m[16];
     vtkMatrix4x4::Multiply4x4(eye.ToView, actor->GetMatrix()->GetData(), m);
     if (shifted)
     {
@@ -100,6 +113,7 @@ void SetEye(const EyeUniforms& uniforms, vtkOpenGLPolyDataMapper* mapper, vtkAct
     high[i] = rounded;
     low[i] = static_cast<float>(place[i] - rounded);
   }
+  SetTurn(uniforms.ToView, m);
   glUniform1i(uniforms.Known, known);
   glUniform3fv(uniforms.High, 1, high);
   glUniform3fv(uniforms.Low, 1, low);

@@ -13,12 +13,14 @@ namespace wfv
 {
 // wfvEyeHigh and wfvEyeLow (their sum is the eye, in double) and wfvEyeKnown, which is 0 where the
 // way from model to view coordinates cannot be turned round: where a program has them, below 0
-// where it has not. Every prop sets them, and to look their names up takes longer than that.
+// where it has not. wfvToView turns along that way, where the driver has doubles. Every prop sets
+// them, and to look their names up takes longer than that.
 struct EyeUniforms
 {
   int Known = -1;
   int High = -1;
   int Low = -1;
+  int ToView = -1;
 };
 EyeUniforms FindEyeUniforms(vtkShaderProgram* program);
 

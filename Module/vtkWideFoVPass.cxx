@@ -233,7 +233,8 @@ void vtkWideFoVPass::TakeCounts()
 {
   const vtkWideFoVStages& stages = this->Internal->Stages;
   this->NumberOfPlainDraws = stages.Plain->GetNumberOfDraws() +
-    stages.PlainAmong->GetNumberOfDraws() + stages.FarPlainAmong->GetNumberOfDraws();
+    stages.PlainAlone->GetNumberOfDraws() + stages.PlainAmong->GetNumberOfDraws() +
+    stages.FarPlainAlone->GetNumberOfDraws() + stages.FarPlainAmong->GetNumberOfDraws();
   // of the tessellate stage too, what cannot be tessellated is drawn by the pre-clip
   const int patches = stages.Tessellate->GetNumberOfTessellateDraws();
   const int calm = stages.CalmAmong->GetNumberOfDraws() + stages.CalmOfBoth->GetNumberOfDraws() +

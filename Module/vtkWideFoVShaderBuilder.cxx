@@ -7,6 +7,7 @@
 #include "vtkWideFoVPointShaders.h"
 #include "vtkWideFoVQuadricShaders.h"
 #include "vtkWideFoVShaderText.h"
+#include "vtkWideFoVWholeText.h"
 
 #include <regex>
 #include <vector>
@@ -172,8 +173,9 @@ std::string CoverFragment(
   }
   RewriteFlatNormal(fragment);
   return std::string(r.BothEyes ? "flat in float wfvEye; // that the fragment is for\n" : "") +
-    ray_fragment_glsl + cover_fragment_glsl + (Warped(r) ? warped_fragment_glsl : "") +
-    chord_fragment_glsl + (r.Edges || r.DebugView ? edge_distance_glsl : "") +
+    ray_fragment_glsl + (r.Whole ? WholeSource(*r.Projection) : "") + cover_fragment_glsl +
+    (Warped(r) ? warped_fragment_glsl : "") + chord_fragment_glsl +
+    (r.Edges || r.DebugView ? edge_distance_glsl : "") +
     CornerInputs(varyings, { "wfvB.x", "wfvB.y", "wfvB.z" }, KnownOf(r));
 }
 
@@ -237,8 +239,8 @@ bool KeepsPlace(const Request& r, const std::string& fragment)
 // What is needed for that.
 std::string PlaceSource(const Request& r, const std::string& fragment)
 {
-  const std::string distance =
-    MovesVertices(r) ? "#define WFV_DISTANCE length(" + OwnPlace + ")\n" : "";
+  const bool tells = MovesVertices(r) && !r.RayDepth; // else depth_fragment.glsl says it
+  const std::string distance = tells ? "#define WFV_DISTANCE length(" + OwnPlace + ")\n" : "";
   return KeepsPlace(r, fragment) ? "in vec3 " + OwnPlace + ";\n" + distance : "";
 }
 
@@ -259,7 +261,8 @@ void FinishFragment(Request r, const std::vector<Varying>& varyings, std::string
   }
   else if (WritesDepth(r))
   {
-    declarations += depth_fragment_glsl;
+    declarations += Define("WFV_RAY_DEPTH", r.RayDepth) + (r.RayDepth ? ray_fragment_glsl : "") +
+      depth_fragment_glsl;
     before = "  wfvPrepareDepth(" + PlaceOf(r, fragment) + ".xyz);\n" + RewriteDepth(fragment);
   }
   const std::string border = BorderSource(r);
@@ -277,8 +280,9 @@ void FinishFragment(Request r, const std::vector<Varying>& varyings, std::string
   }
   if (!declarations.empty())
   {
-    vtkWideFoVShaderBuilder::Declare(
-      fragment, (covers ? SampleMasks : "") + ViewSource(r) + declarations);
+    vtkWideFoVShaderBuilder::Declare(fragment,
+      (covers ? std::string(SampleMasks) + (r.Whole ? Doubles : "") : "") + ViewSource(r) +
+        declarations);
   }
 }
 }

@@ -113,7 +113,7 @@ std::string ViewSource(const Request& r)
     Define("WFV_STRAIGHT_SEAM", r.Projection->StraightSeam) +
     Define("WFV_FLAT_RIM", r.Projection->FlatRim) +
     Define("WFV_EXACT", r.ByRays || r.Stage == vtkWideFoVShaderBuilder::Variant::Exact) +
-    Define("WFV_BY_RAYS", r.ByRays) + Define("WFV_CALM", r.Calm) +
+    Define("WFV_BY_RAYS", r.ByRays) + Define("WFV_CALM", r.Calm) + Define("WFV_WHOLE", r.Whole) +
     Define("WFV_DEPTH_MAPPING(v)", r.DepthMapping) + Define("WFV_MULTISAMPLE", r.Multisample) +
     Define("WFV_WIDE_LINES", r.WideLines) + Define("WFV_EDGES", r.Edges || r.DebugView) +
     Define("WFV_EDGE_FLAGS", r.EdgeFlags) + Define("WFV_DEBUG_VIEW", r.DebugView) +

@@ -197,6 +197,8 @@ void vtkWideFoVStage::FinishTriangles(vtkWideFoVShaderBuilder::Request& request)
   request.BothEyes = this->BothEyes || moves;
   request.ByRays = this->ByRays || this->Calm;
   request.Calm = this->Calm;
+  request.RayDepth = this->RayDepth && straight;
+  request.Whole = this->Whole && this->HasWholeRays();
   if ((!straight || (this->Stereo && this->Stereo->OwnRays)) && !this->Clipless &&
     !this->SurfaceDepth)
   {
@@ -204,6 +206,15 @@ void vtkWideFoVStage::FinishTriangles(vtkWideFoVShaderBuilder::Request& request)
     // among covered ones have been measured
     request.Stage = vtkWideFoVShaderBuilder::Variant::Exact;
   }
+}
+
+bool vtkWideFoVStage::HasWholeRays() const
+{
+  const bool exact = this->Variant == vtkWideFoVShaderBuilder::Variant::Exact || this->Calm;
+  const bool moved = this->Stereo && (this->Stereo->OwnRays || !this->Stereo->Straight);
+  const wfv::Family family = this->Projection->Axis;
+  return exact && !moved && !this->Multisample && !this->Tilted && this->Projection->WholeRays &&
+    family != wfv::Family::Sampled && family != wfv::Family::Planar;
 }
 
 vtkWideFoVShaderBuilder::Request vtkWideFoVStage::MakeRequest(

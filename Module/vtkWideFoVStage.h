@@ -52,6 +52,22 @@ public:
   // are covered, so that which of two is in front is decided alike.
   void SetSurfaceDepth(bool surfaceDepth) { this->SurfaceDepth = surfaceDepth; }
 
+  // With it: where the pixel's own ray meets the surface, not at the place that is interpolated
+  // along chords, which is off by as much as these are. Beyond an outline what is behind comes out
+  // in front so; for triangles of which is known that none is drawn there.
+  void SetRayDepth(bool rayDepth) { this->RayDepth = rayDepth; }
+
+  // Covered triangles decided in double, where the projection has rays for that: the technique
+  // "exact". Not with several samples, which would each take as long, nor in a tilted view.
+  void SetWhole(bool whole)
+  {
+    if (whole != this->Whole)
+    {
+      this->Whole = whole;
+      this->SourceTime.Modified();
+    }
+  }
+
   // Lines by the exact variant, as long as they are few: the technique "auto".
   void SetExactLines(bool exact)
   {
@@ -136,6 +152,7 @@ private:
   void SetFrameParameters(vtkShaderProgram* program, const int viewport[4]);
 
   // Sets the stereo model, and how triangles are covered, in a request whose primitives are known.
+  bool HasWholeRays() const;
   void FinishTriangles(vtkWideFoVShaderBuilder::Request& request) const;
 
   // Looks whether the bound framebuffer has several samples a pixel.
@@ -173,6 +190,8 @@ private:
   bool ExactLines = false;
   bool DebugView = false;
   bool SurfaceDepth = false;
+  bool RayDepth = false;
+  bool Whole = false;
   int NumberOfDraws = 0;
   int NumberOfTessellateDraws = 0;
 };

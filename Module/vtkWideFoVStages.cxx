@@ -33,7 +33,9 @@ constexpr double PixelSafety = 8;
 
 vtkWideFoVStages::vtkWideFoVStages()
 {
+  this->PlainAlone->SetSurfaceDepth(true);
   this->PlainAmong->SetSurfaceDepth(true);
+  this->PlainAmong->SetRayDepth(true);
   this->CalmAmong->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
   this->CalmAmong->SetCalm(true);
   this->PreClip->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
@@ -44,20 +46,23 @@ vtkWideFoVStages::vtkWideFoVStages()
   this->CalmOfBoth->SetCalm(true);
   this->ExactOfBoth->SetBothEyes(true);
   this->CalmOfBoth->SetBothEyes(true);
+  this->FarPlainAlone->SetSurfaceDepth(true);
   this->FarPlainAmong->SetSurfaceDepth(true);
+  this->FarPlainAmong->SetRayDepth(true);
   this->FarCalmAmong->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
   this->FarCalmAmong->SetCalm(true);
   this->FarPreClip->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
+  this->FarPlainAlone->SetMiddle(true);
   this->FarPlainAmong->SetMiddle(true);
   this->FarCalmAmong->SetMiddle(true);
   this->FarPreClip->SetMiddle(true);
 }
 
-std::array<vtkWideFoVStage*, 11> vtkWideFoVStages::GetAll()
+std::array<vtkWideFoVStage*, 13> vtkWideFoVStages::GetAll()
 {
-  return { this->Plain, this->PlainAmong, this->CalmAmong, this->PreClip, this->Exact,
-    this->Tessellate, this->ExactOfBoth, this->CalmOfBoth, this->FarPlainAmong, this->FarCalmAmong,
-    this->FarPreClip };
+  return { this->Plain, this->PlainAlone, this->PlainAmong, this->CalmAmong, this->PreClip,
+    this->Exact, this->Tessellate, this->ExactOfBoth, this->CalmOfBoth, this->FarPlainAlone,
+    this->FarPlainAmong, this->FarCalmAmong, this->FarPreClip };
 }
 
 bool vtkWideFoVStages::CanTessellate()
@@ -104,6 +109,7 @@ void vtkWideFoVStages::Begin(
     stage->SetClipless(technique == vtkWideFoVPass::VERTEX);
     stage->SetByRays(
       this->Technique == vtkWideFoVPass::TESSELLATE || this->Technique == vtkWideFoVPass::AUTO);
+    stage->SetWhole(this->IsExact());
     stage->SetExactLines(this->Technique == vtkWideFoVPass::AUTO && (!stereo || stereo->Straight));
     stage->ResetNumberOfDraws();
   }
@@ -117,9 +123,9 @@ void vtkWideFoVStages::Begin(
 void vtkWideFoVStages::SetDebugView(bool debugView)
 {
   this->DebugView = debugView;
-  for (vtkWideFoVStage* stage :
-    { this->Plain.Get(), this->PlainAmong.Get(), this->PreClip.Get(), this->Exact.Get(),
-      this->ExactOfBoth.Get(), this->FarPlainAmong.Get(), this->FarPreClip.Get() })
+  for (vtkWideFoVStage* stage : { this->Plain.Get(), this->PlainAlone.Get(), this->PlainAmong.Get(),
+         this->PreClip.Get(), this->Exact.Get(), this->ExactOfBoth.Get(), this->FarPlainAlone.Get(),
+         this->FarPlainAmong.Get(), this->FarPreClip.Get() })
   {
     stage->SetDebugView(debugView);
   }
@@ -147,6 +153,12 @@ bool vtkWideFoVStages::IsFine(vtkProp* prop, const double bounds[6], wfv::PropFa
   return error * this->HalfDiagonal <= most;
 }
 
+bool vtkWideFoVStages::IsExact() const
+{
+  return this->Technique == vtkWideFoVPass::EXACT ||
+    (this->Technique == vtkWideFoVPass::AUTO && !this->AllowsChords());
+}
+
 bool vtkWideFoVStages::AllowsChords() const
 {
   return this->Tolerance >= LeastTolerance;
@@ -171,10 +183,9 @@ vtkWideFoVStage* vtkWideFoVStages::Choose(
   {
     return this->Plain;
   }
-  const bool fine = this->Technique == vtkWideFoVPass::AUTO && !this->AllowsChords();
   // a direction map has no chords that something could be said of
   const bool sampled = this->Projection->Axis == wfv::Family::Sampled;
-  const bool covers = this->Technique == vtkWideFoVPass::EXACT || fine || sampled;
+  const bool covers = this->IsExact() || sampled;
   const bool far = !covers && this->IsFar(bounds, facts);
   if (covers || (this->ByPixels && !far))
   {
@@ -202,8 +213,8 @@ vtkWideFoVStage* vtkWideFoVStages::ChooseByBounds(
   }
   // no bound on chords is one on depth: along an edge that runs away from the eye it is off by
   // the square of the edge's share of the distance, however near chord and edge are
-  vtkWideFoVStage* const among = far ? this->FarPlainAmong : this->PlainAmong;
-  return this->Technique == vtkWideFoVPass::AUTO ? among : this->Plain.Get();
+  vtkWideFoVStage* const alone = far ? this->FarPlainAlone : this->PlainAlone;
+  return this->Technique == vtkWideFoVPass::AUTO ? alone : this->Plain.Get();
 }
 
 vtkWideFoVStage* vtkWideFoVStages::FindAttached(vtkProp* prop)

@@ -100,7 +100,8 @@ public:
   static vtkWideFoVStage* FindAttached(vtkProp* prop);
 
   vtkNew<vtkWideFoVStage> Plain;      // vertex, preclip: with depth interpolated along chords
-  vtkNew<vtkWideFoVStage> PlainAmong; // auto: with the surface's own, also among covered ones
+  vtkNew<vtkWideFoVStage> PlainAlone; // auto: with the surface's own
+  vtkNew<vtkWideFoVStage> PlainAmong; // auto: among covered ones, with that on the pixel's own ray
   vtkNew<vtkWideFoVStage> CalmAmong;  // covered triangles that are easy, of a prop with others
   vtkNew<vtkWideFoVStage> PreClip;
   vtkNew<vtkWideFoVStage> Exact;
@@ -111,12 +112,13 @@ public:
   vtkNew<vtkWideFoVStage> CalmOfBoth;
 
   // Of what is so far away that both eyes see it alike: as without stereo.
+  vtkNew<vtkWideFoVStage> FarPlainAlone;
   vtkNew<vtkWideFoVStage> FarPlainAmong;
   vtkNew<vtkWideFoVStage> FarCalmAmong;
   vtkNew<vtkWideFoVStage> FarPreClip;
 
   // What the calm ones are drawn with among triangles of this stage, and plain ones, of both eyes
-  // once for each.
+  // once for each. In a hurry nobody has looked at outlines.
   vtkWideFoVStage* GetCalmAmong(const vtkWideFoVStage* stage)
   {
     return this->IsFar(stage) ? this->FarCalmAmong
@@ -125,11 +127,13 @@ public:
   }
   vtkWideFoVStage* GetPlainAmong(const vtkWideFoVStage* stage)
   {
-    return this->IsFar(stage) ? this->FarPlainAmong : this->PlainAmong;
+    return this->IsFar(stage) ? (this->Hurries ? this->FarPlainAlone : this->FarPlainAmong)
+                              : (this->Hurries ? this->PlainAlone : this->PlainAmong);
   }
   bool IsFar(const vtkWideFoVStage* stage) const
   {
-    return stage == this->FarPlainAmong || stage == this->FarPreClip;
+    return stage == this->FarPlainAlone || stage == this->FarPlainAmong ||
+      stage == this->FarPreClip;
   }
   bool IsOfBoth(const vtkWideFoVStage* stage) const { return stage == this->ExactOfBoth; }
 
@@ -167,6 +171,7 @@ private:
   bool ByPixels = false; // the stereo model leaves chords no edge to stand for
   const wfv::StereoModel* Stereo = nullptr;
   bool AllowsChords() const; // the tolerance does
+  bool IsExact() const;      // every triangle is covered
   wfv::WfvView View;
   double WorldToView[16];
   void SetPart(vtkRenderer* renderer, const float tile[4]);
@@ -177,7 +182,7 @@ private:
   bool SortMoving = false;
   bool Hurries = false;
   bool Shares = false;
-  std::array<vtkWideFoVStage*, 11> GetAll();
+  std::array<vtkWideFoVStage*, 13> GetAll();
   void SetEyes(vtkWideFoVCamera* camera, const wfv::StereoModel* stereo); // after SetPart
   double Reach = 0; // of the rays' beginnings from the middle between the eyes, scene units
 

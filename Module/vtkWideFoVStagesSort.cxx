@@ -238,7 +238,7 @@ bool vtkWideFoVStages::GetSortView(
   const bool opaque = view.Bends && !actor->HasTranslucentPolygonalGeometry();
   view.Plain = opaque && view.Samples.AreKnown() && this->Technique == vtkWideFoVPass::AUTO &&
     (cut || (own && this->AllowsChords()));
-  view.Cheap = stage == this->Plain || stage == this->PlainAmong || stage == this->FarPlainAmong;
+  view.Cheap = stage == this->Plain || stage == this->PlainAlone || stage == this->FarPlainAlone;
   view.Tolerance = this->Tolerance;
   view.Moving = view.Plain && this->Hurries ? this->Tolerance : 0;
   view.Calm = opaque && !this->DebugView && (cut || exact);

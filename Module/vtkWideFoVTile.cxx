@@ -60,6 +60,7 @@ void SetTileUniforms(vtkShaderProgram* program, const TilePixels& pixels, const 
   // in whole and half pixels, so that a tile has the very rays of the whole picture
   float toMap[4];
   float picture[4];
+  float toMapLow[2];
   float quarter[2]; // pixels of a quarter turn, where the map's unit is the radian
   for (int i = 0; i < 2; i++)
   {
@@ -70,6 +71,7 @@ void SetTileUniforms(vtkShaderProgram* program, const TilePixels& pixels, const 
     picture[i + 2] = static_cast<float>(whole);
     toMap[i] = static_cast<float>(viewport[i] + 0.5 * whole - start);
     toMap[i + 2] = static_cast<float>(2 / (whole * scale[i]));
+    toMapLow[i] = static_cast<float>(2 / (whole * scale[i]) - static_cast<double>(toMap[i + 2]));
     quarter[i] = static_cast<float>(0.25 * WFV_PI * whole * scale[i]);
   }
   const float f[4] = { static_cast<float>(viewport[0]), static_cast<float>(viewport[1]),
@@ -77,6 +79,7 @@ void SetTileUniforms(vtkShaderProgram* program, const TilePixels& pixels, const 
   program->SetUniform4f("wfvTile", tile);
   program->SetUniform4f("wfvViewport", f);
   program->SetUniform4f("wfvPixelToMap", toMap);
+  program->SetUniform2f("wfvPixelToMapLow", toMapLow);
   program->SetUniform4f("wfvPicture", picture);
   program->SetUniform2f("wfvQuarterTurn", quarter);
 }

@@ -26,9 +26,9 @@ const float WFV_LENS_PAD = 0.02;
 // A ray that lies in the plane of an edge is decided as if it were shifted by a hair along
 // x, by less along y and by less again along z: the same shift for every edge, so what is
 // shown there is what the shifted ray sees, and neighbours still decide apart.
-bool wfvInside(float e, vec3 n)
+bool wfvInside(float e, WFV_EDGE n)
 {
-  float shifted = n.x != 0.0 ? n.x : (n.y != 0.0 ? n.y : n.z);
+  WFV_SIDE shifted = n.x != 0.0 ? n.x : (n.y != 0.0 ? n.y : n.z);
 #if WFV_OWN_RAYS
   shifted *= wfvTurn;
 #endif

@@ -2,9 +2,22 @@
 // Fragment side of the pre-clip: barycentric coordinates, coverage and depth of the
 // primitive at this pixel, before the stock shader runs.
 
-flat in vec3 wfvEdge0;
-flat in vec3 wfvEdge1;
-flat in vec3 wfvEdge2;
+// Rays and edges in double, so that what is thinner than float32 turns a ray is decided too.
+#ifdef GL_ARB_gpu_shader_fp64
+#define WFV_DOUBLES WFV_WHOLE
+#else
+#define WFV_DOUBLES 0
+#endif
+#if WFV_DOUBLES
+#define WFV_EDGE dvec3
+#define WFV_SIDE double
+#else
+#define WFV_EDGE vec3
+#define WFV_SIDE float
+#endif
+flat in WFV_EDGE wfvEdge0;
+flat in WFV_EDGE wfvEdge1;
+flat in WFV_EDGE wfvEdge2;
 flat in vec3 wfvPlane;
 #if WFV_OWN_RAYS || WFV_WARPED
 flat in vec3 wfvAnchor;
@@ -76,9 +89,9 @@ float wfvAhead(vec3 start)
 #endif
 
 // Positive inside.
-vec3 wfvEdgesAt(vec3 direction)
+WFV_EDGE wfvEdgesAt(WFV_EDGE direction)
 {
-  vec3 e = vec3(dot(direction, wfvEdge0), dot(direction, wfvEdge1), dot(direction, wfvEdge2));
+  WFV_EDGE e = WFV_EDGE(dot(direction, wfvEdge0), dot(direction, wfvEdge1), dot(direction, wfvEdge2));
 #if WFV_OWN_RAYS
   // a ray's moment, times the edge, is what it changes to begin elsewhere than in the origin
   vec3 start = wfvStart(direction);
@@ -90,13 +103,30 @@ vec3 wfvEdgesAt(vec3 direction)
   return e;
 }
 
+#if WFV_DOUBLES
+// What wfvPixelToMap has too few digits for.
+uniform vec2 wfvPixelToMapLow;
+
+// The ray of the pixel's centre in double.
+WfvWholeRay wfvWholeRayAt()
+{
+  WfvWholeView v;
+  v.scale = dvec2(wfvView.scale);
+  v.lens = dvec4(wfvView.lens);
+  v.lens5 = double(wfvView.lens5);
+  v.maxAngle = double(wfvView.maxAngle);
+  dvec2 perPixel = dvec2(wfvPixelToMap.zw) + dvec2(wfvPixelToMapLow);
+  return wfvWholeRayOfMap(dvec2(gl_FragCoord.xy - wfvPixelToMap.xy) * perPixel, v);
+}
+#endif
+
 // How they change over a step of the direction.
 vec3 wfvEdgeStep(vec3 direction, vec3 step_)
 {
 #if WFV_OWN_RAYS
   return wfvEdgesAt(direction + step_) - wfvEdgesAt(direction);
 #else
-  return wfvEdgesAt(step_);
+  return vec3(wfvEdgesAt(WFV_EDGE(step_)));
 #endif
 }
 
@@ -154,10 +184,19 @@ float wfvMeet(vec3 direction, float approach)
 #else
 // The same, from the known direction on: of a surface seen nearly edge-on the terms of a product
 // with the whole direction would cancel, and what they are rounded by would decide its distance.
+#if WFV_DOUBLES
+float wfvOfPlane; // the edges' planes add up to the triangle's
+
+float wfvApproach(vec3 direction)
+{
+  return wfvOfPlane;
+}
+#else
 float wfvApproach(vec3 direction)
 {
   return wfvMeets.x + dot(wfvPlane, direction - wfvToward);
 }
+#endif
 
 // Distance at which a ray meets the plane.
 float wfvMeet(vec3 direction, float approach)
@@ -272,10 +311,26 @@ bool wfvCovered(WfvRay ray, vec3 e)
 #endif
 }
 
+// The ray of the pixel's centre, and the edge functions there.
+WfvRay wfvLook(out vec3 e)
+{
+#if WFV_DOUBLES
+  WfvWholeRay whole = wfvWholeRayAt();
+  dvec3 edges = wfvEdgesAt(whole.direction);
+  e = vec3(edges);
+  wfvOfPlane = float(edges.x + edges.y + edges.z);
+  return WfvRay(vec3(whole.direction), whole.inside);
+#else
+  WfvRay ray = wfvSurfaceRay(vec2(0.0));
+  e = wfvEdgesAt(ray.direction);
+  return ray;
+#endif
+}
+
 void wfvPrepare()
 {
-  WfvRay ray = wfvSurfaceRay(vec2(0.0));
-  vec3 e = wfvEdgesAt(ray.direction);
+  vec3 e;
+  WfvRay ray = wfvLook(e);
 #if !WFV_EXACT
   wfvByChord = (wfvMode & 1) == 0;
 #endif

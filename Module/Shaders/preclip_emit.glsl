@@ -17,9 +17,14 @@ layout(triangle_strip, max_vertices = 4) out;
 layout(triangle_strip, max_vertices = 14) out;
 #endif
 
-flat out vec3 wfvEdge0;  // planes through the eye and the edge opposite to corner i
-flat out vec3 wfvEdge1;
-flat out vec3 wfvEdge2;
+#if WFV_WHOLE && defined(GL_ARB_gpu_shader_fp64)
+#define WFV_EDGE dvec3
+#else
+#define WFV_EDGE vec3
+#endif
+flat out WFV_EDGE wfvEdge0;  // planes through the eye and the edge opposite to corner i
+flat out WFV_EDGE wfvEdge1;
+flat out WFV_EDGE wfvEdge2;
 flat out vec3 wfvPlane;  // normal of the triangle, away from the eye
 #if WFV_OWN_RAYS || WFV_WARPED
 flat out vec3 wfvAnchor; // a point of its plane
@@ -60,6 +65,7 @@ const float WFV_POLE_SLACK = 1e-5;
 vec3 wfvP[3];
 int wfvVertexMode;
 vec3 wfvN[3];
+WFV_EDGE wfvE[3]; // the same, for the fragment stage
 vec4 wfvT; // the plane, and dot(xyz, p) of its points: below 0 where seen from its front
 vec3 wfvA;
 vec3 wfvD; // as wfvToward, wfvMeets
@@ -82,9 +88,9 @@ void wfvWriteFlat()
 #if WFV_BOTH_EYES
   wfvEye = wfvView.stereo.x;
 #endif
-  wfvEdge0 = wfvN[0];
-  wfvEdge1 = wfvN[1];
-  wfvEdge2 = wfvN[2];
+  wfvEdge0 = wfvE[0];
+  wfvEdge1 = wfvE[1];
+  wfvEdge2 = wfvE[2];
   wfvPlane = wfvT.xyz;
 #if WFV_OWN_RAYS || WFV_WARPED
   wfvAnchor = wfvA;

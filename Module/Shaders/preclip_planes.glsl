@@ -10,7 +10,9 @@
 
 #if WFV_MODEL
 in vec3 wfvModel[]; // eye_vertex.glsl
-uniform mat4 WFV_TO_VIEW;
+#ifdef GL_ARB_gpu_shader_fp64
+uniform dmat3 wfvToView; // not rounded, as a float32 matrix is
+#endif
 uniform int wfvEyeKnown;
 uniform vec3 wfvEyeHigh;
 uniform vec3 wfvEyeLow;
@@ -44,7 +46,7 @@ dvec3 wfvWhole(int i)
   dvec3 p = dvec3(gl_in[i].gl_Position.xyz);
 #if WFV_MODEL
   dvec3 relative = (dvec3(wfvModel[i]) - dvec3(wfvEyeHigh)) - dvec3(wfvEyeLow);
-  p = wfvEyeKnown != 0 ? dmat3(mat3(WFV_TO_VIEW)) * relative : p;
+  p = wfvEyeKnown != 0 ? wfvToView * relative : p;
 #endif
   return p / double(wfvScale());
 }
@@ -55,7 +57,11 @@ dvec3 wfvWhole(int i)
 // decided by the rounding of a plane and a direction, edge by edge; turned by a few times that,
 // they miss them, and the edges round a vertex agree. Not on maps with a pole or an antipode, by
 // which the least turn is many pixels.
+#if WFV_WHOLE
+const float WFV_ASIDE = 4e-13; // rays are in double too
+#else
 const float WFV_ASIDE = 4e-7;
+#endif
 const float WFV_ASIDE_PIXELS = 1e-3;
 
 vec3 wfvAside()
@@ -65,21 +71,6 @@ vec3 wfvAside()
 }
 #endif
 
-// Plane through the eye and the edge of corners i and j, the same to the last bit from both
-// sides.
-vec3 wfvEdgePlane(int i, int j)
-{
-  bool ordered = wfvOrdered(wfvP[i], wfvP[j]);
-  dvec3 p = ordered ? wfvWhole(i) : wfvWhole(j);
-  dvec3 q = ordered ? wfvWhole(j) : wfvWhole(i);
-  dvec3 n = cross(p, q - p);
-#if WFV_FACES
-  n += cross(dvec3(wfvAside()), n);
-#endif
-  vec3 rounded = wfvTilt(vec3(n), wfvView);
-  return ordered ? rounded : -rounded;
-}
-
 dvec3 wfvTiltWhole(dvec3 p)
 {
   if (!WFV_TILTED)
@@ -88,6 +79,25 @@ dvec3 wfvTiltWhole(dvec3 p)
   }
   dvec2 t = dvec2(wfvView.tilt);
   return dvec3(p.x, t.x * p.y + t.y * p.z, t.x * p.z - t.y * p.y);
+}
+
+// Plane through the eye and the edge of corners i and j, the same to the last bit from both
+// sides.
+WFV_EDGE wfvEdgePlane(int i, int j)
+{
+  bool ordered = wfvOrdered(wfvP[i], wfvP[j]);
+  dvec3 p = ordered ? wfvWhole(i) : wfvWhole(j);
+  dvec3 q = ordered ? wfvWhole(j) : wfvWhole(i);
+  dvec3 n = cross(p, q - p);
+#if WFV_FACES
+  n += cross(dvec3(wfvAside()), n);
+#endif
+#if WFV_WHOLE
+  dvec3 seen = wfvTiltWhole(n);
+#else
+  vec3 seen = wfvTilt(vec3(n), wfvView);
+#endif
+  return ordered ? seen : -seen;
 }
 
 // The triangle's own plane; w is 0 where it is seen edge-on. Sets wfvD and wfvM.
@@ -169,7 +179,11 @@ void wfvFacePlanes(vec3 lengths)
 #endif
   wfvM *= facing;
   wfvT = vec4(facing * wfvT.xyz, wfvT.w);
-  wfvN[0] = facing * wfvEdgePlane(1, 2);
-  wfvN[1] = facing * wfvEdgePlane(2, 0);
-  wfvN[2] = facing * wfvEdgePlane(0, 1);
+  wfvE[0] = facing * wfvEdgePlane(1, 2);
+  wfvE[1] = facing * wfvEdgePlane(2, 0);
+  wfvE[2] = facing * wfvEdgePlane(0, 1);
+  for (int i = 0; i < 3; i++)
+  {
+    wfvN[i] = vec3(wfvE[i]);
+  }
 }

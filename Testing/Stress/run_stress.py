@@ -36,6 +36,11 @@ ONCE_WRONG = [
     ("equi-angular-cubemap", "eye", 40),
     ("sinusoidal", "closed", 24),  # edges that reach far beyond the ends of their chords
     ("winkel-tripel", "closed", 99),
+    ("azimuthal-equidistant", "eye", 17),  # thinner than a ray in float32 is exact
+    ("eckert-iv", "slivers", 22),
+    ("equi-angular-cubemap", "slivers", 6),
+    ("panini", "slivers", 6),
+    ("winkel-tripel", "eye", 5),
 ]
 
 
