@@ -244,6 +244,12 @@ std::string PlaceSource(const Request& r, const std::string& fragment)
   return KeepsPlace(r, fragment) ? "in vec3 " + OwnPlace + ";\n" + distance : "";
 }
 
+std::string DepthSource(const Request& r)
+{
+  return Define("WFV_RAY_DEPTH", r.RayDepth) + (r.RayDepth ? ray_fragment_glsl : "") +
+    depth_fragment_glsl;
+}
+
 void FinishFragment(Request r, const std::vector<Varying>& varyings, std::string& fragment)
 {
   const bool covers = Covers(r);
@@ -261,8 +267,7 @@ void FinishFragment(Request r, const std::vector<Varying>& varyings, std::string
   }
   else if (WritesDepth(r))
   {
-    declarations += Define("WFV_RAY_DEPTH", r.RayDepth) + (r.RayDepth ? ray_fragment_glsl : "") +
-      depth_fragment_glsl;
+    declarations += DepthSource(r);
     before = "  wfvPrepareDepth(" + PlaceOf(r, fragment) + ".xyz);\n" + RewriteDepth(fragment);
   }
   const std::string border = BorderSource(r);
