@@ -244,6 +244,13 @@ std::string PlaceSource(const Request& r, const std::string& fragment)
   return KeepsPlace(r, fragment) ? "in vec3 " + OwnPlace + ";\n" + distance : "";
 }
 
+// What a fragment stage that covers asks OpenGL for.
+std::string Extensions(const Request& r)
+{
+  return Covers(r) ? std::string(SampleMasks) + (r.Whole ? Doubles : "") : "";
+}
+
+// Writes the depth of what is not covered.
 std::string DepthSource(const Request& r)
 {
   return Define("WFV_RAY_DEPTH", r.RayDepth) + (r.RayDepth ? ray_fragment_glsl : "") +
@@ -285,9 +292,7 @@ void FinishFragment(Request r, const std::vector<Varying>& varyings, std::string
   }
   if (!declarations.empty())
   {
-    vtkWideFoVShaderBuilder::Declare(fragment,
-      (covers ? std::string(SampleMasks) + (r.Whole ? Doubles : "") : "") + ViewSource(r) +
-        declarations);
+    vtkWideFoVShaderBuilder::Declare(fragment, Extensions(r) + ViewSource(r) + declarations);
   }
 }
 }
