@@ -124,12 +124,7 @@ void vtkWideFoVStage::SetView(vtkRenderer* renderer, vtkWideFoVCamera* camera, d
 {
   const wfv::View& view = camera->GetView(wfv::PictureAspect(renderer));
   this->NoteView(view);
-  if (this->Multisample && !this->SawSamples)
-  {
-    this->Multisample = false;
-    this->SourceTime.Modified();
-  }
-  this->SawSamples = false;
+  this->TakeSamples();
   this->Renderer = renderer;
   this->View = view.GetParameters();
   if (this->Middle)
@@ -198,7 +193,8 @@ void vtkWideFoVStage::FinishTriangles(vtkWideFoVShaderBuilder::Request& request)
   request.ByRays = this->ByRays || this->Calm;
   request.Calm = this->Calm;
   request.RayDepth = this->RayDepth && straight;
-  request.Whole = this->Whole && this->HasWholeRays();
+  // how far edges are is asked of float32 alone
+  request.Whole = this->Whole && !request.Edges && !this->DebugView && this->HasWholeRays();
   if ((!straight || (this->Stereo && this->Stereo->OwnRays)) && !this->Clipless &&
     !this->SurfaceDepth)
   {

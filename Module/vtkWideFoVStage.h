@@ -155,8 +155,11 @@ private:
   bool HasWholeRays() const;
   void FinishTriangles(vtkWideFoVShaderBuilder::Request& request) const;
 
-  // Looks whether the bound framebuffer has several samples a pixel.
   void NoteView(const wfv::View& view);
+
+  // Looks whether the bound framebuffer has several samples a pixel: before a frame, and for each
+  // draw, where one of them has.
+  void TakeSamples();
   void NoteSamples();
 
   // How the bound framebuffer is sampled, for the coverage of the pre-clip.
@@ -177,10 +180,9 @@ private:
   int Headlights = 0;
   wfv::SteadyLights Lights;
   bool Clipless = false;
-  // Shaders reckon with several samples a pixel from the first draw on that has them, and no
-  // longer after a frame without one: passes that draw now so and now so share a shader.
+  // Shaders reckon with several samples a pixel in a frame that begins with them, or from the first
+  // draw on that has them.
   bool Multisample = false;
-  bool SawSamples = false;
   bool Tilted = false; // once, and from then on
   bool Fades = false;  // likewise
   bool ByRays = false;

@@ -81,11 +81,20 @@ wfv::ProgramUses FindUses(vtkShaderProgram* program)
 }
 }
 
-void vtkWideFoVStage::NoteSamples()
+// Whatever frames before had: what is drawn depends on it, to the last digits.
+void vtkWideFoVStage::TakeSamples()
 {
   const bool several = CountSamples() > 1;
-  this->SawSamples = this->SawSamples || several;
-  if (several && !this->Multisample)
+  if (several != this->Multisample)
+  {
+    this->Multisample = several;
+    this->SourceTime.Modified();
+  }
+}
+
+void vtkWideFoVStage::NoteSamples()
+{
+  if (CountSamples() > 1 && !this->Multisample)
   {
     this->Multisample = true;
     this->SourceTime.Modified();
