@@ -264,8 +264,9 @@ public:
     for (vtkIdType i = from; i < to; i++)
     {
       const auto place = static_cast<std::size_t>(i);
-      const bool hidden = std::all_of(
-        eyes.begin(), eyes.end(), [&](Watcher& eye) { return this->IsHidden(place, eye); });
+      const int only = this->Sorted.GetEyeOf(this->First + place);
+      const bool hidden = std::all_of(eyes.begin(), eyes.end(),
+        [&](Watcher& eye) { return eye.View.stereo.x * only < 0 || this->IsHidden(place, eye); });
       this->Hidden[place] = hidden ? 1 : 0;
     }
   }

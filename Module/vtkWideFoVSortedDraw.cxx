@@ -135,7 +135,7 @@ bool SortedDraw::PrepareEntry(
   }
   this->Hide(e, data, stages);
   this->Current = &e;
-  e.Found.HiddenTriangles = e.Skips ? static_cast<vtkIdType>(e.GetNumberOfHidden()) : 0;
+  e.Found.HiddenTriangles = e.Skips ? static_cast<vtkIdType>(e.GetNumberOfHidden(this->Eye)) : 0;
   e.Found.UnseenTriangles = e.All > 0 ? e.LeftOut[this->Eye + 1] + e.Found.HiddenTriangles : 0;
   stages->Counts.Add(e.Found);
   return e.All > 0 && e.Lots[Covered].All != e.All;

@@ -67,55 +67,53 @@ void SortedDraw::Entry::Arrange(Lot lot, const std::vector<std::size_t>& places)
   }
 }
 
-// What one eye alone needs stays where it is.
 void SortedDraw::Entry::HideInLot(Lot lot, const unsigned char* hidden)
 {
   Sorter::Lot& all = this->Lots[lot];
-  const auto isHidden = [&](std::size_t i) {
-    return i >= all.Left && i < all.All - all.Right && hidden[i] != 0;
-  };
   std::vector<std::size_t> places(all.All);
   std::iota(places.begin(), places.end(), std::size_t(0));
-  const auto end = std::stable_partition(places.begin(), places.end(), isHidden);
+  const auto left = places.begin() + static_cast<std::ptrdiff_t>(all.Left);
+  const auto right = places.end() - static_cast<std::ptrdiff_t>(all.Right);
+  const auto isHidden = [&](std::size_t i) { return hidden[i] != 0; };
+  const auto isShown = [&](std::size_t i) { return hidden[i] == 0; };
+  const auto leftShown = std::stable_partition(places.begin(), left, isHidden);
+  const auto bothShown = std::stable_partition(left, right, isHidden);
+  const auto rightHidden = std::stable_partition(right, places.end(), isShown);
+  all.LeftHidden = static_cast<std::size_t>(leftShown - places.begin());
+  all.Hidden = static_cast<std::size_t>(bothShown - left);
+  all.RightHidden = static_cast<std::size_t>(places.end() - rightHidden);
+  std::rotate(places.begin(), left, bothShown);
   this->Arrange(lot, places);
-  all.Hidden = static_cast<std::size_t>(end - places.begin());
 }
 
-// Those that are for both eyes were in the order of their numbers, pieces behind all others.
+// Triangles were in the order of their numbers; of those for the left eye alone pieces came first,
+// of others they came last.
 void SortedDraw::Entry::ShowLot(Lot lot)
 {
   Sorter::Lot& all = this->Lots[lot];
   const unsigned int* const order = this->Order.data() + this->GetFirst(lot);
-  const auto turn = [&](std::size_t i) {
-    const bool piece = lot == Calm && this->Reaches[i] >= Sorter::PieceBits;
-    return piece ? this->Reaches[i] : order[i];
+  const auto before = [&](std::size_t i, std::size_t j, bool piecesFirst) {
+    const bool piece[2] = { this->IsPiece(lot, i), this->IsPiece(lot, j) };
+    const bool apart = piece[0] != piece[1];
+    return apart ? piece[0] == piecesFirst
+      : piece[0] ? this->Reaches[i] < this->Reaches[j]
+                 : order[i] < order[j];
   };
-  std::vector<std::size_t> places;
-  places.reserve(all.All);
-  const std::size_t both = all.Hidden + all.Left;
-  const std::size_t end = all.All - all.Right;
-  for (std::size_t i = all.Hidden; i < both; i++)
-  {
-    places.push_back(i);
-  }
-  std::size_t hidden = 0;
-  for (std::size_t i = both; i < end; i++)
-  {
-    for (; hidden < all.Hidden && turn(hidden) < turn(i); hidden++)
-    {
-      places.push_back(hidden);
-    }
-    places.push_back(i);
-  }
-  for (; hidden < all.Hidden; hidden++)
-  {
-    places.push_back(hidden);
-  }
-  for (std::size_t i = end; i < all.All; i++)
-  {
-    places.push_back(i);
-  }
+  std::vector<std::size_t> places(all.All);
+  std::iota(places.begin(), places.end(), std::size_t(0));
+  // hidden ones of both behind the left eye's own
+  const auto first = places.begin();
+  const auto hidden = static_cast<std::ptrdiff_t>(all.Hidden);
+  const auto left = static_cast<std::ptrdiff_t>(all.Left);
+  const auto right = places.end() - static_cast<std::ptrdiff_t>(all.Right);
+  std::rotate(first, first + hidden, first + hidden + left);
+  const auto last = [&](std::size_t i, std::size_t j) { return before(i, j, false); };
+  std::inplace_merge(first, first + static_cast<std::ptrdiff_t>(all.LeftHidden), first + left,
+    [&](std::size_t i, std::size_t j) { return before(i, j, true); });
+  std::inplace_merge(first + left, first + left + hidden, right, last);
+  std::inplace_merge(
+    right, places.end() - static_cast<std::ptrdiff_t>(all.RightHidden), places.end(), last);
   this->Arrange(lot, places);
-  all.Hidden = 0;
+  all.Hidden = all.LeftHidden = all.RightHidden = 0;
 }
 }

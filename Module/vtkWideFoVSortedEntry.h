@@ -59,6 +59,10 @@ struct SortedDraw::Entry
 
   // Of the triangles of a lot in their order, those that are hidden are put before all others.
   void HideInLot(Lot lot, const unsigned char* hidden);
+  bool IsPiece(Lot lot, std::size_t place) const
+  {
+    return lot == Calm && this->Reaches[place] >= Sorter::PieceBits;
+  }
   void ShowLot(Lot lot);                                         // as they were
   void Arrange(Lot lot, const std::vector<std::size_t>& places); // from which they come
 
@@ -77,18 +81,36 @@ struct SortedDraw::Entry
   std::pair<std::size_t, std::size_t> GetRun(Lot lot, int eye) const
   {
     const Sorter::Lot& all = this->Lots[lot];
-    if (all.Hidden > 0 && !this->Skips)
+    if (!this->Skips && all.Hidden + all.LeftHidden + all.RightHidden > 0)
     {
       return { this->GetFirst(lot), all.All };
     }
-    const std::size_t before = all.Hidden + (eye > 0 ? all.Left : 0);
-    const std::size_t behind = eye < 0 ? all.Right : 0;
+    const std::size_t before = all.Hidden + (eye > 0 ? all.Left : eye < 0 ? all.LeftHidden : 0);
+    const std::size_t behind = eye < 0 ? all.Right : eye > 0 ? all.RightHidden : 0;
     return { this->GetFirst(lot) + before, all.All - before - behind };
   }
 
-  std::size_t GetNumberOfHidden() const
+  // Of all lots, those that an eye does not draw; 0: some eye.
+  std::size_t GetNumberOfHidden(int eye) const
   {
-    return this->Lots[Covered].Hidden + this->Lots[Calm].Hidden + this->Lots[Plain].Hidden;
+    std::size_t hidden = 0;
+    for (const Sorter::Lot& lot : this->Lots)
+    {
+      hidden += lot.Hidden + (eye <= 0 ? lot.LeftHidden : 0) + (eye >= 0 ? lot.RightHidden : 0);
+    }
+    return hidden;
+  }
+
+  // For which eye alone the triangle at a place of the order is; 0: both, or without stereo.
+  int GetEyeOf(std::size_t place) const
+  {
+    int lot = Covered;
+    for (; place >= this->Lots[lot].All; lot++)
+    {
+      place -= this->Lots[lot].All;
+    }
+    const Sorter::Lot& all = this->Lots[lot];
+    return place < all.Left ? -1 : place >= all.All - all.Right ? 1 : 0;
   }
 
   // One lot has all of the mesh, once, for all eyes.

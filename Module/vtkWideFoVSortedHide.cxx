@@ -27,7 +27,7 @@ namespace wfv
 // Everything in the order in which it was sorted.
 void SortedDraw::Show(Entry& e, vtkPolyData* data)
 {
-  if (e.GetNumberOfHidden() == 0)
+  if (e.GetNumberOfHidden(0) == 0)
   {
     return;
   }
@@ -99,7 +99,7 @@ bool SortedDraw::FindHidden(Entry& e, vtkPolyData* data, HiddenScene& scene)
     this->FindHiddenIn(e, doubles->GetPointer(0), depths, scene.GetRays(view), hidden);
   }
   this->PutBehind(e, data, hidden);
-  if (whole && e.GetNumberOfHidden() == 0)
+  if (whole && e.GetNumberOfHidden(0) == 0)
   {
     e.Order.clear();
   }

@@ -39,8 +39,10 @@ public:
   {
     std::size_t All = 0;
     std::size_t Hidden = 0; // before all others, for no eye: none when they have just been sorted
-    std::size_t Left = 0;   // the first ones, for the left eye alone
-    std::size_t Right = 0;  // the last ones, for the right eye alone
+    std::size_t LeftHidden = 0;  // the first ones of those for the left eye alone
+    std::size_t RightHidden = 0; // the last ones of those for the right eye alone
+    std::size_t Left = 0;        // the first ones, for the left eye alone
+    std::size_t Right = 0;       // the last ones, for the right eye alone
   };
 
   // Numbers of triangles: those to be covered first, calm ones after the others, and with those
