@@ -176,6 +176,23 @@ void wfvEmitWindow()
   wfvEmitPixels(-0.5 * wfvViewport.zw, vec2(wfvViewport.z, 0.0), vec2(0.0, wfvViewport.w));
 }
 
+// The rectangle round what a rectangle of angles shows, grown.
+void wfvEmitBounds(vec4 r)
+{
+#if WFV_MERIDIAN
+  r = vec4(r.x, max(r.y, -0.5 * WFV_PI), r.z, min(r.w, 0.5 * WFV_PI));
+#if !WFV_STRAIGHT_SEAM
+  r = vec4(max(r.x, -WFV_PI), r.y, min(r.z, WFV_PI), r.w);
+#endif
+#else
+  r = vec4(r.x, max(r.y, 0.0), r.z, min(r.w, WFV_PI));
+#endif
+  r = wfvBounds(r, wfvView);
+  vec2 low = wfvTilePixel(r.xy) - wfvLineGrow();
+  vec2 size = wfvTilePixel(r.zw) + wfvLineGrow() - low;
+  wfvEmitRound(low, vec2(size.x, 0.0), vec2(0.0, size.y));
+}
+
 #if WFV_OWN_RAYS
 // line_own_geometry.glsl
 bool wfvChordHolds(WfvStretch s, float lo, float hi);
@@ -206,18 +223,7 @@ void wfvEmitAngles(float lo, float hi, float ref)
   vec2 q = wfvArcAngles(wfvArcAt(hi), ref);
   vec2 pad = vec2(WFV_LINE_ANGLE_PAD, wfvLevel ? WFV_LEVEL_REACH : WFV_LINE_ANGLE_PAD);
   vec4 r = vec4(min(p, q) - pad, max(p, q) + pad);
-#if WFV_MERIDIAN
-  r = vec4(r.x, max(r.y, -0.5 * WFV_PI), r.z, min(r.w, 0.5 * WFV_PI));
-#if !WFV_STRAIGHT_SEAM
-  r = vec4(max(r.x, -WFV_PI), r.y, min(r.z, WFV_PI), r.w);
-#endif
-#else
-  r = vec4(r.x, max(r.y, 0.0), r.z, min(r.w, WFV_PI));
-#endif
-  r = wfvBounds(r, wfvView);
-  vec2 low = wfvTilePixel(r.xy) - wfvLineGrow();
-  vec2 size = wfvTilePixel(r.zw) + wfvLineGrow() - low;
-  wfvEmitRound(low, vec2(size.x, 0.0), vec2(0.0, size.y));
+  wfvEmitBounds(r);
 }
 
 // True where the chord of a stretch, grown, surely holds its image.

@@ -38,18 +38,7 @@ void wfvEmitAngles(float lo, float hi, float ref)
   // the extreme latitude
   vec2 top = wfvArcAngles(wfvArcAt(clamp(0.0, lo, hi)), ref);
   r = vec4(r.x, min(r.y, top.y), r.z, max(r.w, top.y)) + vec4(-change, change);
-#if WFV_MERIDIAN
-  r = vec4(r.x, max(r.y, -0.5 * WFV_PI), r.z, min(r.w, 0.5 * WFV_PI));
-#if !WFV_STRAIGHT_SEAM
-  r = vec4(max(r.x, -WFV_PI), r.y, min(r.z, WFV_PI), r.w);
-#endif
-#else
-  r = vec4(r.x, max(r.y, 0.0), r.z, min(r.w, WFV_PI));
-#endif
-  r = wfvBounds(r, wfvView);
-  vec2 low = wfvTilePixel(r.xy) - wfvLineGrow();
-  vec2 size = wfvTilePixel(r.zw) + wfvLineGrow() - low;
-  wfvEmitRound(low, vec2(size.x, 0.0), vec2(0.0, size.y));
+  wfvEmitBounds(r);
 }
 
 // The whole window, in which each pixel looks at all of the range.

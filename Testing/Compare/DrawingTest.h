@@ -36,6 +36,20 @@ protected:
   static inline std::unique_ptr<Drawing> Picture;
 };
 
+// All but the perspective, which stock VTK draws, and stereo all round is not for.
+inline std::vector<std::string> WideNames()
+{
+  std::vector<std::string> names;
+  for (const Projection& p : Projections())
+  {
+    if (p.Axis != Family::Planar)
+    {
+      names.push_back(p.Name);
+    }
+  }
+  return names;
+}
+
 inline std::vector<std::string> ProjectionNames()
 {
   std::vector<std::string> names;

@@ -119,21 +119,4 @@ TEST_P(CompareFar, ShowsWhatEachEyeSees)
   }
 }
 
-namespace
-{
-// Those with a formula that this model is for.
-std::vector<std::string> WideNames()
-{
-  std::vector<std::string> names;
-  for (const Projection& p : Projections())
-  {
-    if (p.Axis != Family::Planar)
-    {
-      names.push_back(p.Name);
-    }
-  }
-  return names;
-}
-}
-
 INSTANTIATE_TEST_SUITE_P(All, CompareFar, ::testing::ValuesIn(WideNames()), DrawingTest::NameOf);

@@ -304,18 +304,4 @@ TEST_P(ComparePoints, EveryPixelOfTheSquare)
   EXPECT_GT(Drawn, 10000);
 }
 
-// All but the perspective, which stock VTK draws.
-std::vector<std::string> WideNames()
-{
-  std::vector<std::string> names;
-  for (const Projection& p : Projections())
-  {
-    if (p.Axis != Family::Planar)
-    {
-      names.push_back(p.Name);
-    }
-  }
-  return names;
-}
-
 INSTANTIATE_TEST_SUITE_P(All, ComparePoints, ::testing::ValuesIn(WideNames()), DrawingTest::NameOf);

@@ -261,23 +261,6 @@ TEST_P(CompareQuadrics, Points)
   this->CheckAll(PointActor(points, PointPixels), "points", points, PointPixels);
 }
 
-namespace
-{
-// Behind the perspective projection these are drawn by stock VTK.
-std::vector<std::string> WideNames()
-{
-  std::vector<std::string> names;
-  for (const Projection& p : Projections())
-  {
-    if (p.Axis != Family::Planar)
-    {
-      names.push_back(p.Name);
-    }
-  }
-  return names;
-}
-}
-
 INSTANTIATE_TEST_SUITE_P(
   All, CompareStereoQuadrics, ::testing::ValuesIn(WideNames()), DrawingTest::NameOf);
 INSTANTIATE_TEST_SUITE_P(
