@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVEyesAtOnce.h"
 
+#include "vtkWideFoVPropFacts.h"
+
 #include "vtkActor.h"
 #include "vtkDataObject.h"
 #include "vtkMapper.h"
@@ -12,7 +14,6 @@
 #include "vtkShaderProperty.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace
 {
@@ -43,25 +44,14 @@ namespace wfv
 bool MayShareEyes(vtkProp* prop)
 {
   auto* const actor = vtkActor::SafeDownCast(prop);
-  vtkMapper* const mapper = actor ? actor->GetMapper() : nullptr;
-  // followers and levels of detail draw another actor
-  if (!mapper || std::strcmp(actor->GetClassName(), "vtkOpenGLActor") != 0)
-  {
-    return false;
-  }
-  const char* const name = mapper->GetClassName();
-  if (std::strcmp(name, "vtkOpenGLPolyDataMapper") != 0 &&
-    std::strcmp(name, "vtkWideFoVPolyDataMapper") != 0)
+  if (!actor || !DrawsAsStock(actor))
   {
     return false;
   }
   vtkProperty* const property = actor->GetProperty();
-  vtkShaderProperty* const shaders = actor->GetShaderProperty();
-  auto* const mesh = vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0));
+  auto* const mesh = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
   return HasTrianglesAlone(mesh) && property->GetRepresentation() == VTK_SURFACE &&
-    !property->GetEdgeVisibility() && !property->GetVertexVisibility() &&
-    !shaders->HasVertexShaderCode() && !shaders->HasGeometryShaderCode() &&
-    !shaders->HasFragmentShaderCode() && shaders->GetNumberOfShaderReplacements() == 0;
+    !property->GetEdgeVisibility() && !property->GetVertexVisibility();
 }
 
 bool EyesAtOnce::Drawn::operator==(const Drawn& o) const

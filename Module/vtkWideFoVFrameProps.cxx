@@ -30,13 +30,6 @@ public:
   static const double* GetLastBounds(vtkActor* actor) { return actor->*(&ActorAccess::Bounds); }
 };
 
-bool IsStock(vtkMapper* mapper)
-{
-  const char* const name = mapper->GetClassName();
-  return std::strcmp(name, "vtkOpenGLPolyDataMapper") == 0 ||
-    std::strcmp(name, "vtkWideFoVPolyDataMapper") == 0;
-}
-
 // A renderer's stock culler asks every prop for its bounds before each frame.
 bool HasAsked(vtkRenderer* renderer)
 {
@@ -80,8 +73,7 @@ void FrameProps::Look(vtkProp* prop, bool asked, Entry& entry)
   now.Prop = prop;
   auto* const actor = vtkActor::SafeDownCast(prop);
   vtkMapper* const mapper = actor ? actor->GetMapper() : nullptr;
-  const bool known =
-    asked && mapper && IsStock(mapper) && std::strcmp(actor->GetClassName(), "vtkOpenGLActor") == 0;
+  const bool known = asked && actor && IsStockActor(actor);
   const double* const bounds = known ? ActorAccess::GetLastBounds(actor) : prop->GetBounds();
   now.HasBounds = bounds != nullptr;
   if (bounds)

@@ -3,8 +3,20 @@
 #ifndef vtkWideFoVPropFacts_h
 #define vtkWideFoVPropFacts_h
 
+class vtkActor;
+
 namespace wfv
 {
+// An actor of VTK's own class with the stock mapper of polydata or ours; followers and levels of
+// detail draw another actor.
+bool IsStockActor(vtkActor* actor);
+
+// Shaders of a user's own may move vertices anywhere.
+bool HasOwnShaders(vtkActor* actor);
+
+// Such an actor, drawn by the shaders of VTK and of the stage alone.
+bool DrawsAsStock(vtkActor* actor);
+
 struct PropFacts
 {
   bool Known = false;

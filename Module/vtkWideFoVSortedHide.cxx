@@ -120,7 +120,9 @@ void SortedDraw::Hide(Entry& e, vtkPolyData* data, vtkWideFoVStages* stages)
     this->Show(e, data);
     e.HiddenIn = 0;
   }
-  const bool may = number > 0 && !e.Haste && e.All > 0 && e.View.Bends &&
+  // what is far is sorted as without stereo, of which there are no depths where two eyes are drawn
+  const bool seen = e.View.Own || this->Eye == 0;
+  const bool may = number > 0 && seen && !e.Haste && e.All > 0 && e.View.Bends &&
     (e.View.Plain || e.View.Calm) &&
     e.Actor->GetMapper()->GetResolveCoincidentTopology() == VTK_RESOLVE_OFF;
   if (may && e.HiddenIn == 0 && this->FindHidden(e, data, scene))

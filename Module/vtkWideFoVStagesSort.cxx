@@ -18,7 +18,6 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
-#include "vtkShaderProperty.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,28 +60,11 @@ bool DrawsOutlines(vtkActor* actor)
     property->GetVertexVisibility();
 }
 
-// Shaders of a user's own may move vertices anywhere.
-bool HasOwnShaders(vtkActor* actor)
-{
-  vtkShaderProperty* const shaders = actor->GetShaderProperty();
-  return shaders->HasVertexShaderCode() || shaders->HasGeometryShaderCode() ||
-    shaders->GetNumberOfShaderReplacements() > 0;
-}
-
 // Actors of a kind that is known; what lies flat on the picture is drawn behind all that is opaque.
 bool Tells(vtkProp* prop)
 {
   auto* const actor = vtkActor::SafeDownCast(prop);
-  if (!actor)
-  {
-    return vtkActor2D::SafeDownCast(prop) != nullptr;
-  }
-  vtkMapper* const mapper = actor->GetMapper();
-  const char* const name = mapper ? mapper->GetClassName() : "";
-  return std::strcmp(actor->GetClassName(), "vtkOpenGLActor") == 0 && !HasOwnShaders(actor) &&
-    !actor->GetShaderProperty()->HasFragmentShaderCode() &&
-    (std::strcmp(name, "vtkOpenGLPolyDataMapper") == 0 ||
-      std::strcmp(name, "vtkWideFoVPolyDataMapper") == 0);
+  return actor ? wfv::DrawsAsStock(actor) : vtkActor2D::SafeDownCast(prop) != nullptr;
 }
 
 // Of blocks it is not known, nor asked for.
@@ -155,7 +137,7 @@ void vtkWideFoVStages::FindFacts(vtkProp* prop, wfv::PropFacts& facts)
   if (actor && !facts.Known)
   {
     vtkProperty* const property = actor->GetProperty();
-    facts.Bounded = KeepsItsBounds(actor) && !HasOwnShaders(actor);
+    facts.Bounded = KeepsItsBounds(actor) && !wfv::HasOwnShaders(actor);
     facts.Shareable = wfv::MayShareEyes(actor);
     facts.PointSize = property->GetPointSize();
     const double width = std::max<double>(property->GetLineWidth(), facts.PointSize);
@@ -210,7 +192,7 @@ std::shared_ptr<const wfv::LocalBend> vtkWideFoVStages::GetBends()
 bool vtkWideFoVStages::GetSortView(
   const vtkWideFoVStage* stage, vtkActor* actor, wfv::SortView& view)
 {
-  if (this->Technique == vtkWideFoVPass::VERTEX || HasOwnShaders(actor))
+  if (this->Technique == vtkWideFoVPass::VERTEX || wfv::HasOwnShaders(actor))
   {
     return false;
   }
