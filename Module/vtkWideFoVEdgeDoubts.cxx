@@ -54,32 +54,11 @@ bool Cross(const EdgeDoubts::Mesh& mesh, const Doubt& a, const Doubt& b)
   return std::min(first.Rest, second.Rest) >= mesh.Tolerance && sine * mesh.Tolerance >= reach;
 }
 
-// A doubt, and what was found out about it.
-struct Case : Doubt
+// Drawn with its chord, which may be wrong about the sample.
+bool MayBeWrong(const EdgeDoubts::Mesh& mesh, const Doubt& d)
 {
-  enum Answer : char
-  {
-    Open,
-    Right,
-    Wrong
-  };
-  mutable Answer Drawn = Open;
-
-  explicit Case(const Doubt& doubt)
-    : Doubt(doubt)
-  {
-  }
-
-  // Drawn with its chord, which may be wrong about the sample.
-  bool MayBeWrong(const EdgeDoubts::Mesh& mesh) const
-  {
-    if (this->Drawn == Open)
-    {
-      this->Drawn = EdgeDoubts::MayBeWrong(*this, mesh) ? Wrong : Right;
-    }
-    return this->Drawn == Wrong && mesh.IsPlain(this->Edge / 3);
-  }
-};
+  return EdgeDoubts::MayBeWrong(d) && mesh.IsPlain(d.Edge / 3);
+}
 
 // Pixels: as thin as this, a triangle is too coarse for the rasterizer to tell its depth; as near
 // to an outline, two faces that meet there are too near each other for that.
@@ -131,7 +110,7 @@ bool IsOneChord(const EdgeDoubts::Mesh& mesh, const Doubt& d)
 
 // Whether a hidden face may show at a sample beside two edges, the first of which is an outline.
 // Round a corner that they share, front and back end at the same chords.
-bool MayShowHidden(const EdgeDoubts::Mesh& mesh, const Case& outline, const Case& other)
+bool MayShowHidden(const EdgeDoubts::Mesh& mesh, const Doubt& outline, const Doubt& other)
 {
   if (std::max(outline.Beside, other.Beside) > outline.Width + other.Width ||
     AreNeighbours(mesh, outline, other))
@@ -140,7 +119,7 @@ bool MayShowHidden(const EdgeDoubts::Mesh& mesh, const Case& outline, const Case
   }
   const bool chords = IsOneChord(mesh, outline) && IsOneChord(mesh, other);
   return !(chords && Share(mesh, outline, other)) &&
-    (outline.MayBeWrong(mesh) || other.MayBeWrong(mesh)) && !Cross(mesh, outline, other);
+    (MayBeWrong(mesh, outline) || MayBeWrong(mesh, other)) && !Cross(mesh, outline, other);
 }
 
 // Covers it, if it is not; true where that changes anything.
@@ -156,21 +135,21 @@ bool Cover(const EdgeDoubts::Mesh& mesh, const Doubt& d)
 
 // The doubts of one sample: covers what is beside an outline, if either edge's chord may be wrong.
 // True where that changes anything.
-bool SettleSample(const Case* first, const Case* last, const EdgeDoubts::Mesh& mesh)
+bool SettleSample(const Doubt* first, const Doubt* last, const EdgeDoubts::Mesh& mesh)
 {
   bool changed = false;
-  for (const Case* e = first; e != last; ++e)
+  for (const Doubt* e = first; e != last; ++e)
   {
     if (!mesh.IsOutline(e->Edge))
     {
       continue;
     }
     const bool folds = e->Beside <= e->Width && mesh.IsPlain(e->Edge / 3) && MayFold(mesh, *e);
-    if (folds || e->MayBeWrong(mesh))
+    if (folds || MayBeWrong(mesh, *e))
     {
       changed |= Cover(mesh, *e);
     }
-    for (const Case* g = first; g != last; ++g)
+    for (const Doubt* g = first; g != last; ++g)
     {
       if (MayShowHidden(mesh, *e, *g))
       {
@@ -186,10 +165,10 @@ bool SettleSample(const Case* first, const Case* last, const EdgeDoubts::Mesh& m
 // to look at each two would take longer.
 constexpr std::size_t MostTogether = 48;
 
-bool CoverAll(const Case* first, const Case* last, const EdgeDoubts::Mesh& mesh)
+bool CoverAll(const Doubt* first, const Doubt* last, const EdgeDoubts::Mesh& mesh)
 {
   bool changed = false;
-  for (const Case* e = first; e != last; ++e)
+  for (const Doubt* e = first; e != last; ++e)
   {
     changed |= Cover(mesh, *e);
   }
@@ -197,7 +176,7 @@ bool CoverAll(const Case* first, const Case* last, const EdgeDoubts::Mesh& mesh)
 }
 
 // Those of samples beside an outline, in the order of their samples.
-std::vector<Case> BesideOutlines(const EdgeDoubts::Lists& lists, const EdgeDoubts::Mesh& mesh)
+std::vector<Doubt> BesideOutlines(const EdgeDoubts::Lists& lists, const EdgeDoubts::Mesh& mesh)
 {
   std::vector<bool> marked;
   for (const std::vector<Doubt>& doubts : lists)
@@ -211,14 +190,14 @@ std::vector<Case> BesideOutlines(const EdgeDoubts::Lists& lists, const EdgeDoubt
       }
     }
   }
-  std::vector<Case> kept;
+  std::vector<Doubt> kept;
   for (const std::vector<Doubt>& doubts : lists)
   {
     for (const Doubt& d : doubts)
     {
       if (d.Sample < marked.size() && marked[d.Sample])
       {
-        kept.emplace_back(d);
+        kept.push_back(d);
       }
     }
   }
@@ -229,7 +208,7 @@ std::vector<Case> BesideOutlines(const EdgeDoubts::Lists& lists, const EdgeDoubt
 }
 
 // Each sample in turn. True where that changes anything.
-bool SettleOnce(const std::vector<Case>& cases, const EdgeDoubts::Mesh& mesh)
+bool SettleOnce(const std::vector<Doubt>& cases, const EdgeDoubts::Mesh& mesh)
 {
   bool changed = false;
   for (std::size_t i = 0; i < cases.size();)
@@ -239,8 +218,8 @@ bool SettleOnce(const std::vector<Case>& cases, const EdgeDoubts::Mesh& mesh)
     {
       j++;
     }
-    const Case* const first = cases.data() + i;
-    const Case* const last = cases.data() + j;
+    const Doubt* const first = cases.data() + i;
+    const Doubt* const last = cases.data() + j;
     changed |= j - i > MostTogether ? CoverAll(first, last, mesh) : SettleSample(first, last, mesh);
     i = j;
   }
@@ -250,24 +229,9 @@ bool SettleOnce(const std::vector<Case>& cases, const EdgeDoubts::Mesh& mesh)
 
 namespace wfv
 {
-bool EdgeDoubts::MayBeWrong(const Doubt& d, const Mesh& mesh)
-{
-  if (d.Beside > d.Width || d.Beside <= d.Sure)
-  {
-    return d.Beside <= d.Width;
-  }
-  const unsigned int first = d.Edge - d.Edge % 3;
-  const vec2 a = mesh.At(d.Edge);
-  const vec2 along = mesh.At(NextCorner(d.Edge)) - a;
-  const auto side = [&](const vec2& at) { return along.x * (at.y - a.y) - along.y * (at.x - a.x); };
-  const double inner = side(mesh.At(first + (d.Edge - first + 2) % 3));
-  const bool inside = side(mesh.SampleAt(d.Sample)) * inner > 0;
-  return inside != mesh.IsInside(d.Sample, d.Edge);
-}
-
 void EdgeDoubts::Settle(const std::vector<Sight>& eyes)
 {
-  std::vector<std::vector<Case>> cases;
+  std::vector<std::vector<Doubt>> cases;
   for (const Sight& eye : eyes)
   {
     cases.push_back(BesideOutlines(eye.Doubts, eye.Seen));

@@ -42,10 +42,8 @@ public:
     std::function<bool(unsigned int edge)> IsOutline;
     std::function<vec2(unsigned int corner)> At;       // of three a triangle: pixels
     std::function<vec2(unsigned int sample)> SampleAt; // pixels
-    std::function<bool(unsigned int sample, unsigned int edge)>
-      IsInside;                                       // by the edge, not its chord
-    std::function<void(unsigned int triangle)> Cover; // to be drawn by its edges
-    double Tolerance;                                 // pixels
+    std::function<void(unsigned int triangle)> Cover;  // to be drawn by its edges
+    double Tolerance;                                  // pixels
   };
 
   // What an eye sees of the mesh.
@@ -58,8 +56,9 @@ public:
   // Covers the triangles at whose edges a hidden face might show, to any of the eyes.
   static void Settle(const std::vector<Sight>& eyes);
 
-  // Whether a sample may be drawn on the other side of the edge than it is, by its chord.
-  static bool MayBeWrong(const Doubt& doubt, const Mesh& mesh);
+  // Whether a sample may be drawn on the other side of the edge than it is, by the chord of a plain
+  // triangle: no sample that is drawn for sure is on different sides of its edges and chords.
+  static bool MayBeWrong(const Doubt& doubt) { return doubt.Beside <= doubt.Sure; }
 };
 }
 

@@ -240,7 +240,8 @@ private:
       TriangleJudge::Corner corners[3];
       eyes[i].Seen.Get(this->In, eyes[i].Judge, corner, corners);
       const TriangleJudge::Corner* c[3] = { &corners[0], &corners[1], &corners[2] };
-      const TriangleJudge::Verdict verdict = eyes[i].Judge.Judge(c);
+      TriangleJudge::Verdict verdict = eyes[i].Judge.Judge(c);
+      verdict.Plain = verdict.Plain && !this->PartsSamples(corner, c, verdict, static_cast<int>(i));
       found.Add(eyes[i], verdict, c);
       if (this->V.Plain && !aside && !verdict.Empty)
       {
@@ -249,6 +250,29 @@ private:
     }
     found.Finish();
     return found;
+  }
+
+  // Whether a sample is on different sides of an edge and its chord, to an eye.
+  bool PartsSamples(vtkIdType corner, const TriangleJudge::Corner* const c[3],
+    const TriangleJudge::Verdict& verdict, int eye) const
+  {
+    bool parts = false;
+    for (int j = 0; j < 3 && !parts; j++)
+    {
+      const vec2 from = c[j]->At;
+      const vec2 chord = c[(j + 1) % 3]->At - from;
+      const auto side = [&](const vec2& at) {
+        return chord.x * (at.y - from.y) - chord.y * (at.x - from.x);
+      };
+      const double inner = side(c[(j + 2) % 3]->At);
+      const auto edge = static_cast<unsigned int>(corner + j);
+      const auto look = [&](unsigned int sample, double) {
+        const bool inside = side(this->V.Samples.SampleAt(sample)) * inner > 0;
+        parts = parts || inside != this->In.IsInside(sample, edge, eye);
+      };
+      this->V.Samples.ForEachNear(from, from + chord, verdict.Widths[j] - verdict.Sure, look);
+    }
+    return parts;
   }
 
   int GetKind(vtkIdType triangle, const Common& found) const

@@ -78,8 +78,6 @@ void Sorter::SettleDoubts(
         [&](unsigned int edge) { return IsOutline(this->Sides, neighbours, edge); },
         [&scene, judge](unsigned int corner) { return judge.See(scene.PlaceOf(corner)).At; },
         [&](unsigned int sample) { return view.Samples.SampleAt(sample); },
-        [&scene, i](
-          unsigned int sample, unsigned int edge) { return scene.IsInside(sample, edge, i); },
         [this](unsigned int triangle) { this->CoverTriangle(triangle); }, view.Tolerance } });
   }
   EdgeDoubts::Settle(eyes);
@@ -261,8 +259,7 @@ void Sorter::SpreadCovered(const EdgeDoubts::Lists& lists, const EdgeDoubts::Mes
   this->VisitPlain(lists, [&](const EdgeDoubts::Doubt& d) {
     const unsigned int other = neighbours[d.Edge];
     if (other != Clusters::NoTriangle &&
-      (this->Kinds[other] & (Cover | sorting::Plain | Aside)) == Cover &&
-      EdgeDoubts::MayBeWrong(d, mesh))
+      (this->Kinds[other] & (Cover | sorting::Plain | Aside)) == Cover && EdgeDoubts::MayBeWrong(d))
     {
       marked.resize(std::max(marked.size(), std::size_t(d.Sample) + 1));
       marked[d.Sample] = true;

@@ -8,6 +8,7 @@
 #include "vtkWideFoVPass.h"
 
 #include <vtkCellArray.h>
+#include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -56,6 +57,42 @@ vtkSmartPointer<vtkPolyData> MakeTwoFloors(double y, double gap, int rows)
   mesh->SetPoints(points);
   mesh->SetPolys(triangles);
   return mesh;
+}
+
+// A globe, and at each of its edges a triangle that runs through it there: on one side it hides the
+// face of the globe, on the other one it is behind it.
+vtkSmartPointer<vtkPolyData> MakeCrossings(int n)
+{
+  constexpr double Half = 0.35; // of the edge, to either side of its middle
+  constexpr double Reach = 0.3; // across
+  const vtkSmartPointer<vtkPolyData> globe = MakeGlobe(n);
+  const vtkIdType triangles = globe->GetNumberOfPolys();
+  const auto place = [&](vtkIdType point) {
+    const double* const p = globe->GetPoint(point);
+    return vec3(p[0], p[1], p[2]);
+  };
+  const auto add = [&](
+                     const vec3& p) { return globe->GetPoints()->InsertNextPoint(p.x, p.y, p.z); };
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType i = 0; i < triangles; ++i)
+  {
+    globe->GetPolys()->GetCellAtId(i, corners);
+    for (int j = 0; j < 3; ++j)
+    {
+      const vec3 a = place(corners->GetId(j));
+      const vec3 b = place(corners->GetId((j + 1) % 3));
+      if (corners->GetId(j) > corners->GetId((j + 1) % 3))
+      {
+        continue; // the neighbour's
+      }
+      const vec3 middle = 0.5 * (a + b);
+      const vec3 aside = glm::cross(b - a, middle) - glm::length(b - a) * middle;
+      globe->GetPolys()->InsertNextCell({ add(middle + Half * (b - a) + Reach * aside),
+        add(middle - Half * (b - a) + Reach * aside), add(middle - Reach * aside) });
+    }
+  }
+  globe->Modified();
+  return globe;
 }
 
 // A room of more than a million triangles; with one quadrangle its corners have to be copied.
@@ -128,6 +165,32 @@ TEST(Plain, DepthIsThatOfTheSurface)
   // the check can tell: depth along chords shows the lower floor through the upper one
   picture.SetTechnique(vtkWideFoVPass::VERTEX);
   EXPECT_GT(reference::Compare(picture.Draw(shot), caster, Tolerance).UnexplainedPixels, 50);
+}
+
+// A sample that a chord gives to the wrong one of two faces shows that where it is hidden, beside
+// the edge, by what runs through it there: not seen as near as the chord is to its edge.
+TEST(Plain, SurfacesMayCrossAtEdges)
+{
+  constexpr double Tolerance = 0.05; // pixels
+  const vtkSmartPointer<vtkPolyData> mesh = MakeCrossings(40);
+  Drawing picture;
+  picture.SetMesh(mesh);
+  picture.SetTolerance(Tolerance);
+  picture.SetTechnique(vtkWideFoVPass::AUTO);
+  for (const char* const projection : { "equirectangular", "mercator", "cylindrical-equal-area",
+         "azimuthal-equidistant", "sinusoidal", "mollweide", "miller" })
+  {
+    Shot shot;
+    shot.Projection = projection;
+    shot.Width = 1024;
+    shot.Height = 512;
+    shot.Options.Radii = { { 0.5, 4 } };
+    const reference::DrawnPicture drawn = picture.Draw(shot);
+    EXPECT_EQ(picture.GetNumberOfPlainDraws(), 1);
+    const reference::RayCaster caster(mesh, picture.GetView(), picture.GetPose());
+    const reference::Metrics m = reference::Compare(drawn, caster, Tolerance);
+    EXPECT_LE(m.MaxPx, Tolerance) << Details(shot, picture.GetView(), m);
+  }
 }
 
 // A chord is off its edge by up to a hundredth of a pixel, which of a surface that is seen aslant
