@@ -8,6 +8,7 @@
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkShaderProgram.h"
 #include "vtkWideFoVGl.h"
+#include "vtkWideFoVTwoFloats.h"
 
 #include <algorithm>
 #include <cmath>
@@ -107,11 +108,8 @@ void SetEye(const EyeUniforms& uniforms, vtkOpenGLPolyDataMapper* mapper, vtkAct
   float low[3] = { 0, 0, 0 };
   for (int i = 0; i < 3 && known; i++)
   {
-    // volatile: GCC 12 vectorizes the three lines without it, and then low[0] and low[1]
-    // are 0 at -O2
-    const volatile float rounded = static_cast<float>(place[i]);
-    high[i] = rounded;
-    low[i] = static_cast<float>(place[i] - rounded);
+    high[i] = static_cast<float>(place[i]);
+    low[i] = LowPart(place[i]);
   }
   SetTurn(uniforms.ToView, m);
   glUniform1i(uniforms.Known, known);

@@ -8,6 +8,7 @@
 #include "vtkWideFoVStages.h"
 #include "vtkWideFoVTessellation.h"
 #include "vtkWideFoVTile.h"
+#include "vtkWideFoVTwoFloats.h"
 
 #include "Projections/Bend.h"
 
@@ -44,6 +45,7 @@ void SetViewParameters(vtkShaderProgram* program, const wfv::WfvView& v)
   set2("wfvView.halfFov", v.halfFov);
   set2("wfvView.scale", v.scale);
   set2("wfvView.tilt", v.tilt);
+  set2("wfvTiltLow", wfv::vec2(wfv::LowPart(v.tilt.x), wfv::LowPart(v.tilt.y)));
   set2("wfvView.radii", v.radii);
   const float lens[4] = { static_cast<float>(v.lens.x), static_cast<float>(v.lens.y),
     static_cast<float>(v.lens.z), static_cast<float>(v.lens.w) };

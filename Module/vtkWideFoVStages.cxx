@@ -3,16 +3,20 @@
 
 #include "vtkWideFoVCamera.h"
 #include "vtkWideFoVDiscontinuity.h"
+#include "vtkWideFoVFatMesh.h"
 #include "vtkWideFoVPass.h"
+#include "vtkWideFoVSortedDraw.h"
 #include "vtkWideFoVTessellation.h"
 #include "vtkWideFoVTile.h"
 
 #include "vtkActor.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkPolyData.h"
 #include "vtkProp.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
@@ -40,6 +44,7 @@ vtkWideFoVStages::vtkWideFoVStages()
   this->CalmAmong->SetCalm(true);
   this->PreClip->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
   this->Exact->SetVariant(vtkWideFoVShaderBuilder::Variant::Exact);
+  this->ExactInSingle->SetVariant(vtkWideFoVShaderBuilder::Variant::Exact);
   this->Tessellate->SetVariant(vtkWideFoVShaderBuilder::Variant::Tessellate);
   this->ExactOfBoth->SetVariant(vtkWideFoVShaderBuilder::Variant::Exact);
   this->CalmOfBoth->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
@@ -58,11 +63,11 @@ vtkWideFoVStages::vtkWideFoVStages()
   this->FarPreClip->SetMiddle(true);
 }
 
-std::array<vtkWideFoVStage*, 13> vtkWideFoVStages::GetAll()
+std::array<vtkWideFoVStage*, 14> vtkWideFoVStages::GetAll()
 {
   return { this->Plain, this->PlainAlone, this->PlainAmong, this->CalmAmong, this->PreClip,
-    this->Exact, this->Tessellate, this->ExactOfBoth, this->CalmOfBoth, this->FarPlainAlone,
-    this->FarPlainAmong, this->FarCalmAmong, this->FarPreClip };
+    this->Exact, this->ExactInSingle, this->Tessellate, this->ExactOfBoth, this->CalmOfBoth,
+    this->FarPlainAlone, this->FarPlainAmong, this->FarCalmAmong, this->FarPreClip };
 }
 
 bool vtkWideFoVStages::CanTessellate()
@@ -109,7 +114,7 @@ void vtkWideFoVStages::Begin(
     stage->SetClipless(technique == vtkWideFoVPass::VERTEX);
     stage->SetByRays(
       this->Technique == vtkWideFoVPass::TESSELLATE || this->Technique == vtkWideFoVPass::AUTO);
-    stage->SetWhole(this->IsExact());
+    stage->SetWhole(this->IsExact() && stage != this->ExactInSingle);
     stage->SetExactLines(this->Technique == vtkWideFoVPass::AUTO && (!stereo || stereo->Straight));
     stage->ResetNumberOfDraws();
   }
@@ -124,8 +129,8 @@ void vtkWideFoVStages::SetDebugView(bool debugView)
 {
   this->DebugView = debugView;
   for (vtkWideFoVStage* stage : { this->Plain.Get(), this->PlainAlone.Get(), this->PlainAmong.Get(),
-         this->PreClip.Get(), this->Exact.Get(), this->ExactOfBoth.Get(), this->FarPlainAlone.Get(),
-         this->FarPlainAmong.Get(), this->FarPreClip.Get() })
+         this->PreClip.Get(), this->Exact.Get(), this->ExactInSingle.Get(), this->ExactOfBoth.Get(),
+         this->FarPlainAlone.Get(), this->FarPlainAmong.Get(), this->FarPreClip.Get() })
   {
     stage->SetDebugView(debugView);
   }
@@ -159,6 +164,21 @@ bool vtkWideFoVStages::IsExact() const
     (this->Technique == vtkWideFoVPass::AUTO && !this->AllowsChords());
 }
 
+// Asked of few triangles alone, for others would take long.
+bool vtkWideFoVStages::IsFat(vtkProp* prop, const wfv::PropFacts& facts) const
+{
+  auto* const actor = vtkActor::SafeDownCast(prop);
+  vtkMapper* const mapper = actor && facts.Surface && !facts.Sorts ? actor->GetMapper() : nullptr;
+  auto* const mesh = mapper ? vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0)) : nullptr;
+  if (!mesh || !this->IsExact() || wfv::SortedDraw::IsWorthIt(mesh, false))
+  {
+    return false;
+  }
+  double toMap[16];
+  this->GetToMap(actor, toMap);
+  return wfv::IsFat(mesh, toMap);
+}
+
 bool vtkWideFoVStages::AllowsChords() const
 {
   return this->Tolerance >= LeastTolerance;
@@ -189,7 +209,8 @@ vtkWideFoVStage* vtkWideFoVStages::Choose(
   const bool far = !covers && this->IsFar(bounds, facts);
   if (covers || (this->ByPixels && !far))
   {
-    return this->Shares && this->ByPixels && facts.Shareable ? this->ExactOfBoth : this->Exact;
+    const bool both = this->Shares && this->ByPixels && facts.Shareable;
+    return both ? this->ExactOfBoth : this->IsFat(prop, facts) ? this->ExactInSingle : this->Exact;
   }
   if (this->Technique == vtkWideFoVPass::TESSELLATE)
   {

@@ -105,7 +105,8 @@ public:
   vtkNew<vtkWideFoVStage> CalmAmong;  // covered triangles that are easy, of a prop with others
   vtkNew<vtkWideFoVStage> PreClip;
   vtkNew<vtkWideFoVStage> Exact;
-  vtkNew<vtkWideFoVStage> Tessellate; // other mappers than ours: the pre-clip
+  vtkNew<vtkWideFoVStage> ExactInSingle; // in float32: of props all of whose triangles are fat
+  vtkNew<vtkWideFoVStage> Tessellate;    // other mappers than ours: the pre-clip
 
   // Of triangles that are drawn for both eyes at once.
   vtkNew<vtkWideFoVStage> ExactOfBoth;
@@ -172,6 +173,7 @@ private:
   const wfv::StereoModel* Stereo = nullptr;
   bool AllowsChords() const; // the tolerance does
   bool IsExact() const;      // every triangle is covered
+  bool IsFat(vtkProp* prop, const wfv::PropFacts& facts) const;
   wfv::WfvView View;
   double WorldToView[16];
   void SetPart(vtkRenderer* renderer, const float tile[4]);
@@ -182,7 +184,7 @@ private:
   bool SortMoving = false;
   bool Hurries = false;
   bool Shares = false;
-  std::array<vtkWideFoVStage*, 13> GetAll();
+  std::array<vtkWideFoVStage*, 14> GetAll();
   void SetEyes(vtkWideFoVCamera* camera, const wfv::StereoModel* stereo); // after SetPart
   double Reach = 0; // of the rays' beginnings from the middle between the eyes, scene units
 

@@ -3,6 +3,7 @@
 
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
+#include "vtkWideFoVTwoFloats.h"
 #include "vtkWindow.h"
 
 #include <algorithm>
@@ -71,7 +72,7 @@ void SetTileUniforms(vtkShaderProgram* program, const TilePixels& pixels, const 
     picture[i + 2] = static_cast<float>(whole);
     toMap[i] = static_cast<float>(viewport[i] + 0.5 * whole - start);
     toMap[i + 2] = static_cast<float>(2 / (whole * scale[i]));
-    toMapLow[i] = static_cast<float>(2 / (whole * scale[i]) - static_cast<double>(toMap[i + 2]));
+    toMapLow[i] = LowPart(2 / (whole * scale[i]));
     quarter[i] = static_cast<float>(0.25 * WFV_PI * whole * scale[i]);
   }
   const float f[4] = { static_cast<float>(viewport[0]), static_cast<float>(viewport[1]),

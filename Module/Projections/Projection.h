@@ -45,7 +45,6 @@ struct Projection
   bool StraightSeam = true;    // the seam is drawn as a straight line
   bool UnboundedPoles = false; // a pole is stretched to a segment of the border
   bool FlatRim = false;        // a round map whose radius has no slope at 90 degrees
-  bool WholeRays = true;       // cast in double where triangles are covered exactly
   std::string Glsl;            // source text of its files
   vec2 (*Map)(vec2 angles, WfvView view) = nullptr;
   vec2 (*Project)(vec3 direction, WfvView view) = nullptr;

@@ -200,14 +200,6 @@ Projection Cylindrical(Projection p, double maxVertical = 180)
   return p;
 }
 
-// Its rays have sines in two parts (ray_fragment.glsl), and are off by 2.2e-8 radians; in double
-// they would take longer than the cubemap pass does.
-Projection InTwoParts(Projection p)
-{
-  p.WholeRays = false;
-  return p;
-}
-
 // The seam is the curved border of the map of the sphere.
 Projection Curved(Projection p, bool polesAreLines = false)
 {
@@ -276,8 +268,8 @@ Projection Planar(Projection p)
 std::vector<Projection> CylindricalOnes()
 {
   return {
-    InTwoParts(Cylindrical(WFV_PROJECTION(equirectangular, "equirectangular", "Equirectangular",
-      "equidistant", equirectangular_glsl, cylindrical_glsl, meridian_glsl))),
+    Cylindrical(WFV_PROJECTION(equirectangular, "equirectangular", "Equirectangular", "equidistant",
+      equirectangular_glsl, cylindrical_glsl, meridian_glsl)),
     Cylindrical(WFV_PROJECTION(cylindrical_equal_area, "cylindrical-equal-area",
       "Cylindrical equal-area (Lambert)", "equal-area, straight-meridians",
       cylindrical_equal_area_glsl, cylindrical_glsl, meridian_glsl)),

@@ -71,13 +71,16 @@ vec3 wfvAside()
 }
 #endif
 
+// What wfvView.tilt has too few digits for.
+uniform vec2 wfvTiltLow;
+
 dvec3 wfvTiltWhole(dvec3 p)
 {
   if (!WFV_TILTED)
   {
     return p;
   }
-  dvec2 t = dvec2(wfvView.tilt);
+  dvec2 t = dvec2(wfvView.tilt) + dvec2(wfvTiltLow);
   return dvec3(p.x, t.x * p.y + t.y * p.z, t.x * p.z - t.y * p.y);
 }
 

@@ -41,6 +41,8 @@ ONCE_WRONG = [
     ("equi-angular-cubemap", "slivers", 6),
     ("panini", "slivers", 6),
     ("winkel-tripel", "eye", 5),
+    ("equi-angular-cubemap", "slivers", 37),  # tilted: by a matrix in float32
+    ("equirectangular", "eye", 20),  # a triangle that passes the eye, beyond the near sphere or not
 ]
 
 
