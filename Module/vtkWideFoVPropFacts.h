@@ -28,6 +28,7 @@ struct PropFacts
   bool Tells = false;      // all that is opaque of it is seen to change by its times
   bool Surface = false;    // it draws triangles
   bool Sorts = false;      // its mapper sorts them one by one
+  bool Few = false;        // they are too few for that
   double LongestEdge = -1; // scene units; negative: not asked for yet
 };
 }

@@ -83,7 +83,7 @@ const char* const SampleMasks = "#extension GL_ARB_sample_shading : enable\n";
 
 // For a stage that is run once an eye; and for a vertex stage that says for which one a vertex is,
 // without it there is one alone.
-const char* const Invocations = "#extension GL_ARB_gpu_shader5 : require\n";
+const char* const Invocations = "#extension GL_ARB_gpu_shader5 : enable\n";
 const char* const Layers = "#extension GL_ARB_shader_viewport_layer_array : enable\n";
 
 // The geometry stage of points, lines or triangles, behind what all have.
@@ -121,7 +121,7 @@ std::string GeometrySource(
   const Request& r, const std::vector<Varying>& varyings, const std::string& toView)
 {
   std::string source = std::string("//VTK::System::Dec\n") + (CoversTriangles(r) ? Doubles : "") +
-    (r.BothEyes ? Invocations : "") + Define("WFV_MODEL", !toView.empty()) +
+    (r.BothEyes || r.Runs > 1 ? Invocations : "") + Define("WFV_MODEL", !toView.empty()) +
     "#define WFV_TO_VIEW " + toView + "\n" + ViewSource(r) +
     (r.Kind == Primitive::Points ? "" : preclip_glsl) + (r.DebugView ? debug_kinds_glsl : "") +
     PrimitiveSource(r, varyings);

@@ -122,6 +122,7 @@ std::string ViewSource(const Request& r)
     (meridian ? "wfvMeridianAngles" : "wfvAzimuthalAngles") + "\n" +
     Define("WFV_OWN_RAYS", OwnRays(r)) + Define("WFV_OWN_BODIES", OwnBodies(r)) +
     Define("WFV_WARPED", Warped(r)) + Define("WFV_BOTH_EYES", r.BothEyes) +
+    Define("WFV_RUNS", r.Runs) +
     Define("WFV_SHIFTED", r.Stereo && !r.Stereo->Straight && !Warped(r)) + wfv::MathGlsl() +
     wfv::CommonGlsl() + wfv::DepthGlsl() + (r.Stereo ? sight_glsl + r.Stereo->Glsl : "") +
     (sampled ? directions_glsl : "") + r.Projection->Glsl + interface_glsl;

@@ -193,6 +193,9 @@ void vtkWideFoVStage::FinishTriangles(vtkWideFoVShaderBuilder::Request& request)
   request.ByRays = this->ByRays || this->Calm;
   request.Calm = this->Calm;
   request.RayDepth = this->RayDepth && straight;
+  const bool upright =
+    this->Projection->Axis == wfv::Family::Meridian && this->Projection->StraightSeam;
+  request.Runs = upright && !request.BothEyes ? this->Runs : 1;
   // how far edges are is asked of float32 alone
   request.Whole = this->Whole && !request.Edges && !this->DebugView && this->HasWholeRays();
   if ((!straight || (this->Stereo && this->Stereo->OwnRays)) && !this->Clipless &&

@@ -57,8 +57,12 @@ public:
   // in front so; for triangles of which is known that none is drawn there.
   void SetRayDepth(bool rayDepth) { this->RayDepth = rayDepth; }
 
+  // Runs of the geometry stage that share in covering a triangle: the shapes of large ones are
+  // tighter. Set before anything is drawn.
+  void SetRuns(int runs) { this->Runs = runs; }
+
   // Covered triangles decided in double, where the projection has rays for that: the technique
-  // "exact". Not with several samples, which would each take as long, nor in a tilted view.
+  // "exact". Not with several samples, which would each take as long.
   void SetWhole(bool whole)
   {
     if (whole != this->Whole)
@@ -193,6 +197,7 @@ private:
   bool DebugView = false;
   bool SurfaceDepth = false;
   bool RayDepth = false;
+  int Runs = 1;
   bool Whole = false;
   int NumberOfDraws = 0;
   int NumberOfTessellateDraws = 0;

@@ -5,7 +5,6 @@
 #include "vtkWideFoVDiscontinuity.h"
 #include "vtkWideFoVFatMesh.h"
 #include "vtkWideFoVPass.h"
-#include "vtkWideFoVSortedDraw.h"
 #include "vtkWideFoVTessellation.h"
 #include "vtkWideFoVTile.h"
 
@@ -31,6 +30,10 @@ namespace
 // so little asks for exact depth and attributes too. Everything is covered.
 constexpr double LeastTolerance = 0.05;
 
+// Runs of the geometry stage for each of few triangles: more make tighter shapes, but each run, and
+// each border between two columns of pixels, takes time as well.
+constexpr int RunsOfFew = 3;
+
 // Factor: how much larger than the mean a pixel's angle may be somewhere in a map.
 constexpr double PixelSafety = 8;
 }
@@ -43,8 +46,11 @@ vtkWideFoVStages::vtkWideFoVStages()
   this->CalmAmong->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
   this->CalmAmong->SetCalm(true);
   this->PreClip->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
+  this->PreClipOfFew->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
+  this->PreClipOfFew->SetRuns(RunsOfFew);
   this->Exact->SetVariant(vtkWideFoVShaderBuilder::Variant::Exact);
   this->ExactInSingle->SetVariant(vtkWideFoVShaderBuilder::Variant::Exact);
+  this->ExactInSingle->SetRuns(RunsOfFew);
   this->Tessellate->SetVariant(vtkWideFoVShaderBuilder::Variant::Tessellate);
   this->ExactOfBoth->SetVariant(vtkWideFoVShaderBuilder::Variant::Exact);
   this->CalmOfBoth->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
@@ -63,11 +69,12 @@ vtkWideFoVStages::vtkWideFoVStages()
   this->FarPreClip->SetMiddle(true);
 }
 
-std::array<vtkWideFoVStage*, 14> vtkWideFoVStages::GetAll()
+std::array<vtkWideFoVStage*, 15> vtkWideFoVStages::GetAll()
 {
   return { this->Plain, this->PlainAlone, this->PlainAmong, this->CalmAmong, this->PreClip,
-    this->Exact, this->ExactInSingle, this->Tessellate, this->ExactOfBoth, this->CalmOfBoth,
-    this->FarPlainAlone, this->FarPlainAmong, this->FarCalmAmong, this->FarPreClip };
+    this->PreClipOfFew, this->Exact, this->ExactInSingle, this->Tessellate, this->ExactOfBoth,
+    this->CalmOfBoth, this->FarPlainAlone, this->FarPlainAmong, this->FarCalmAmong,
+    this->FarPreClip };
 }
 
 bool vtkWideFoVStages::CanTessellate()
@@ -129,8 +136,9 @@ void vtkWideFoVStages::SetDebugView(bool debugView)
 {
   this->DebugView = debugView;
   for (vtkWideFoVStage* stage : { this->Plain.Get(), this->PlainAlone.Get(), this->PlainAmong.Get(),
-         this->PreClip.Get(), this->Exact.Get(), this->ExactInSingle.Get(), this->ExactOfBoth.Get(),
-         this->FarPlainAlone.Get(), this->FarPlainAmong.Get(), this->FarPreClip.Get() })
+         this->PreClip.Get(), this->PreClipOfFew.Get(), this->Exact.Get(),
+         this->ExactInSingle.Get(), this->ExactOfBoth.Get(), this->FarPlainAlone.Get(),
+         this->FarPlainAmong.Get(), this->FarPreClip.Get() })
   {
     stage->SetDebugView(debugView);
   }
@@ -164,19 +172,14 @@ bool vtkWideFoVStages::IsExact() const
     (this->Technique == vtkWideFoVPass::AUTO && !this->AllowsChords());
 }
 
-// Asked of few triangles alone, for others would take long.
 bool vtkWideFoVStages::IsFat(vtkProp* prop, const wfv::PropFacts& facts) const
 {
-  auto* const actor = vtkActor::SafeDownCast(prop);
-  vtkMapper* const mapper = actor && facts.Surface && !facts.Sorts ? actor->GetMapper() : nullptr;
+  auto* const actor = facts.Few && this->IsExact() ? vtkActor::SafeDownCast(prop) : nullptr;
+  vtkMapper* const mapper = actor ? actor->GetMapper() : nullptr;
   auto* const mesh = mapper ? vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0)) : nullptr;
-  if (!mesh || !this->IsExact() || wfv::SortedDraw::IsWorthIt(mesh, false))
-  {
-    return false;
-  }
   double toMap[16];
   this->GetToMap(actor, toMap);
-  return wfv::IsFat(mesh, toMap);
+  return mesh && wfv::IsFat(mesh, toMap);
 }
 
 bool vtkWideFoVStages::AllowsChords() const
@@ -230,7 +233,8 @@ vtkWideFoVStage* vtkWideFoVStages::ChooseByBounds(
     *this->Projection, this->View, bounds, this->WorldToView, this->GetPointReach(facts));
   if (torn || !this->IsFine(prop, bounds, facts))
   {
-    return far ? this->FarPreClip : this->PreClip;
+    const bool few = facts.Few && this->Technique == vtkWideFoVPass::AUTO;
+    return far ? this->FarPreClip : few ? this->PreClipOfFew : this->PreClip;
   }
   // no bound on chords is one on depth: along an edge that runs away from the eye it is off by
   // the square of the edge's share of the distance, however near chord and edge are

@@ -104,8 +104,9 @@ public:
   vtkNew<vtkWideFoVStage> PlainAmong; // auto: among covered ones, with that on the pixel's own ray
   vtkNew<vtkWideFoVStage> CalmAmong;  // covered triangles that are easy, of a prop with others
   vtkNew<vtkWideFoVStage> PreClip;
+  vtkNew<vtkWideFoVStage> PreClipOfFew; // auto: of few triangles
   vtkNew<vtkWideFoVStage> Exact;
-  vtkNew<vtkWideFoVStage> ExactInSingle; // in float32: of props all of whose triangles are fat
+  vtkNew<vtkWideFoVStage> ExactInSingle; // in float32: of few triangles, all of them fat
   vtkNew<vtkWideFoVStage> Tessellate;    // other mappers than ours: the pre-clip
 
   // Of triangles that are drawn for both eyes at once.
@@ -184,7 +185,7 @@ private:
   bool SortMoving = false;
   bool Hurries = false;
   bool Shares = false;
-  std::array<vtkWideFoVStage*, 14> GetAll();
+  std::array<vtkWideFoVStage*, 15> GetAll();
   void SetEyes(vtkWideFoVCamera* camera, const wfv::StereoModel* stereo); // after SetPart
   double Reach = 0; // of the rays' beginnings from the middle between the eyes, scene units
 

@@ -78,19 +78,46 @@ vec2 wfvColumn(vec2 lambda)
   return vec2(max(b.y - border, -1.0), min(b.w + border, 1.0));
 }
 
-// From one longitude to another, in so many columns, each as high as the triangle is there:
-// one strip, that hits no pixel twice.
+// Pixels: columns end at multiples of it. Rasterizers run fragment programs for whole blocks of pixels,
+// and software ones of 4 x 4 would run them twice for those that two columns share.
+const float WFV_COLUMN_BLOCK = 4.0;
+
+// The longitude of the border of a block that is nearest to one.
+float wfvToBlock(float lambda)
+{
+  float perRadian = 0.5 * wfvViewport.z * wfvTile.x * wfvView.scale.x;
+  float middle = wfvViewport.x + 0.5 * wfvViewport.z * (1.0 + wfvTile.z);
+  float block = floor((middle + lambda * perRadian) / WFV_COLUMN_BLOCK + 0.5);
+  return (block * WFV_COLUMN_BLOCK - middle) / perRadian;
+}
+
+// One of the borders of so many columns between two longitudes.
+float wfvColumnBorder(vec2 lambda, int i, int all)
+{
+  float at = mix(lambda.x, lambda.y, float(i) / float(all));
+  return i <= 0 || i >= all ? at : clamp(wfvToBlock(at), lambda.x, lambda.y);
+}
+
+// From one longitude to another, in so many columns a run, each as high as the triangle is there:
+// strips that hit no pixel twice.
 void wfvEmitColumns(vec2 lambda, int columns, bool front)
 {
   float pad = 2.0 * WFV_PAD / (wfvViewport.z * wfvTile.x);
+  int all = columns * WFV_RUNS;
+  int first = 0;
+#if WFV_RUNS > 1
+  first = columns * gl_InvocationID;
+  wfvMute = false;
+#endif
+  int last = first + columns;
   vec2 before = vec2(1e9, -1e9);
-  for (int i = 0; i <= columns; i++)
+  for (int i = first; i <= last; i++)
   {
-    vec2 at = mix(lambda.xx, lambda.yy, vec2(float(i), float(i + 1)) / float(columns));
-    vec2 here = i < columns ? wfvColumn(at) : vec2(1e9, -1e9);
+    vec2 at = vec2(wfvColumnBorder(lambda, i, all), wfvColumnBorder(lambda, i + 1, all));
+    vec2 here = i < last ? wfvColumn(at) : vec2(1e9, -1e9);
     vec2 y = vec2(min(before.x, here.x), max(before.y, here.y));
     float x = wfvMap(vec2(at.x, 0.0), wfvView).x;
-    x = clamp(x + (i == 0 ? -pad : (i == columns ? pad : 0.0)), -1.0, 1.0);
+    x = clamp(x + (i == 0 ? -pad : (i == all ? pad : 0.0)), -1.0, 1.0);
     before = here;
     if (y.x <= y.y)
     {

@@ -8,7 +8,13 @@
 //                 bends more than the tolerance: a shape that surely contains its
 //                 picture, and the fragment stage decides by the pixel's ray.
 
-#if !WFV_BOTH_EYES
+#ifndef GL_ARB_gpu_shader5
+#undef WFV_RUNS
+#define WFV_RUNS 1
+#endif
+#if WFV_RUNS > 1
+layout(triangles, invocations = WFV_RUNS) in;
+#elif !WFV_BOTH_EYES
 layout(triangles) in; // else both_eyes.glsl
 #endif
 #if WFV_CALM
@@ -119,8 +125,20 @@ void wfvWriteFlat()
 #endif
 }
 
+#if WFV_RUNS > 1
+// Of a triangle that is covered by columns (wfvEmitColumns) each run of the stage draws some; all of others
+// is drawn by the first.
+bool wfvMute;
+#else
+const bool wfvMute = false;
+#endif
+
 void wfvEmitVertex(vec4 position, vec3 bary)
 {
+  if (wfvMute)
+  {
+    return;
+  }
   gl_Position = position;
 #if WFV_BOTH_EYES
   gl_Layer = gl_InvocationID;

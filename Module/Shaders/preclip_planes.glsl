@@ -166,6 +166,9 @@ void wfvReadCorners()
   wfvChooseEye();
 #endif
   wfvEmitted = 0;
+#if WFV_RUNS > 1
+  wfvMute = gl_InvocationID > 0;
+#endif
   for (int i = 0; i < 3; i++)
   {
     wfvP[i] = wfvTilt(gl_in[i].gl_Position.xyz, wfvView) / wfvScale();
