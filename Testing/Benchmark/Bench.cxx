@@ -84,6 +84,17 @@ void Time(BenchStage& stage, std::vector<Record>& records, int frames)
   }
 }
 
+void CountFragments(BenchStage& stage, std::vector<Record>& records)
+{
+  for (std::size_t i = 0; i < records.size(); ++i)
+  {
+    if (records[i].Note.empty())
+    {
+      records[i].Fragments = stage.CountFragments(stage.GetEntries()[i]);
+    }
+  }
+}
+
 void FitFloors(BenchStage& stage, ErrorMeasure& measure, std::vector<Record>& records)
 {
   for (std::size_t i = 0; i < records.size(); ++i)
@@ -134,6 +145,7 @@ std::vector<Record> MeasureScene(const BenchScene& scene, const BenchOptions& o)
   const double budget = 1000 * (o.Quick ? QuickBudget : FullBudget);
   const int fitting = int(std::clamp(budget / round, double(LeastFrames), double(MostFrames)));
   Time(stage, records, o.Frames > 0 ? o.Frames : fitting);
+  CountFragments(stage, records);
   if (compared)
   {
     MeasureErrors(stage, measure, records);

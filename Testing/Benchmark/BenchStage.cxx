@@ -15,6 +15,7 @@
 #include <vtkNew.h>
 #include <vtkPanoramicProjectionPass.h>
 #include <vtkWideFoVRenderer.h>
+#include <vtk_glew.h>
 
 #include <algorithm>
 #include <chrono>
@@ -185,6 +186,24 @@ double BenchStage::Draw(BenchEntry& entry)
   entry.Renderer->DrawOff();
   CheckMessages(entry.Run);
   return time.count();
+}
+
+std::optional<long long> BenchStage::CountFragments(BenchEntry& entry)
+{
+  entry.Window->MakeCurrent();
+  if (!GLEW_ARB_pipeline_statistics_query)
+  {
+    return std::nullopt;
+  }
+  GLuint query = 0;
+  GLuint64 runs = 0;
+  glGenQueries(1, &query);
+  glBeginQuery(GL_FRAGMENT_SHADER_INVOCATIONS_ARB, query);
+  this->Draw(entry);
+  glEndQuery(GL_FRAGMENT_SHADER_INVOCATIONS_ARB);
+  glGetQueryObjectui64v(query, GL_QUERY_RESULT, &runs);
+  glDeleteQueries(1, &query);
+  return static_cast<long long>(runs);
 }
 
 long BenchStage::FitFloor(BenchEntry& entry, long pixels)

@@ -46,6 +46,10 @@ public:
   // where VTK reports an error.
   double Draw(BenchEntry& entry);
 
+  // Draws one more frame; how often fragment programs run in it, by OpenGL's own count, which knows
+  // no early depth test of blocks. None where OpenGL does not count.
+  std::optional<long long> CountFragments(BenchEntry& entry);
+
   // Moves the floor's camera so near that as many pixels are covered as `pixels`, or as
   // near to it as it gets. Returns how many are.
   long FitFloor(BenchEntry& entry, long pixels);

@@ -69,7 +69,9 @@ Json ToJson(const Record& r)
     { "size", { o.Size[0], o.Size[1] } }, { "samples", o.Samples }, { "method", r.Run.Method },
     { "parameter", r.Run.Parameter ? Json(*r.Run.Parameter) : Json(nullptr) },
     { "ms", Times(r.Milliseconds) }, { "frames", r.Milliseconds.size() },
-    { "covered", r.Covered ? Json(*r.Covered) : Json(nullptr) }, { "error", Figures(r.Error) } };
+    { "covered", r.Covered ? Json(*r.Covered) : Json(nullptr) },
+    { "fragments", r.Fragments ? Json(*r.Fragments) : Json(nullptr) },
+    { "error", Figures(r.Error) } };
   if (r.Run.Turn != 0)
   {
     json["turn"] = r.Run.Turn;

@@ -43,8 +43,9 @@ struct Record
   bench::Run Run;
   std::vector<double> Milliseconds; // one a frame
   std::optional<ErrorFigures> Error;
-  std::optional<long> Covered; // pixels with something in them
-  std::string Note;            // why something is missing
+  std::optional<long> Covered;        // pixels with something in them
+  std::optional<long long> Fragments; // runs of fragment programs in a frame, all passes
+  std::string Note;                   // why something is missing
 };
 
 // Figures that are not known are null.
