@@ -172,6 +172,7 @@ bool vtkWideFoVStages::IsExact() const
     (this->Technique == vtkWideFoVPass::AUTO && !this->AllowsChords());
 }
 
+// Asked of few triangles alone: of more it would take long.
 bool vtkWideFoVStages::IsFat(vtkProp* prop, const wfv::PropFacts& facts) const
 {
   auto* const actor = facts.Few && this->IsExact() ? vtkActor::SafeDownCast(prop) : nullptr;

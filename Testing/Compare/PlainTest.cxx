@@ -116,6 +116,18 @@ Shot MakeLargeShot(double x)
   return shot;
 }
 
+// Of a picture that is drawn by chords for the most part.
+reference::Metrics ExpectPlainWithin(
+  Drawing& picture, vtkPolyData* mesh, const Shot& shot, double tolerance)
+{
+  const reference::DrawnPicture drawn = picture.Draw(shot);
+  EXPECT_EQ(picture.GetNumberOfPlainDraws(), 1);
+  const reference::RayCaster caster(mesh, picture.GetView(), picture.GetPose());
+  const reference::Metrics m = reference::Compare(drawn, caster, tolerance);
+  EXPECT_LE(m.MaxPx, tolerance) << Details(shot, picture.GetView(), m);
+  return m;
+}
+
 void ExpectSame(const reference::DrawnPicture& a, const reference::DrawnPicture& b)
 {
   EXPECT_EQ(a.Cell, b.Cell);
@@ -185,11 +197,7 @@ TEST(Plain, SurfacesMayCrossAtEdges)
     shot.Width = 1024;
     shot.Height = 512;
     shot.Options.Radii = { { 0.5, 4 } };
-    const reference::DrawnPicture drawn = picture.Draw(shot);
-    EXPECT_EQ(picture.GetNumberOfPlainDraws(), 1);
-    const reference::RayCaster caster(mesh, picture.GetView(), picture.GetPose());
-    const reference::Metrics m = reference::Compare(drawn, caster, Tolerance);
-    EXPECT_LE(m.MaxPx, Tolerance) << Details(shot, picture.GetView(), m);
+    ExpectPlainWithin(picture, mesh, shot, Tolerance);
   }
 }
 
@@ -213,11 +221,7 @@ TEST(Plain, DepthIsThatOfThePixelsRay)
     shot.Options.HorizontalFov = p.MaxHorizontalFov;
     shot.Options.VerticalFov = p.MaxVerticalFov;
     shot.Options.Radii = { { 0.5, 4 } };
-    const reference::DrawnPicture drawn = picture.Draw(shot);
-    EXPECT_EQ(picture.GetNumberOfPlainDraws(), 1);
-    const reference::RayCaster caster(mesh, picture.GetView(), picture.GetPose());
-    const reference::Metrics m = reference::Compare(drawn, caster, Tolerance);
-    EXPECT_LE(m.MaxPx, Tolerance) << Details(shot, picture.GetView(), m);
+    const reference::Metrics m = ExpectPlainWithin(picture, mesh, shot, Tolerance);
     EXPECT_LE(m.MaxDepthRel, DepthTolerance) << Describe(shot);
   }
 }
