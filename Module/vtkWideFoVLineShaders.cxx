@@ -76,17 +76,23 @@ std::string GeometrySource(const Request& r, const std::vector<Varying>& varying
     return head + line_own_glsl + line_own_frame_glsl + corners + line_geometry_glsl +
       line_own_geometry_glsl;
   }
-  return head + line_frame_glsl + corners + line_geometry_glsl +
-    (r.Projection->Axis == Family::Faces ? line_on_faces_glsl : "");
+  const std::string arcs = head + line_frame_glsl + corners + line_geometry_glsl;
+  if (r.Projection->Axis == Family::Sampled)
+  {
+    return arcs + places_glsl + line_on_directions_glsl;
+  }
+  return arcs + (r.Projection->Axis == Family::Faces ? line_on_faces_glsl : "");
 }
 
 std::string FragmentSource(
   const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
 {
   RewriteNormal(varyings, fragment);
+  const bool ownMap = r.Projection->Axis == Family::Sampled && !OwnRays(r);
   return std::string(line_arc_glsl) +
     (OwnRays(r) ? std::string(line_own_glsl) + line_own_fragment_glsl : "") + line_fragment_glsl +
-    line_nearest_glsl + CornerInputs(varyings, { "(1.0 - wfvAlong)", "wfvAlong" });
+    (ownMap ? std::string(own_map_glsl) + line_own_map_glsl : line_nearest_glsl) +
+    CornerInputs(varyings, { "(1.0 - wfvAlong)", "wfvAlong" });
 }
 }
 }

@@ -9,22 +9,37 @@ namespace point
 {
 using namespace shader;
 
+namespace
+{
+bool OnDirections(const Request& r)
+{
+  return r.Projection->Axis == Family::Sampled;
+}
+}
+
 bool Draws(const Request& r)
 {
-  // behind a flat rim even a small one would show, as if it were on it
-  return r.Kind == Primitive::Points && (r.WidePoints || r.Projection->FlatRim) &&
+  // behind a flat rim even a small one would show, as if it were on it; and what a direction map
+  // shows where is not found for sure
+  const bool always = r.Projection->FlatRim || OnDirections(r);
+  return r.Kind == Primitive::Points && (r.WidePoints || always) &&
     r.Stage != vtkWideFoVShaderBuilder::Variant::Plain;
 }
 
-std::string GeometrySource(const std::vector<Varying>& varyings)
+std::string GeometrySource(const Request& r, const std::vector<Varying>& varyings)
 {
-  return CornerOutputs(varyings, 1) + point_geometry_glsl;
+  const std::string corners = CornerOutputs(varyings, 1);
+  return OnDirections(r) ? corners + places_glsl + point_on_directions_glsl
+                         : corners + point_geometry_glsl;
 }
 
-std::string FragmentSource(const std::vector<Varying>& varyings, std::string& fragment)
+std::string FragmentSource(
+  const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
 {
   ReplaceAll(fragment, "gl_PointCoord", "wfvPointCoord");
-  return point_fragment_glsl + CornerInputs(varyings, { "1.0" });
+  const std::string inputs = CornerInputs(varyings, { "1.0" });
+  return OnDirections(r) ? std::string(own_map_glsl) + point_own_map_glsl + inputs
+                         : point_fragment_glsl + inputs;
 }
 }
 }

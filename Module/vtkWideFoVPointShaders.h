@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What vtkWideFoVShaderBuilder adds for points wider than a pixel behind the pre-clip: squares
-// that may show on both sides of a seam. Text in, text out.
+// What vtkWideFoVShaderBuilder adds for points wider than a pixel behind the pre-clip, and for all
+// of them on a direction map: squares that may show on both sides of a seam. Text in, text out.
 #ifndef vtkWideFoVPointShaders_h
 #define vtkWideFoVPointShaders_h
 
@@ -14,11 +14,13 @@ namespace point
 bool Draws(const shader::Request& request);
 
 // The geometry stage, behind the mathematics of the view.
-std::string GeometrySource(const std::vector<shader::Varying>& varyings);
+std::string GeometrySource(
+  const shader::Request& request, const std::vector<shader::Varying>& varyings);
 
 // Declarations of the fragment stage, behind the mathematics of the view. The stock text is
 // changed where it asks for a place inside OpenGL's own points.
-std::string FragmentSource(const std::vector<shader::Varying>& varyings, std::string& fragment);
+std::string FragmentSource(const shader::Request& request,
+  const std::vector<shader::Varying>& varyings, std::string& fragment);
 }
 }
 

@@ -91,7 +91,7 @@ std::string PrimitiveSource(const Request& r, const std::vector<Varying>& varyin
 {
   if (wfv::point::Draws(r))
   {
-    return wfv::point::GeometrySource(varyings);
+    return wfv::point::GeometrySource(r, varyings);
   }
   if (wfv::line::Draws(r))
   {
@@ -169,7 +169,7 @@ std::string CoverFragment(
   }
   if (wfv::point::Draws(r))
   {
-    return wfv::point::FragmentSource(varyings, fragment);
+    return wfv::point::FragmentSource(r, varyings, fragment);
   }
   RewriteFlatNormal(fragment);
   return std::string(r.BothEyes ? "flat in float wfvEye; // that the fragment is for\n" : "") +

@@ -64,9 +64,9 @@ void SetViewParameters(vtkShaderProgram* program, const wfv::WfvView& v)
   set2("wfvUnitDepth", wfv::vec2(unit / depth, -v.radii.x / depth));
   if (v.map)
   {
-    const float tables[3] = { static_cast<float>(v.tables.x), static_cast<float>(v.tables.y),
-      static_cast<float>(v.tables.z) };
-    program->SetUniform3f("wfvView.tables", tables);
+    const float tables[4] = { static_cast<float>(v.tables.x), static_cast<float>(v.tables.y),
+      static_cast<float>(v.tables.z), static_cast<float>(v.tables.w) };
+    program->SetUniform4f("wfvView.tables", tables);
   }
 }
 

@@ -21,10 +21,10 @@ void vtkWideFoVStages::NumberView(const wfv::StereoModel* stereo)
   const double seen[] = { v.halfFov.x, v.halfFov.y, v.scale.x, v.scale.y, v.tilt.x, v.tilt.y,
     v.radii.x, v.radii.y, v.lens.x, v.lens.y, v.lens.z, v.lens.w, v.lens5, v.maxAngle, v.bend,
     std::abs(v.stereo.x), v.stereo.y, v.stereo.z, v.stereo.w, static_cast<double>(v.depthMapping),
-    v.tables.x, v.tables.y, v.tables.z, this->Tolerance, this->HalfDiagonal, this->PixelAngle,
-    this->Part.Low.x, this->Part.Low.y, this->Part.High.x, this->Part.High.y, this->Pixels.x,
-    this->Pixels.y, static_cast<double>(this->Technique), static_cast<double>(this->Culling),
-    static_cast<double>(this->Hurries) };
+    v.tables.x, v.tables.y, v.tables.z, v.tables.w, this->Tolerance, this->HalfDiagonal,
+    this->PixelAngle, this->Part.Low.x, this->Part.Low.y, this->Part.High.x, this->Part.High.y,
+    this->Pixels.x, this->Pixels.y, static_cast<double>(this->Technique),
+    static_cast<double>(this->Culling), static_cast<double>(this->Hurries) };
   const void* const objects[] = { this->Projection, stereo, v.map };
   const bool same = this->ViewNumber > 0 &&
     std::equal(std::begin(seen), std::end(seen), this->Numbered.begin(), this->Numbered.end()) &&

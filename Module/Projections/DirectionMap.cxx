@@ -140,7 +140,7 @@ double RadiusOf(const DirectionMap& map, int x, int y)
   else
   {
     WfvView view{};
-    view.tables = vec3(map.GetWidth(), map.GetHeight(), map.GetCells());
+    view.tables = map.GetSizes();
     view.map = &map;
     for (int k = 0; k < 9; k++)
     {
@@ -220,6 +220,11 @@ void DirectionMap::MarkPixels()
     {
       Texel& texel = this->Directions[static_cast<std::size_t>(y) * w + x];
       int bits = static_cast<int>(texel[3]);
+      for (const Steps* const steps : { &right, &up })
+      {
+        const double length = steps->Hangs(x, y) ? steps->At(x, y) : 0;
+        this->LongestStep = std::max(this->LongestStep, AngleOfChord * length);
+      }
       bits |= right.Hangs(x, y) ? WFV_PIXEL_RIGHT : 0;
       bits |= right.Hangs(x - 1, y) ? WFV_PIXEL_LEFT : 0;
       bits |= up.Hangs(x, y) ? WFV_PIXEL_UP : 0;

@@ -40,6 +40,12 @@ public:
   // Cells along a face of the cube on the finest level: a power of two.
   int GetCells() const { return this->Cells; }
 
+  // Radians: the longest step between neighbours that hang together; 0 where none do.
+  double GetLongestStep() const { return this->LongestStep; }
+
+  // Width, height, cells and longest step, as wfv::WfvView has them.
+  vec4 GetSizes() const { return { this->Width, this->Height, this->Cells, this->LongestStep }; }
+
   // The tables, rows from the bottom: width x height; 12 cells wide, two rectangles a cell,
   // all levels one above the other; 12 cells wide, two seeds a texel, negative where there
   // are no more.
@@ -62,6 +68,7 @@ private:
   int Width;
   int Height;
   int Cells = 4;
+  double LongestStep = 0;
   std::vector<Texel> Directions;
   std::vector<Texel> CellBounds;
   std::vector<Texel> Seeds;

@@ -133,7 +133,7 @@ private:
 vec2 DirectionMap::Find(const vec3& direction) const
 {
   WfvView view{};
-  view.tables = vec3(this->Width, this->Height, this->Cells);
+  view.tables = this->GetSizes();
   view.map = this;
   const WfvPlaces places = wfvCapPlaces(direction, 0, view);
   double nearest = -2;

@@ -167,7 +167,7 @@ View::View(const Projection& projection, const ViewOptions& o)
 {
   WfvView& v = this->Parameters;
   v.map = this->Tables.get();
-  v.tables = v.map ? vec3(v.map->GetWidth(), v.map->GetHeight(), v.map->GetCells()) : vec3(0);
+  v.tables = v.map ? v.map->GetSizes() : vec4(0);
   v.halfFov = vec2(0.5 * o.HorizontalFov * Degree, 0.5 * o.VerticalFov * Degree);
   v.tilt = vec2(std::cos(o.Tilt * Degree), std::sin(o.Tilt * Degree));
   v.radii = vec2(o.Radii[0], o.Radii[1]);

@@ -32,7 +32,7 @@ struct WfvView
   int depthMapping; // WFV_DEPTH_LINEAR, ... (depth.glsl)
   float bend;     // how far chords are from their edges: see Bend.h
   vec4 stereo;    // of the eye: as its stereo model says (Stereo/*.glsl)
-  vec3 tables;    // direction map: its width and height, and cells along a cube's face
+  vec4 tables;    // direction map: its width and height, cells along a cube's face, longest step
   WFV_TABLES map; // direction map: its tables, in C++; the shaders have textures
 };
 

@@ -129,6 +129,39 @@ WFV_FN WfvAround wfvAround(vec2 p, WfvView v)
   return r;
 }
 
+// Pixels of the map: slopes of a pixel are looked at so far on either side of a place, inside it.
+const float WFV_SLOPE_REACH = 0.25;
+const float WFV_SLOPE_INSIDE = 0.49;
+
+// A pixel's own map, carried on: the unit vector seen at p, which lies in the pixel, and its slopes
+// at right angles to it, with which directions go on beside it. Along an axis on which no neighbour
+// hangs with it they change as much as along the other, across it.
+WFV_FN WfvAround wfvOwnMap(vec2 p, WfvView v)
+{
+  vec2 centre = vec2(float(wfvNearestIndex(p.x, v.tables.x)), float(wfvNearestIndex(p.y, v.tables.y)));
+  vec2 reach = vec2(WFV_SLOPE_REACH, WFV_SLOPE_REACH);
+  vec2 end = vec2(WFV_SLOPE_INSIDE, WFV_SLOPE_INSIDE);
+  vec2 low = max(p - reach, centre - end);
+  vec2 high = min(p + reach, centre + end);
+  WfvAround r = wfvAround(p, v);
+  float l = wfvHypot(wfvHypot(r.direction.x, r.direction.y), r.direction.z);
+  r.direction = l > 0.0 ? r.direction / l : vec3(0.0, 0.0, -1.0);
+  float half_ = l > 0.0 ? 0.5 / l : 0.0;
+  r.x = half_ * (wfvAround(vec2(low.x, p.y), v).x + wfvAround(vec2(high.x, p.y), v).x);
+  r.y = half_ * (wfvAround(vec2(p.x, low.y), v).y + wfvAround(vec2(p.x, high.y), v).y);
+  r.x = r.x - r.direction * dot(r.x, r.direction);
+  r.y = r.y - r.direction * dot(r.y, r.direction);
+  if (dot(r.x, r.x) == 0.0)
+  {
+    r.x = cross(r.y, r.direction);
+  }
+  if (dot(r.y, r.y) == 0.0)
+  {
+    r.y = cross(r.direction, r.x);
+  }
+  return r;
+}
+
 // The ray through a place in the map, pixels.
 WFV_FN WfvRay wfvRayOfPixel(vec2 p, WfvView v)
 {
@@ -220,6 +253,24 @@ WFV_FN WfvPlaces wfvWithPlaces(WfvPlaces places, WfvPlaces more)
   result.calm = places.calm && more.calm;
   return result;
 }
+
+// As one rectangle where the two meet, lest a pixel be in both.
+WFV_FN WfvPlaces wfvApart(WfvPlaces places)
+{
+  WfvPlaces result = places;
+  bool both = places.first.x <= places.first.z && places.second.x <= places.second.z;
+  if (both && wfvGap(places.first, places.second) <= 0.0)
+  {
+    result.first = wfvUnited(places.first, places.second);
+    result.second = wfvNoPlaces().second;
+  }
+  return result;
+}
+
+// Among calm pixels a step differs from the next by so much of it at the most
+// (DirectionMap.cxx), so a straight edge of n pixels bends by no more than an eighth of this
+// times n squared; twice that.
+const float WFV_CLOSE_BEND = 0.25 * 0.05;
 
 // What is added to the left side of the first rectangle in the table where a cell is calm.
 const float WFV_CALM_CELL = 16.0;

@@ -33,11 +33,6 @@ WfvPlaces wfvPart(vec3 a, vec3 b, vec3 c)
 // Pixels of the direction map: larger rectangles are taken as they are.
 const float WFV_CLOSE_PIXELS = 24.0;
 
-// Among calm pixels a step differs from the next by so much of it at the most
-// (DirectionMap.cxx), so a straight edge of n pixels bends by no more than an eighth of this
-// times n squared; twice that.
-const float WFV_CLOSE_BEND = 0.25 * 0.05;
-
 // The rectangle of a cell or, where it is small and calm, what lies round three corners.
 vec4 wfvClose(WfvPlaces cell, vec3 a, vec3 b, vec3 c)
 {
@@ -106,15 +101,9 @@ void wfvCover(bool front)
     places = wfvPart(a, b, c);
     places.first = wfvClose(places, a, b, c);
   }
-  vec4 first = wfvGrown(places.first);
-  vec4 second = wfvGrown(places.second);
-  bool both = places.second.x <= places.second.z;
-  bool overlap = max(first.x, second.x) < min(first.z, second.z) &&
-    max(first.y, second.y) < min(first.w, second.w);
-  // in one, lest a pixel be hit twice
-  wfvEmitRectangle(both && overlap ? wfvUnited(first, second) : first, front);
-  if (both && !overlap)
-  {
-    wfvEmitRectangle(second, front);
-  }
+  places.first = wfvGrown(places.first);
+  places.second = wfvGrown(places.second);
+  places = wfvApart(places);
+  wfvEmitRectangle(places.first, front);
+  wfvEmitRectangle(places.second, front);
 }

@@ -321,6 +321,8 @@ void wfvEmitDots()
 
 #if WFV_FACES
 void wfvEmitOnFaces(bool dots); // line_on_faces.glsl
+#elif WFV_SAMPLED
+void wfvEmitOnDirections(bool dots); // line_on_directions.glsl
 #else
 // Emits the one rectangle of an arc that bends little; false where it does not.
 bool wfvEmitGentle()
@@ -374,6 +376,8 @@ void main()
   bool dots = !plane && wfvArcEnds.y > wfvArcEnds.x;
 #if WFV_FACES
   wfvEmitOnFaces(dots);
+#elif WFV_SAMPLED
+  wfvEmitOnDirections(dots);
 #else
   wfvEmitArc(dots);
 #endif

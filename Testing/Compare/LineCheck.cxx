@@ -2,6 +2,7 @@
 #include "LineCheck.h"
 
 #include "LineReference.h"
+#include "SampledLines.h"
 #include "vtkWideFoVPass.h"
 
 #include <vtkCellArray.h>
@@ -207,8 +208,10 @@ LineResult CheckLines(Drawing& drawing, const Shot& shot, const LineScene& scene
     return {};
   }
   const auto segments = reference::Segments(drawing.GetMesh(), drawing.GetPose());
-  const auto lines = reference::RenderLines(
-    segments, drawing.GetView(), shot.Width, shot.Height, 0.5 * width + Beyond);
+  const bool sampled = drawing.GetView().GetProjection().Axis == Family::Sampled;
+  const auto render = sampled ? reference::RenderSampledLines : reference::RenderLines;
+  const auto lines =
+    render(segments, drawing.GetView(), shot.Width, shot.Height, 0.5 * width + Beyond);
   const LineResult r = LineCheck(picture, drawing.GetView(), width).Check(lines);
   std::cout << shot.Projection << " " << scene.Name << " width " << width << ": drawn " << r.Drawn
             << " missing " << r.Missing << " spurious " << r.Spurious << " order " << r.Hidden

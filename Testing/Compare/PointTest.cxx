@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Points against their definition in double: a point of n pixels is the square of n pixels
 // round the place of its centre, continued across a seam, cut where the map ends. Every pixel
-// whose centre is in the square shows the point, or one in front of it; none else does.
+// whose centre is in the square shows the point, or one in front of it; none else does. On a
+// direction map the square is round each pixel's centre, in its own map.
 #include "DrawingTest.h"
+#include "OwnMap.h"
+#include "SampledShot.h"
 #include "vtkWideFoVPass.h"
 
 #include <vtkCellArray.h>
@@ -134,6 +137,33 @@ Candidates Expect(const std::vector<vec3>& points, const View& view, const Shot&
       for (const Square& square : Squares(view, points[k], shot, size))
       {
         AddSquare(square, shot, size, { vtkIdType(k), rho, sure }, all);
+      }
+    }
+  }
+  return all;
+}
+
+// On a direction map: each pixel by its own map.
+Candidates ExpectSampled(
+  const std::vector<vec3>& points, const View& view, const Shot& shot, double size)
+{
+  const vec2 radii = view.GetParameters().radii;
+  const double half = 0.5 * size;
+  Candidates all;
+  for (int j = 0; j < shot.Height; j++)
+  {
+    for (int i = 0; i < shot.Width; i++)
+    {
+      const reference::OwnMap map(view, i, j, shot.Width, shot.Height);
+      for (std::size_t k = 0; map.IsShown() && k < points.size(); k++)
+      {
+        const double rho = glm::length(points[k]);
+        const vec2 at = glm::abs(map.PlaceOf(points[k]));
+        const double off = std::max(at.x, at.y);
+        if (off < half + PointSlack && rho > radii.x && rho < radii.y)
+        {
+          all[long(j) * shot.Width + i].push_back({ vtkIdType(k), rho, off < half - PointSlack });
+        }
       }
     }
   }
@@ -272,7 +302,8 @@ protected:
     const reference::DrawnPicture picture = Picture->Draw(shot);
     ASSERT_EQ(picture.Width, shot.Width) << "nothing was drawn: " << Describe(shot);
     const View& view = Picture->GetView();
-    const PointResult r = Compare(picture, Expect(points, view, shot, size), view);
+    const auto expect = view.GetProjection().Axis == Family::Sampled ? ExpectSampled : Expect;
+    const PointResult r = Compare(picture, expect(points, view, shot, size), view);
     std::cout << shot.Projection << " " << shot.Options.HorizontalFov << " technique " << technique
               << " size " << size << ": drawn " << r.Drawn << " wrong " << r.Wrong << std::endl;
     Drawn += r.Drawn;
@@ -304,4 +335,29 @@ TEST_P(ComparePoints, EveryPixelOfTheSquare)
   EXPECT_GT(Drawn, 10000);
 }
 
+// On maps made of projections, torn at their seams and poles.
+class CompareSampledPoints : public ComparePoints
+{
+};
+
+TEST_P(CompareSampledPoints, EveryPixelOfTheSquare)
+{
+  Drawn = 0;
+  Shot shot;
+  UseMapOf(this->GetParam(), shot);
+  shot.Options.Radii = { { 1, 4 } };
+  unsigned int seed = 1;
+  for (double size : { 1.0, 5.0, 20.0 })
+  {
+    for (int technique : { vtkWideFoVPass::EXACT, vtkWideFoVPass::PRECLIP, vtkWideFoVPass::AUTO })
+    {
+      Check(shot, technique, seed++, size);
+    }
+  }
+  EXPECT_GT(Drawn, 5000);
+}
+
 INSTANTIATE_TEST_SUITE_P(All, ComparePoints, ::testing::ValuesIn(WideNames()), DrawingTest::NameOf);
+INSTANTIATE_TEST_SUITE_P(All, CompareSampledPoints,
+  ::testing::Values("equirectangular", "hammer", "azimuthal-equidistant", "equi-angular-cubemap"),
+  DrawingTest::NameOf);

@@ -3,7 +3,7 @@
 #include "DrawingTest.h"
 #include "Meshes.h"
 #include "Poses.h"
-#include "SampledMap.h"
+#include "SampledShot.h"
 #include "vtkWideFoVPass.h"
 
 #include <vtkPolyData.h>
@@ -37,16 +37,10 @@ protected:
 
 TEST_P(CompareSampled, RoomAndGlobe)
 {
-  const Projection& p = *FindProjection(this->GetParam());
-  ViewOptions o;
-  o.HorizontalFov = p.MaxHorizontalFov;
-  o.VerticalFov = p.MaxVerticalFov;
   Shot shot;
   shot.Width = 192;
-  shot.Height = p.Axis == Family::Azimuthal ? 192 : 96;
-  o.Aspect = double(shot.Width) / shot.Height;
-  shot.Projection = "direction-map";
-  shot.Options.Map = SampleView(View(p, o), shot.Width, shot.Height);
+  shot.Height = FindProjection(this->GetParam())->Axis == Family::Azimuthal ? 192 : 96;
+  UseMapOf(this->GetParam(), shot);
   Picture->SetTechnique(vtkWideFoVPass::AUTO);
   Picture->SetTolerance(Tolerance);
   Picture->SetMesh(MakeRoom(1));

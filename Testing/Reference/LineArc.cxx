@@ -100,9 +100,6 @@ void Arc::Place(const vec3& point, const vec3& direction, Sample& s) const
   s.Counts = !behind && (!this->Face || this->Face->Has(direction));
   const vec3 forward = view.Forward(point).Ndc;
   const vec2 ndc = this->Face ? this->Face->Ndc(direction) : vec2(forward.x, forward.y);
-  // what a direction map does not show has no place
-  s.Counts =
-    s.Counts && (!view.GetParameters().map || std::max(std::abs(ndc.x), std::abs(ndc.y)) <= 1);
   s.Pixel =
     vec2(0.5 * (1 + ndc.x) * this->TheWindow.Width, 0.5 * (1 - ndc.y) * this->TheWindow.Height);
 }
@@ -115,20 +112,33 @@ Sample Arc::At(double angle) const
   }
   Sample s;
   s.Angle = angle;
+  s.Rho = this->RhoAt(angle);
+  const vec3 direction = this->DirectionAt(angle);
+  this->Place(this->Dots ? this->EndAt(angle) : direction, direction, s);
+  return s;
+}
+
+vec3 Arc::EndAt(double angle) const
+{
+  return angle > 0 || !(glm::length(this->From) > 0) ? this->To : this->From;
+}
+
+vec3 Arc::DirectionAt(double angle) const
+{
+  return this->Dots ? glm::normalize(this->EndAt(angle))
+                    : std::cos(angle) * this->First + std::sin(angle) * this->Second;
+}
+
+double Arc::RhoAt(double angle) const
+{
   if (this->Dots)
   {
-    const vec3 end = angle > 0 || !(glm::length(this->From) > 0) ? this->To : this->From;
-    s.Rho = glm::length(end);
-    this->Place(end, glm::normalize(end), s);
-    return s;
+    return glm::length(this->EndAt(angle));
   }
-  const vec3 direction = std::cos(angle) * this->First + std::sin(angle) * this->Second;
-  this->Place(direction, direction, s);
   const double a = std::sin(angle) * glm::length(this->From);
   const double b = std::sin(this->Span - angle) * glm::length(this->To);
   const double t = angle <= 0 ? 0 : (angle >= this->Span ? 1 : a / (a + b));
-  s.Rho = glm::length(this->From + t * (this->To - this->From));
-  return s;
+  return glm::length(this->From + t * (this->To - this->From));
 }
 }
 }

@@ -89,9 +89,15 @@ public:
   const Window& GetWindow() const { return this->TheWindow; }
   Sample At(double angle) const;
 
+  // What is seen at an angle where rays begin in one place, of dots at its two ends: its direction,
+  // and how far it is away.
+  vec3 DirectionAt(double angle) const;
+  double RhoAt(double angle) const;
+
 private:
   void SetOwn();
   Sample OwnAt(double angle) const;
+  vec3 EndAt(double angle) const;
   void Place(const vec3& point, const vec3& direction, Sample& sample) const;
 
   const View* TheView;
