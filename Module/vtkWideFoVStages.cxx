@@ -34,6 +34,9 @@ constexpr double LeastTolerance = 0.05;
 // each border between two columns of pixels, takes time as well.
 constexpr int RunsOfFew = 3;
 
+// Pixels that each of these is to take up, or its runs cost more than tight shapes save.
+constexpr double CoarsePixels = 1024;
+
 // Factor: how much larger than the mean a pixel's angle may be somewhere in a map.
 constexpr double PixelSafety = 8;
 }
@@ -172,10 +175,27 @@ bool vtkWideFoVStages::IsExact() const
     (this->Technique == vtkWideFoVPass::AUTO && !this->AllowsChords());
 }
 
-// Asked of few triangles alone: of more it would take long.
-bool vtkWideFoVStages::IsFat(vtkProp* prop, const wfv::PropFacts& facts) const
+// Few triangles that take up many pixels each: by the ball round the prop, as it is seen.
+bool vtkWideFoVStages::IsCoarse(const double* bounds, const wfv::PropFacts& facts) const
 {
-  auto* const actor = facts.Few && this->IsExact() ? vtkActor::SafeDownCast(prop) : nullptr;
+  if (facts.Few == 0 || !bounds || !vtkMath::AreBoundsInitialized(bounds))
+  {
+    return false;
+  }
+  const wfv::vec3 low(bounds[0], bounds[2], bounds[4]);
+  const wfv::vec3 high(bounds[1], bounds[3], bounds[5]);
+  const wfv::vec3 eye(this->Eye.Place[0], this->Eye.Place[1], this->Eye.Place[2]);
+  const double sine = 0.5 * glm::length(high - low) / glm::length(0.5 * (low + high) - eye);
+  const double angle = sine < 1 ? std::asin(sine) : vtkMath::Pi(); // from inside too
+  const double across = 2 * angle / this->PixelAngle;
+  return across * across >= CoarsePixels * static_cast<double>(facts.Few);
+}
+
+// Asked of few triangles alone: of more it would take long.
+bool vtkWideFoVStages::IsFat(vtkProp* prop, const double* bounds, const wfv::PropFacts& facts) const
+{
+  const bool asked = this->IsExact() && this->IsCoarse(bounds, facts);
+  auto* const actor = asked ? vtkActor::SafeDownCast(prop) : nullptr;
   vtkMapper* const mapper = actor ? actor->GetMapper() : nullptr;
   auto* const mesh = mapper ? vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0)) : nullptr;
   double toMap[16];
@@ -214,7 +234,9 @@ vtkWideFoVStage* vtkWideFoVStages::Choose(
   if (covers || (this->ByPixels && !far))
   {
     const bool both = this->Shares && this->ByPixels && facts.Shareable;
-    return both ? this->ExactOfBoth : this->IsFat(prop, facts) ? this->ExactInSingle : this->Exact;
+    return both                          ? this->ExactOfBoth
+      : this->IsFat(prop, bounds, facts) ? this->ExactInSingle
+                                         : this->Exact;
   }
   if (this->Technique == vtkWideFoVPass::TESSELLATE)
   {
@@ -234,7 +256,7 @@ vtkWideFoVStage* vtkWideFoVStages::ChooseByBounds(
     *this->Projection, this->View, bounds, this->WorldToView, this->GetPointReach(facts));
   if (torn || !this->IsFine(prop, bounds, facts))
   {
-    const bool few = facts.Few && this->Technique == vtkWideFoVPass::AUTO;
+    const bool few = this->Technique == vtkWideFoVPass::AUTO && this->IsCoarse(bounds, facts);
     return far ? this->FarPreClip : few ? this->PreClipOfFew : this->PreClip;
   }
   // no bound on chords is one on depth: along an edge that runs away from the eye it is off by

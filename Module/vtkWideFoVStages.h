@@ -174,7 +174,8 @@ private:
   const wfv::StereoModel* Stereo = nullptr;
   bool AllowsChords() const; // the tolerance does
   bool IsExact() const;      // every triangle is covered
-  bool IsFat(vtkProp* prop, const wfv::PropFacts& facts) const;
+  bool IsFat(vtkProp* prop, const double* bounds, const wfv::PropFacts& facts) const;
+  bool IsCoarse(const double* bounds, const wfv::PropFacts& facts) const;
   wfv::WfvView View;
   double WorldToView[16];
   void SetPart(vtkRenderer* renderer, const float tile[4]);

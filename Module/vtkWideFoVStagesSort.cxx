@@ -77,7 +77,7 @@ void FindTriangles(vtkActor* actor, wfv::PropFacts& facts)
   const bool many =
     mesh && (wfv::SortedDraw::IsWorthIt(mesh, false) || wfv::SortedDraw::IsWorthIt(mesh, true));
   facts.Sorts = facts.Surface && many && vtkWideFoVPolyDataMapper::SafeDownCast(mapper);
-  facts.Few = facts.Surface && !many;
+  facts.Few = facts.Surface && !many ? mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() : 0;
 }
 }
 

@@ -26,12 +26,23 @@ void Declare(CLI::App& app, BenchOptions& o)
   group.Flag("--table1", o.Table1, "the paper's table 1 instead: cornell and atrium at 1024x512");
   group.Choices("--scenes", o.Scenes, AllSceneNames(), "scenes");
   group.Choices("--methods", o.Methods, MethodNames(), "methods");
+  group.Choice("--projection", o.Projection, ProjectionNames(), {},
+    "what the techniques draw, at its widest; the cubemap and the floor stay as they are");
   group.Size("--size", o.Size, "pixels; with --quick or --table1 1024x512");
   group.Number("--turn", "DEGREES", o.Turn, { -180, 180 },
     "before each frame every camera turns about its up axis; no errors and no floor then; degrees");
   group.Integer("--frames", o.Frames, 1, 10000, "timed frames a run; 0: as many as fit the time");
   group.Name("--data", "FOLDER", o.Data, "where office.binary.vtk is");
   group.Flag("--version", o.Version, "print the version");
+}
+
+// The paper's table has its own.
+void CheckProjection(const BenchOptions& o)
+{
+  if (o.Table1 && o.Projection != BenchOptions().Projection)
+  {
+    widefov::FailUsage("--projection and --table1 exclude each other; give one");
+  }
 }
 
 // What has no meaning while the cameras turn.
@@ -76,6 +87,7 @@ std::optional<int> ParseBenchOptions(int argc, char** argv, BenchOptions& o)
   {
     widefov::FailUsage("--quick and --table1 exclude each other; give one");
   }
+  CheckProjection(o);
   CheckTurn(o);
   if (app.count("--size") == 0)
   {

@@ -19,10 +19,11 @@ struct BenchOptions
   std::vector<std::string> Methods; // empty: all
   std::array<int, 2> Size{ { 2048, 1024 } };
   bool Quick = false;
-  bool Table1 = false; // the table of the paper instead
-  double Turn = 0;     // degrees that cameras turn before each frame
-  int Frames = 0;      // timed frames a run; 0: as many as fit the time, at least three
-  std::string Data;    // folder of office.binary.vtk
+  bool Table1 = false;                        // the table of the paper instead
+  std::string Projection = "equirectangular"; // of the techniques
+  double Turn = 0;                            // degrees that cameras turn before each frame
+  int Frames = 0;   // timed frames a run; 0: as many as fit the time, at least three
+  std::string Data; // folder of office.binary.vtk
   bool Version = false;
 };
 

@@ -61,6 +61,15 @@ public:
     SetView(this->Camera, "equirectangular", 360);
   }
 
+  // What a technique shows.
+  void SetWide(widefov::Options& o) const
+  {
+    const Projection& p = *FindProjection(this->Request.Projection);
+    o.Projection = p.Name;
+    o.View.HorizontalFov = p.MaxHorizontalFov;
+    o.View.VerticalFov = p.MaxVerticalFov;
+  }
+
   Run Make(const std::string& method, std::optional<double> parameter = std::nullopt) const
   {
     Run run{ method, parameter, this->Camera, this->Request.Turn };
@@ -70,9 +79,10 @@ public:
     {
       run.Options.CubeMapResolution = int(*parameter);
     }
-    else if (parameter)
+    else if (method != "floor")
     {
-      run.Options.Tolerance = *parameter;
+      this->SetWide(run.Options);
+      run.Options.Tolerance = parameter.value_or(run.Options.Tolerance);
     }
     if (method == "perspective" || method == "stereo-offaxis")
     {
@@ -119,6 +129,19 @@ std::vector<std::string> MethodNames()
 {
   return { "auto", "exact", "tessellate", "preclip", "vertex", "cubemap", "perspective", "floor",
     "stereo-omnidirectional", "stereo-offaxis" };
+}
+
+std::vector<std::string> ProjectionNames()
+{
+  std::vector<std::string> names;
+  for (const Projection& p : Projections())
+  {
+    if (p.Axis != Family::Planar)
+    {
+      names.push_back(p.Name);
+    }
+  }
+  return names;
 }
 
 int EqualDensity(int width)

@@ -17,11 +17,15 @@ struct PlanRequest
 {
   std::array<int, 2> Size{ { 2048, 1024 } };
   bool Quick = false;
-  std::vector<std::string> Methods; // empty: all
-  double Turn = 0;                  // degrees a frame; other than 0 there is no floor
+  std::vector<std::string> Methods;           // empty: all
+  double Turn = 0;                            // degrees a frame; other than 0 there is no floor
+  std::string Projection = "equirectangular"; // of the techniques, at its widest
 };
 
 std::vector<std::string> MethodNames();
+
+// All but the perspective, which is a method.
+std::vector<std::string> ProjectionNames();
 
 // Pixels a cube face needs so that its centre is as dense as an equirectangular picture
 // of that width: the circle over pi.

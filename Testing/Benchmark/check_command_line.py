@@ -42,6 +42,9 @@ BENCH = [
     ("--turn 1 --table1 --output {out}/x.json", USAGE, "--table1", {}),
     ("--turn 1 --methods auto,floor --output {out}/x.json", USAGE, "floor", {}),
     ("--quick --table1 --output {out}/x.json", USAGE, "--table1", {}),
+    ("--projection bent --output {out}/x.json", USAGE, "bent", {}),
+    ("--projection perspective --output {out}/x.json", USAGE, "perspective", {}),
+    ("--projection hammer --table1 --output {out}/x.json", USAGE, "--table1", {}),
     ("--scenes room --size 100000x50 --output {out}/x.json", FAILED, "limit", {}),
     ("--scenes office --data {out} --output {out}/x.json", FAILED, "office", {}),
 ]
