@@ -226,23 +226,6 @@ void wfvSetSurface(vec3 direction)
 // front and its back come out at one depth; then the front shows, in whichever order they come.
 const float WFV_BEHIND = 2.0 / 16777216.0;
 
-// Radians that a ray in float32 may be turned by; most on the faces of a cube, where edges are moved
-// aside (preclip_planes.glsl). It moves where the ray meets a face seen nearly edge-on by that over
-// the sine, so a ray that hits a fold by its rounding alone may meet what lies behind first: a back
-// is put as far away as its ray may meet it.
-#if WFV_DOUBLES
-const float WFV_RAY_TURNED = 0.0; // nothing hits by rounding
-#else
-const float WFV_RAY_TURNED = 6e-7;
-#endif
-
-// Window depth of what is seen from behind. approach: wfvApproach.
-float wfvDepthBehind(float approach)
-{
-  float over = (abs(wfvPlane.x) + abs(wfvPlane.y) + abs(wfvPlane.z)) / approach;
-  return wfvDepthInUnits(wfvRho * (1.0 + WFV_RAY_TURNED * over)) + WFV_BEHIND;
-}
-
 // For the data pass.
 #define WFV_DISTANCE (wfvRho * wfvScale())
 
@@ -377,5 +360,5 @@ void wfvPrepare()
 #endif
   wfvInterpolate();
   wfvHide = !(covered && meets && wfvDepth >= 0.0 && wfvDepth <= 1.0);
-  wfvDepth = wfvFront ? wfvDepth : wfvDepthBehind(abs(approach));
+  wfvDepth += wfvFront ? 0.0 : WFV_BEHIND;
 }
