@@ -168,6 +168,9 @@ private:
   static constexpr double DepthSlack = 1e-4;
   static constexpr double LeastSine = 2e-3;
 
+  // Radians: a little more than WFV_HAIR (cover_fragment.glsl).
+  static constexpr double Hair = 1e-6;
+
   // Window depth: four steps of a buffer of 24 bits, for rounding and WFV_BEHIND
   // (cover_fragment.glsl).
   static constexpr double DepthSteps = 4.0 / (1 << 24);
@@ -218,7 +221,7 @@ private:
   {
     if (this->Covered)
     {
-      return sine >= LeastSine ? distance : 0;
+      return sine >= LeastSine ? distance * (1 - Hair / sine) : 0;
     }
     const double beside = PlainSlack * 2 * WFV_PI / std::min(this->V.Pixels.x, this->V.Pixels.y);
     const double byRay = sine > beside ? distance * (1 - 2 * beside / sine) : 0;
@@ -241,7 +244,7 @@ template <typename Real, typename Entry>
 class HiddenWork
 {
 public:
-  // depths: of each eye of the view; hidden: the answers.
+  // depths: of each eye of the view; hidden: the answers, eyes that do not see it.
   HiddenWork(const Scene<Real>& scene, const Entry& entry, const DepthPicture* const depths[],
     const SampleRays& rays, std::vector<unsigned char>& hidden)
     : In(scene)
@@ -265,9 +268,16 @@ public:
     {
       const auto place = static_cast<std::size_t>(i);
       const int only = this->Sorted.GetEyeOf(this->First + place);
-      const bool hidden = std::all_of(eyes.begin(), eyes.end(),
-        [&](Watcher& eye) { return eye.View.stereo.x * only < 0 || this->IsHidden(place, eye); });
-      this->Hidden[place] = hidden ? 1 : 0;
+      unsigned char hidden = Entry::NoEye;
+      for (Watcher& eye : eyes)
+      {
+        const double x = eye.View.stereo.x;
+        if (x * only >= 0 && !this->IsHidden(place, eye))
+        {
+          hidden &= eyes.size() == 1 ? 0 : x < 0 ? Entry::RightEye : Entry::LeftEye;
+        }
+      }
+      this->Hidden[place] = hidden;
     }
   }
 

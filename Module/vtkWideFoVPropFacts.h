@@ -30,7 +30,7 @@ struct PropFacts
   bool Tells = false;      // all that is opaque of it is seen to change by its times
   bool Surface = false;    // it draws triangles
   bool Sorts = false;      // its mapper sorts them one by one
-  vtkIdType Few = 0;       // cells that they are, where too few for that
+  vtkIdType Few = 0;       // triangles, where too few to sort; 0: not few
   double LongestEdge = -1; // scene units; negative: not asked for yet
 };
 }

@@ -53,67 +53,106 @@ bool SortedDraw::Entry::TakeNaturalOrder()
 
 void SortedDraw::Entry::Arrange(Lot lot, const std::vector<std::size_t>& places)
 {
-  const std::size_t first = this->GetFirst(lot);
+  Sorter::Lot& all = this->Lots[lot];
   const auto arrange = [&](std::vector<unsigned int>& list, std::size_t from) {
     std::vector<unsigned int> other(places.size());
     std::transform(places.begin(), places.end(), other.begin(),
       [&](std::size_t place) { return list[from + place]; });
-    std::copy(other.begin(), other.end(), list.begin() + static_cast<std::ptrdiff_t>(from));
+    const auto first = list.begin() + static_cast<std::ptrdiff_t>(from);
+    const std::size_t kept = std::min(all.All, places.size());
+    const auto end = std::copy_n(other.begin(), kept, first);
+    kept < all.All
+      ? list.erase(end, first + static_cast<std::ptrdiff_t>(all.All))
+      : list.insert(end, other.begin() + static_cast<std::ptrdiff_t>(kept), other.end());
   };
-  arrange(this->Order, first);
+  arrange(this->Order, this->GetFirst(lot));
   if (lot == Calm)
   {
     arrange(this->Reaches, 0);
   }
+  all.All = places.size();
 }
 
 void SortedDraw::Entry::HideInLot(Lot lot, const unsigned char* hidden)
 {
   Sorter::Lot& all = this->Lots[lot];
-  std::vector<std::size_t> places(all.All);
-  std::iota(places.begin(), places.end(), std::size_t(0));
-  const auto left = places.begin() + static_cast<std::ptrdiff_t>(all.Left);
-  const auto right = places.end() - static_cast<std::ptrdiff_t>(all.Right);
-  const auto isHidden = [&](std::size_t i) { return hidden[i] != 0; };
-  const auto isShown = [&](std::size_t i) { return hidden[i] == 0; };
-  const auto leftShown = std::stable_partition(places.begin(), left, isHidden);
-  const auto bothShown = std::stable_partition(left, right, isHidden);
-  const auto rightHidden = std::stable_partition(right, places.end(), isShown);
-  all.LeftHidden = static_cast<std::size_t>(leftShown - places.begin());
-  all.Hidden = static_cast<std::size_t>(bothShown - left);
-  all.RightHidden = static_cast<std::size_t>(places.end() - rightHidden);
-  std::rotate(places.begin(), left, bothShown);
+  std::vector<std::size_t> places;
+  places.reserve(all.All);
+  const auto put = [&](std::size_t from, std::size_t to, int asked, int answer) {
+    const std::size_t before = places.size();
+    for (std::size_t i = from; i < to; i++)
+    {
+      if ((hidden[i] & asked) == answer)
+      {
+        places.push_back(i);
+      }
+    }
+    return places.size() - before;
+  };
+  const std::size_t left = all.Left;
+  const std::size_t right = all.All - all.Right;
+  all.Hidden = put(left, right, NoEye, NoEye);
+  all.LeftHidden = put(0, left, NoEye, NoEye);
+  put(0, left, LeftEye, 0);
+  const bool apart = std::any_of(hidden + left, hidden + right,
+    [](unsigned char eyes) { return eyes == LeftEye || eyes == RightEye; });
+  const std::size_t seen = put(left, right, LeftEye, 0);
+  all.LeftSees = apart ? seen : 0;
+  all.RightSees = apart ? put(left, right, RightEye, 0) : 0;
+  all.Twice = all.LeftSees + all.RightSees - (apart ? right - left - all.Hidden : 0);
+  put(right, all.All, RightEye, 0);
+  all.RightHidden = put(right, all.All, NoEye, NoEye);
   this->Arrange(lot, places);
 }
 
 // Triangles were in the order of their numbers; of those for the left eye alone pieces came first,
 // of others they came last.
+bool SortedDraw::Entry::ComesBefore(Lot lot, std::size_t i, std::size_t j, bool piecesFirst) const
+{
+  const bool piece[2] = { this->IsPiece(lot, i), this->IsPiece(lot, j) };
+  const unsigned int* const order = this->Order.data() + this->GetFirst(lot);
+  return piece[0] != piece[1] ? piece[0] == piecesFirst
+    : piece[0]                ? this->Reaches[i] < this->Reaches[j]
+                              : order[i] < order[j];
+}
+
+// places: those of both eyes' lists, one after the other; what is in both once after it.
+void SortedDraw::Entry::MergeBoth(Lot lot, std::vector<std::size_t>& places) const
+{
+  const auto before = [&](std::size_t i, std::size_t j) {
+    return this->ComesBefore(lot, i, j, false);
+  };
+  const auto same = [&](std::size_t i, std::size_t j) { return !before(i, j); };
+  const auto hidden = static_cast<std::ptrdiff_t>(this->Lots[lot].Hidden);
+  const auto seen = places.begin() + hidden + static_cast<std::ptrdiff_t>(this->Lots[lot].LeftSees);
+  std::inplace_merge(places.begin() + hidden, seen, places.end(), before);
+  places.erase(std::unique(places.begin() + hidden, places.end(), same), places.end());
+  std::inplace_merge(places.begin(), places.begin() + hidden, places.end(), before);
+}
+
 void SortedDraw::Entry::ShowLot(Lot lot)
 {
   Sorter::Lot& all = this->Lots[lot];
-  const unsigned int* const order = this->Order.data() + this->GetFirst(lot);
-  const auto before = [&](std::size_t i, std::size_t j, bool piecesFirst) {
-    const bool piece[2] = { this->IsPiece(lot, i), this->IsPiece(lot, j) };
-    const bool apart = piece[0] != piece[1];
-    return apart ? piece[0] == piecesFirst
-      : piece[0] ? this->Reaches[i] < this->Reaches[j]
-                 : order[i] < order[j];
+  const auto at = [&](std::size_t from, std::size_t count) {
+    std::vector<std::size_t> places(count);
+    std::iota(places.begin(), places.end(), from);
+    return places;
   };
-  std::vector<std::size_t> places(all.All);
-  std::iota(places.begin(), places.end(), std::size_t(0));
-  // hidden ones of both behind the left eye's own
-  const auto first = places.begin();
-  const auto hidden = static_cast<std::ptrdiff_t>(all.Hidden);
-  const auto left = static_cast<std::ptrdiff_t>(all.Left);
-  const auto right = places.end() - static_cast<std::ptrdiff_t>(all.Right);
-  std::rotate(first, first + hidden, first + hidden + left);
-  const auto last = [&](std::size_t i, std::size_t j) { return before(i, j, false); };
-  std::inplace_merge(first, first + static_cast<std::ptrdiff_t>(all.LeftHidden), first + left,
-    [&](std::size_t i, std::size_t j) { return before(i, j, true); });
-  std::inplace_merge(first + left, first + left + hidden, right, last);
-  std::inplace_merge(
-    right, places.end() - static_cast<std::ptrdiff_t>(all.RightHidden), places.end(), last);
+  std::vector<std::size_t> places = at(all.Hidden, all.Left);
+  std::inplace_merge(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(all.LeftHidden),
+    places.end(), [&](std::size_t i, std::size_t j) { return this->ComesBefore(lot, i, j, true); });
+  std::vector<std::size_t> both = at(0, all.Hidden);
+  const std::vector<std::size_t> seen =
+    at(all.Hidden + all.Left, all.All - all.Hidden - all.Left - all.Right);
+  both.insert(both.end(), seen.begin(), seen.end());
+  this->MergeBoth(lot, both);
+  std::vector<std::size_t> right = at(all.All - all.Right, all.Right);
+  std::inplace_merge(right.begin(), right.end() - static_cast<std::ptrdiff_t>(all.RightHidden),
+    right.end(), [&](std::size_t i, std::size_t j) { return this->ComesBefore(lot, i, j, false); });
+  places.insert(places.end(), both.begin(), both.end());
+  places.insert(places.end(), right.begin(), right.end());
   this->Arrange(lot, places);
   all.Hidden = all.LeftHidden = all.RightHidden = 0;
+  all.LeftSees = all.RightSees = all.Twice = 0;
 }
 }

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -57,6 +58,14 @@ struct SortedDraw::Entry
   // one.
   bool TakeNaturalOrder();
 
+  // Eyes that do not see a triangle, bits; of one picture alone both.
+  enum Eyes : unsigned char
+  {
+    LeftEye = 1,
+    RightEye = 2,
+    NoEye = LeftEye | RightEye
+  };
+
   // Of the triangles of a lot in their order, those that are hidden are put before all others.
   void HideInLot(Lot lot, const unsigned char* hidden);
   bool IsPiece(Lot lot, std::size_t place) const
@@ -65,6 +74,8 @@ struct SortedDraw::Entry
   }
   void ShowLot(Lot lot);                                         // as they were
   void Arrange(Lot lot, const std::vector<std::size_t>& places); // from which they come
+  void MergeBoth(Lot lot, std::vector<std::size_t>& places) const;
+  bool ComesBefore(Lot lot, std::size_t i, std::size_t j, bool piecesFirst) const;
 
   std::size_t GetFirst(Lot lot) const
   {
@@ -81,24 +92,29 @@ struct SortedDraw::Entry
   std::pair<std::size_t, std::size_t> GetRun(Lot lot, int eye) const
   {
     const Sorter::Lot& all = this->Lots[lot];
-    if (!this->Skips && all.Hidden + all.LeftHidden + all.RightHidden > 0)
+    if (!this->Skips && GetNumberOfHidden(all, 0) > 0)
     {
       return { this->GetFirst(lot), all.All };
     }
-    const std::size_t before = all.Hidden + (eye > 0 ? all.Left : eye < 0 ? all.LeftHidden : 0);
-    const std::size_t behind = eye < 0 ? all.Right : eye > 0 ? all.RightHidden : 0;
+    const std::size_t before = all.Hidden +
+      (eye > 0      ? all.Left + all.LeftSees
+          : eye < 0 ? all.LeftHidden
+                    : 0);
+    const std::size_t behind = eye < 0 ? all.RightSees + all.Right : eye > 0 ? all.RightHidden : 0;
     return { this->GetFirst(lot) + before, all.All - before - behind };
   }
 
-  // Of all lots, those that an eye does not draw; 0: some eye.
+  // Those that an eye does not draw; 0: some eye.
+  static std::size_t GetNumberOfHidden(const Sorter::Lot& lot, int eye)
+  {
+    const std::size_t left = lot.LeftHidden + lot.RightSees - lot.Twice;
+    const std::size_t right = lot.RightHidden + lot.LeftSees - lot.Twice;
+    return lot.Hidden + (eye <= 0 ? left : 0) + (eye >= 0 ? right : 0);
+  }
   std::size_t GetNumberOfHidden(int eye) const
   {
-    std::size_t hidden = 0;
-    for (const Sorter::Lot& lot : this->Lots)
-    {
-      hidden += lot.Hidden + (eye <= 0 ? lot.LeftHidden : 0) + (eye >= 0 ? lot.RightHidden : 0);
-    }
-    return hidden;
+    return std::accumulate(std::begin(this->Lots), std::end(this->Lots), std::size_t(0),
+      [eye](std::size_t sum, const Sorter::Lot& lot) { return sum + GetNumberOfHidden(lot, eye); });
   }
 
   // For which eye alone the triangle at a place of the order is; 0: both, or without stereo.
@@ -117,7 +133,8 @@ struct SortedDraw::Entry
   bool IsWhole() const
   {
     const auto has = [this](const Sorter::Lot& lot) {
-      return lot.All == this->All && lot.Left == 0 && lot.Right == 0 && lot.Hidden == 0;
+      return lot.All == this->All && lot.Left == 0 && lot.Right == 0 &&
+        GetNumberOfHidden(lot, 0) == 0;
     };
     return !this->Cuts && std::any_of(std::begin(this->Lots), std::end(this->Lots), has) &&
       this->All == this->GetFirst(NumberOfLots);

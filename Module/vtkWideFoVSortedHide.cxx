@@ -38,19 +38,18 @@ void SortedDraw::Show(Entry& e, vtkPolyData* data)
   this->Load(e, data);
 }
 
-// Hidden ones before all others.
+// Hidden ones before all others, each eye its own. hidden: by which eyes.
 void SortedDraw::PutBehind(Entry& e, vtkPolyData* data, const std::vector<unsigned char>& hidden)
 {
-  const auto found = std::count(hidden.begin(), hidden.end(), 1);
+  const auto found =
+    std::count_if(hidden.begin(), hidden.end(), [](unsigned char eyes) { return eyes != 0; });
   if (static_cast<double>(found) < LeastShare * static_cast<double>(hidden.size()))
   {
     return;
   }
-  const std::size_t from = e.GetFirst(Calm);
-  for (const Lot lot : { Calm, Plain })
-  {
-    e.HideInLot(lot, hidden.data() + (e.GetFirst(lot) - from));
-  }
+  const std::size_t calm = e.Lots[Calm].All;
+  e.HideInLot(Calm, hidden.data());
+  e.HideInLot(Plain, hidden.data() + calm);
   this->Load(e, data);
 }
 

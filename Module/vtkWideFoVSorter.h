@@ -38,11 +38,18 @@ public:
   struct Lot
   {
     std::size_t All = 0;
-    std::size_t Hidden = 0; // before all others, for no eye: none when they have just been sorted
-    std::size_t LeftHidden = 0;  // the first ones of those for the left eye alone
-    std::size_t RightHidden = 0; // the last ones of those for the right eye alone
-    std::size_t Left = 0;        // the first ones, for the left eye alone
-    std::size_t Right = 0;       // the last ones, for the right eye alone
+    std::size_t Left = 0;  // the first ones, for the left eye alone
+    std::size_t Right = 0; // the last ones, for the right eye alone
+
+    // Once what stands behind others is known (wfv::SortedDraw): before all others those that no
+    // eye sees; of the left eye's and the right eye's own ones the first and the last are hidden;
+    // and where there are two eyes each has a list of what it sees of those for both, in between.
+    std::size_t Hidden = 0;
+    std::size_t LeftHidden = 0;
+    std::size_t RightHidden = 0;
+    std::size_t LeftSees = 0;
+    std::size_t RightSees = 0;
+    std::size_t Twice = 0; // how many are in both lists
   };
 
   // Numbers of triangles: those to be covered first, calm ones after the others, and with those

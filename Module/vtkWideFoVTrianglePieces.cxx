@@ -18,13 +18,13 @@ constexpr int FirstPlaces = 9;
 
 // Pixels that the edges of a slab may be off their chords, more or less, and slabs of a triangle.
 constexpr double SlabError = 0.15;
-constexpr int MostSlabs = 16;
+constexpr int MostSlabs = 64;
 
 // Square pixels that a shape more costs about as much as.
 constexpr double ShapeCost = 32;
 
 // Of the level way from the circle where rays of their own begin: slabs whose places say enough.
-constexpr double PartOfWay = 0.25;
+constexpr double PartOfWay = 0.5;
 
 // Of the rays' lengths, so small a product of three is rounding.
 constexpr double Flat = 1e-12;
@@ -318,15 +318,36 @@ bool TrianglePieces::Cut(const std::array<vec3, 3>& d, int slabs, unsigned int t
     {
       return false;
     }
+    this->Append(piece, torn, pieces);
+  }
+  return true;
+}
+
+// torn: by a straight seam, on both sides of which it may be.
+void TrianglePieces::Append(CoverPiece piece, bool torn, std::vector<CoverPiece>& pieces) const
+{
+  if (!torn)
+  {
     pieces.push_back(piece);
-    if (torn)
+    return;
+  }
+  const double x = piece.From.x;
+  for (const double turn : { -this->Round, 0.0, this->Round })
+  {
+    piece.From.x = x + turn;
+    if (this->IsInPicture(piece))
     {
-      piece.From.x += this->Round;
-      pieces.push_back(piece);
-      piece.From.x -= 2 * this->Round;
       pieces.push_back(piece);
     }
   }
-  return true;
+}
+
+// Across, at least.
+bool TrianglePieces::IsInPicture(const CoverPiece& piece) const
+{
+  const double up = -piece.Side.y * (piece.Height / glm::length(piece.Side));
+  const auto range = std::minmax({ piece.From.x, piece.From.x + piece.Side.x, piece.From.x + up,
+    piece.From.x + piece.Side.x + up });
+  return range.second >= -this->Middle.x && range.first <= this->Middle.x;
 }
 }

@@ -36,7 +36,7 @@ public:
   // Appends rectangles that together surely hold the picture of a triangle, and what float32 and
   // the vertex buffer may move of it. Returns false, and appends none, where a few such do not do,
   // or are larger together than `most`, square pixels. They overlap a little: what is opaque may be
-  // drawn twice.
+  // drawn twice. Of one that a straight seam cuts those beside the picture are left out.
   bool Cover(unsigned int triangle, const TriangleJudge::Corner* const corners[3], double most,
     std::vector<CoverPiece>& pieces) const;
 
@@ -50,6 +50,8 @@ private:
   double GetTurn(const Slab& slab) const;
   bool IsWhole(const Slab& slab, bool& torn) const;
   bool Enclose(const Slab& slab, double moved, CoverPiece& piece, bool& torn) const;
+  void Append(CoverPiece piece, bool torn, std::vector<CoverPiece>& pieces) const;
+  bool IsInPicture(const CoverPiece& piece) const;
   bool Cut(const std::array<vec3, 3>& d, int slabs, unsigned int triangle, double moved,
     double most, std::vector<CoverPiece>& pieces) const;
 
