@@ -172,8 +172,10 @@ double vtkWideFoVChordError(const wfv::Projection& projection, const wfv::WfvVie
   const double nearest = Nearest(low, high);
   const double angle = nearest > 0 ? longestEdge / nearest : VTK_DOUBLE_MAX;
   const double sine2 = SineToSingularity2(projection.Axis, low, high);
-  return angle <= LongestAngle && sine2 > 0 ? 0.125 * view.bend * angle * angle / sine2
-                                            : VTK_DOUBLE_MAX;
+  // what lies beyond such a rim would be drawn inside it
+  const bool folds = projection.FlatRim && high[2] >= 0;
+  return angle <= LongestAngle && sine2 > 0 && !folds ? 0.125 * view.bend * angle * angle / sine2
+                                                      : VTK_DOUBLE_MAX;
 }
 
 // A ray that begins at the distance r from the origin meets what is at the distance d under an

@@ -252,8 +252,10 @@ void TriangleJudge::JudgeEdges(const Corner* const c[3], double angle2, double w
   {
     return;
   }
+  const vec3 d[3] = { c[0]->Direction, c[1]->Direction, c[2]->Direction };
+  const bool folds = this->V.Map->FlatRim && !IsInDomain(this->V, d);
   verdict.Plain = worst <= std::max(SortView::PlainError, this->V.Moving) &&
-    angle2 <= Square(LongestPlain) && !IsTurned(c);
+    angle2 <= Square(LongestPlain) && !IsTurned(c) && !folds;
   verdict.Known = worst <= MostKnown && moved <= MostKnown;
   verdict.Sure = sure;
   for (int i = 0; i < 3; i++)

@@ -327,6 +327,28 @@ WfvRay wfvLook(out vec3 e)
 #endif
 }
 
+// Radians: more than a float32 ray is turned by, which is most on the faces of a cube, where edges
+// are moved aside (preclip_planes.glsl).
+const float WFV_HAIR = 6e-7;
+
+// Of the distance: no hair moves it by more, as it would where a splinter is seen edge-on.
+const float WFV_HAIR_MOVES = 1e-3;
+
+// Sets the depth that tells what hides what: the pixel's own, but by the nearest edge that of a hair
+// inside it. Where a surface folds, what hits it beyond the edge, by rounding alone, meets the plane of
+// the face behind first, and just inside the faces are nearer to each other than a depth buffer can
+// tell; a hair inside they are in order. Not among chords, which are not where edges are.
+void wfvOrder(float approach, vec3 e)
+{
+  float least = min(e.x, min(e.y, e.z));
+  vec3 edge = vec3(least == e.x ? wfvEdge0 : least == e.y ? wfvEdge1 : wfvEdge2);
+  float size = wfvTaxiLength(edge);
+  float lack = max(WFV_HAIR * size - least, 0.0);
+  float over = size * size * approach;
+  float nearer = over != 0.0 ? wfvFacing * lack * dot(wfvPlane, edge) / over : 0.0;
+  wfvDepth = wfvDepthInUnits(wfvRho - wfvRho * clamp(nearer, -WFV_HAIR_MOVES, WFV_HAIR_MOVES));
+}
+
 void wfvPrepare()
 {
   vec3 e;
@@ -360,5 +382,8 @@ void wfvPrepare()
 #endif
   wfvInterpolate();
   wfvHide = !(covered && meets && wfvDepth >= 0.0 && wfvDepth <= 1.0);
+#if WFV_EXACT
+  wfvOrder(approach, e);
+#endif
   wfvDepth += wfvFront ? 0.0 : WFV_BEHIND;
 }

@@ -4,10 +4,13 @@
 float wfvDepth; // window depth here, 0 to 1
 float wfvRho;   // distance from the eye here, in the stage's own units
 
-// Of the distance: by so much a face seen from behind is put back, more than the rasterizer errs
+// Of the distance: by so much at the most a face seen from behind is put back, more than the rasterizer errs
 // when it interpolates places. Beside an outline a front and a back may meet in one pixel at one
 // depth; the front shows.
 const float WFV_BACK_YIELDS = 2e-5;
+
+// Of the distance, by which it is moved, the front towards the eye and the back away.
+vec2 wfvMoves = vec2(0.0, WFV_BACK_YIELDS);
 
 #if WFV_RAY_DEPTH
 // For the data pass.
@@ -17,6 +20,10 @@ const float WFV_BACK_YIELDS = 2e-5;
 // rounded as they are, say where the plane is.
 const float WFV_LEAST_SINE = 0.01;
 
+// Of the distance: how far an interpolated place is off its plane, and over the sine how far off the
+// ray then meets it.
+const float WFV_OFF_PLANE = 3e-7;
+
 // Distance at which the pixel's own ray meets the plane of the places round about. That is not how
 // far the interpolated place is, which is off by as much as a chord from its edge.
 float wfvAlongRay(vec3 place, float rho)
@@ -25,8 +32,10 @@ float wfvAlongRay(vec3 place, float rho)
   WfvRay ray = wfvRayAt(vec2(0.0));
   vec3 d = wfvUntilt(ray.direction, wfvView);
   float along = dot(n, d);
-  float least = WFV_LEAST_SINE * (abs(n.x) + abs(n.y) + abs(n.z));
-  return ray.inside && abs(along) > least ? rho + dot(n, place - rho * d) / along : rho;
+  float size = wfvTaxiLength(n);
+  bool known = ray.inside && abs(along) > WFV_LEAST_SINE * size;
+  wfvMoves = known ? vec2(min(WFV_OFF_PLANE * size / abs(along), WFV_BACK_YIELDS)) : wfvMoves;
+  return known ? rho + dot(n, place - rho * d) / along : rho;
 }
 #endif
 
@@ -34,11 +43,10 @@ float wfvAlongRay(vec3 place, float rho)
 // is too large or too small
 void wfvPrepareDepth(vec3 place)
 {
-  float back = gl_FrontFacing ? 1.0 : 1.0 + WFV_BACK_YIELDS;
   place *= 1.0 / wfvScale();
   wfvRho = length(place);
 #if WFV_RAY_DEPTH
   wfvRho = wfvAlongRay(place, wfvRho);
 #endif
-  wfvDepth = wfvDepthInUnits(wfvRho * back);
+  wfvDepth = wfvDepthInUnits(wfvRho * (gl_FrontFacing ? 1.0 - wfvMoves.x : 1.0 + wfvMoves.y));
 }

@@ -69,6 +69,12 @@ float wfvLength(vec3 p)
 #endif
 }
 
+// The same without a root: 1 to 1.74 of it.
+float wfvTaxiLength(vec3 p)
+{
+  return abs(p.x) + abs(p.y) + abs(p.z);
+}
+
 // View coordinates, as the stock vertex stage leaves them, to clip coordinates.
 vec4 wfvProjectVertex(vec3 p)
 {

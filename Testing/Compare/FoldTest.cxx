@@ -11,11 +11,65 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
+#include <functional>
+#include <random>
+#include <utility>
+
 using namespace wfv;
 using namespace wfv::test;
 
 namespace
 {
+constexpr int RandomFolds = 2000;
+
+// Puts a front and a back into the mesh that meet in an edge which a ray passes within what float32
+// makes of a ray, on either side of it. Beyond the edge the plane of the back comes first.
+void AddFold(vtkPolyData* mesh, const vec3& ray, bool frontFirst, bool otherWay,
+  const std::function<double(double, double)>& between)
+{
+  const vec3 side = glm::cross(ray, vec3(between(-1, 1), between(-1, 1), between(-1, 1)));
+  const vec3 along = glm::normalize(side);
+  const vec3 out = glm::cross(ray, along); // beyond the fold
+  const double off = between(-1e-7, 1e-7);
+  const double size = between(0.001, 0.003);
+  const vec3 middle = ray + off * out;
+  const auto put = [&](const vec3& p) { return mesh->GetPoints()->InsertNextPoint(p.x, p.y, p.z); };
+  vtkIdType from = put(middle - size * along);
+  vtkIdType to = put(middle + size * along);
+  if (otherWay)
+  {
+    std::swap(from, to);
+  }
+  const vtkIdType front[] = { from, to, put(middle - size * (out + ray / between(0.01, 0.1))) };
+  const vtkIdType back[] = { to, from, put(middle - size * (out - ray / between(0.01, 0.1))) };
+  mesh->GetPolys()->InsertNextCell(3, frontFirst ? front : back);
+  mesh->GetPolys()->InsertNextCell(3, frontFirst ? back : front);
+}
+
+// One at each of as many pixels. bothWays: every other one is wound to show the sides that are
+// hidden.
+vtkSmartPointer<vtkPolyData> MakeFolds(const View& view, const Shot& shot, bool bothWays)
+{
+  std::mt19937 generator(1);
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(generator);
+  };
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  mesh->SetPoints(vtkNew<vtkPoints>());
+  mesh->SetPolys(vtkNew<vtkCellArray>());
+  for (int i = 0; i < RandomFolds; i++)
+  {
+    const int pixel = i * (shot.Width * shot.Height / RandomFolds);
+    const vec2 ndc = reference::PixelToNdc(
+      pixel % shot.Width + 0.5, pixel / shot.Width + 0.5, shot.Width, shot.Height);
+    if (view.Ray(ndc).Inside)
+    {
+      AddFold(mesh, view.Ray(ndc).Direction, i % 3 != 0, bothWays && i % 2 == 1, between);
+    }
+  }
+  return mesh;
+}
+
 constexpr vtkIdType Front[] = { 0, 1, 2 };
 constexpr vtkIdType Back[] = { 3, 0, 2 };
 
@@ -62,3 +116,43 @@ TEST(Fold, FrontHidesBack)
     EXPECT_EQ(caster.Cast(ndc).Cell, front); // or the pixel is not what it is here for
   }
 }
+
+// What a ray hits by its rounding alone hides what it hits by the same rounding behind.
+class FoldBeyondTheEdge : public DrawingTest
+{
+protected:
+  static void Check(const std::string& projection, int technique, double tolerance, bool bothWays)
+  {
+    Shot shot;
+    shot.Projection = projection;
+    shot.Width = 512;
+    shot.Height = 256;
+    shot.Options.HorizontalFov = FindProjection(projection)->MaxHorizontalFov;
+    shot.Options.VerticalFov = FindProjection(projection)->MaxVerticalFov;
+    shot.Options.Radii = { { 0.1, 2 } };
+    Picture->SetTechnique(technique);
+    Picture->SetTolerance(tolerance);
+    Picture->SetMesh(MakeFolds(View(*FindProjection(projection), shot.Options), shot, bothWays));
+    const reference::DrawnPicture drawn = Picture->Draw(shot);
+    const reference::RayCaster caster(Picture->GetMesh(), Picture->GetView(), Picture->GetPose());
+    const reference::Metrics m = reference::Compare(drawn, caster, tolerance);
+    std::cout << projection << " technique " << technique << ": " << m.Mismatched << " mismatched, "
+              << m.UnexplainedPixels << " unexplained, " << m.MaxPx << " px" << std::endl;
+    EXPECT_GT(std::count_if(drawn.Cell.begin(), drawn.Cell.end(), [](float c) { return c > 0; }),
+      RandomFolds / 16);
+    EXPECT_LE(m.MaxPx, tolerance) << Details(shot, Picture->GetView(), m);
+  }
+};
+
+// Whichever way it is wound, but for what is drawn plain, where backs yield (depth_fragment.glsl).
+TEST_P(FoldBeyondTheEdge, FrontHidesBack)
+{
+  Check(this->GetParam(), vtkWideFoVPass::EXACT, 0.02, true);
+  Check(this->GetParam(), vtkWideFoVPass::AUTO, 0.02, true);
+  Check(this->GetParam(), vtkWideFoVPass::AUTO, 0.25, false);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, FoldBeyondTheEdge,
+  ::testing::Values("equirectangular", "mercator", "panini", "hammer", "winkel-tripel",
+    "azimuthal-equidistant", "orthographic", "equi-angular-cubemap"),
+  DrawingTest::NameOf);

@@ -19,10 +19,28 @@ using namespace wfv::test;
 
 namespace
 {
-// A floor ahead, in so many rows of quads.
-void AddFloor(vtkPoints* points, vtkCellArray* triangles, double y, int rows)
+constexpr int Columns = 40;
+
+// Rows of quads, whose points are there already. turned: wound to show the other side.
+void AddQuads(vtkCellArray* triangles, vtkIdType first, vtkIdType rows, bool turned = false)
 {
-  constexpr int Columns = 40;
+  for (vtkIdType j = 0; j < rows; ++j)
+  {
+    for (vtkIdType i = 0; i < Columns; ++i)
+    {
+      const vtkIdType p = first + j * (Columns + 1) + i;
+      const vtkIdType q = p + Columns + 1;
+      const vtkIdType a = turned ? q : p + 1;
+      const vtkIdType b = turned ? p + 1 : q;
+      triangles->InsertNextCell({ p, a, b });
+      triangles->InsertNextCell({ q + 1, b, a });
+    }
+  }
+}
+
+// A floor ahead, in so many rows of quads.
+void AddFloor(vtkPoints* points, vtkCellArray* triangles, double y, int rows, bool turned = false)
+{
   constexpr double Near = 1;
   constexpr double Far = 3;
   const vtkIdType first = points->GetNumberOfPoints();
@@ -33,30 +51,52 @@ void AddFloor(vtkPoints* points, vtkCellArray* triangles, double y, int rows)
       points->InsertNextPoint(double(i) / Columns - 0.5, y, -Near - (Far - Near) * j / rows);
     }
   }
-  for (vtkIdType j = 0; j < rows; ++j)
-  {
-    for (vtkIdType i = 0; i < Columns; ++i)
-    {
-      const vtkIdType p = first + j * (Columns + 1) + i;
-      const vtkIdType q = p + Columns + 1;
-      triangles->InsertNextCell({ p, p + 1, q });
-      triangles->InsertNextCell({ p + 1, q + 1, q });
-    }
-  }
+  AddQuads(triangles, first, rows, turned);
 }
 
-// Two floors, the lower one by a share of the way down to the upper one, and finer.
-vtkSmartPointer<vtkPolyData> MakeTwoFloors(double y, double gap, int rows)
+// Two floors, the lower one by a share of the way down to the upper one, and finer. turned: the
+// upper one.
+vtkSmartPointer<vtkPolyData> MakeTwoFloors(double y, double gap, int rows, bool turned = false)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> triangles;
-  AddFloor(points, triangles, y, rows);
+  AddFloor(points, triangles, y, rows, turned);
   AddFloor(points, triangles, y * (1 + gap), 2 * rows);
   auto mesh = vtkSmartPointer<vtkPolyData>::New();
   mesh->SetPoints(points);
   mesh->SetPolys(triangles);
   return mesh;
+}
+
+// A wall beside the eye, from ahead to behind it.
+vtkSmartPointer<vtkPolyData> MakeWall()
+{
+  constexpr int Rows = 8; // half of them behind, by an edge just at the side
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> triangles;
+  for (int j = 0; j <= Rows; ++j)
+  {
+    for (int i = 0; i <= Columns; ++i)
+    {
+      points->InsertNextPoint(20, 0.25 * i - 5, 0.25 * j - 1);
+    }
+  }
+  AddQuads(triangles, 0, Rows);
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  mesh->SetPoints(points);
+  mesh->SetPolys(triangles);
+  return mesh;
+}
+
+Shot WidestShot(const char* projection, double nearest, double farthest)
+{
+  Shot shot;
+  shot.Projection = projection;
+  shot.Options.HorizontalFov = FindProjection(projection)->MaxHorizontalFov;
+  shot.Options.VerticalFov = FindProjection(projection)->MaxVerticalFov;
+  shot.Options.Radii = { { nearest, farthest } };
+  return shot;
 }
 
 // A globe, and at each of its edges a triangle that runs through it there: on one side it hides the
@@ -202,26 +242,40 @@ TEST(Plain, SurfacesMayCrossAtEdges)
 }
 
 // A chord is off its edge by up to a hundredth of a pixel, which of a surface that is seen aslant
-// makes some 1e-4 of its distance: by so much the floors are nearer to each other.
+// makes some 1e-4 of its distance: by so much the floors are nearer to each other. Whichever side
+// the upper one shows.
 TEST(Plain, DepthIsThatOfThePixelsRay)
 {
   constexpr double Tolerance = 0.25; // pixels
   constexpr double DepthTolerance = 1e-5;
-  const vtkSmartPointer<vtkPolyData> mesh = MakeTwoFloors(-0.6, 1e-5, 12);
+  for (const bool turned : { false, true })
+  {
+    const vtkSmartPointer<vtkPolyData> mesh = MakeTwoFloors(-0.6, 1e-5, 12, turned);
+    Drawing picture;
+    picture.SetMesh(mesh);
+    picture.SetTolerance(Tolerance);
+    picture.SetTechnique(vtkWideFoVPass::AUTO);
+    for (const char* const projection : { "equirectangular", "mercator", "hammer", "sinusoidal",
+           "azimuthal-equidistant", "orthographic", "equi-angular-cubemap" })
+    {
+      const Shot shot = WidestShot(projection, 0.5, 4);
+      const reference::Metrics m = ExpectPlainWithin(picture, mesh, shot, Tolerance);
+      EXPECT_LE(m.MaxDepthRel, DepthTolerance) << Describe(shot);
+    }
+  }
+}
+
+// Triangles behind the eye would be drawn inside the rim of a map that folds there.
+TEST(Plain, NothingComesFromBeyondTheRim)
+{
+  constexpr double Tolerance = 0.25; // pixels
+  const vtkSmartPointer<vtkPolyData> mesh = MakeWall();
   Drawing picture;
   picture.SetMesh(mesh);
   picture.SetTolerance(Tolerance);
   picture.SetTechnique(vtkWideFoVPass::AUTO);
-  for (const char* const projection : { "equirectangular", "mercator", "hammer", "sinusoidal",
-         "azimuthal-equidistant", "orthographic", "equi-angular-cubemap" })
-  {
-    Shot shot;
-    shot.Projection = projection;
-    const Projection& p = *FindProjection(projection);
-    shot.Options.HorizontalFov = p.MaxHorizontalFov;
-    shot.Options.VerticalFov = p.MaxVerticalFov;
-    shot.Options.Radii = { { 0.5, 4 } };
-    const reference::Metrics m = ExpectPlainWithin(picture, mesh, shot, Tolerance);
-    EXPECT_LE(m.MaxDepthRel, DepthTolerance) << Describe(shot);
-  }
+  Shot shot = WidestShot("orthographic", 1, 100);
+  shot.Width = 1024;
+  shot.Height = 512;
+  ExpectPlainWithin(picture, mesh, shot, Tolerance);
 }
