@@ -92,7 +92,7 @@ private:
   {
     double in = this->Nearest;
     double out = end;
-    for (int i = 0; i<Halves&& this->DistanceAt(out)> distance; i++)
+    for (int i = 0; i < Halves && (this->DistanceAt(out) > distance); i++)
     {
       const double middle = 0.5 * (in + out);
       const bool within = this->DistanceAt(middle) <= distance;
