@@ -122,7 +122,8 @@ std::string vtkWideFoVTessellation::FindObstacle()
 std::string vtkWideFoVTessellation::ControlSource(
   const Request& request, const std::string& geometry)
 {
-  std::string declarations;
+  // first: strict compilers size the outputs by it
+  std::string declarations = "layout(vertices = 3) out;\n";
   std::string body;
   for (const Varying& v : FindInputs(geometry))
   {

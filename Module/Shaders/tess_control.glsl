@@ -7,8 +7,7 @@
 // square root of its error, and the pieces are shared out by that count: short ones where an
 // edge passes a pole or the antipode, long ones where the map is nearly flat.
 
-layout(vertices = 3) out;
-
+// The program says before this that there are three corners: layout(vertices = 3) out.
 patch out vec4 wfvSteps[6]; // of edge i (opposite to corner i): two vectors, see wfvMeasure
 out float wfvMost[]; // pieces that an edge, or the line beside it, asks for
 

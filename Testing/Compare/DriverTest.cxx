@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Mesa has a second software renderer, an interpreter of OpenGL 3.3 without doubles and without
-// tessellation. Tests that run with it show that pictures do not hang on one compiler's mind; this
-// one, that it is it that draws.
+// tessellation; and it has OpenGL on Vulkan, where programs are SPIR-V, as many a GPU draws. Tests
+// that run with them show that pictures do not hang on one compiler's mind; this one, that it is
+// they that draw.
 #include <gtest/gtest.h>
 
 #include <vtkNew.h>
@@ -13,10 +14,10 @@
 
 TEST(Driver, IsTheOneThatWasAskedFor)
 {
-  const char* const wanted = std::getenv("GALLIUM_DRIVER");
+  const char* const wanted = std::getenv("WIDEFOV_TEST_RENDERER");
   if (!wanted)
   {
-    GTEST_SKIP() << "GALLIUM_DRIVER says no name";
+    GTEST_SKIP() << "WIDEFOV_TEST_RENDERER says no name";
   }
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
