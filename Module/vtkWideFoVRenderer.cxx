@@ -6,7 +6,6 @@
 #include "vtkWideFoVTile.h"
 
 #include "vtkCommand.h"
-#include "vtkCommand.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -36,6 +35,12 @@ vtkWideFoVCamera* vtkWideFoVRenderer::GetWideCamera()
 {
   auto* camera = vtkWideFoVCamera::SafeDownCast(this->ActiveCamera);
   return camera && camera->IsWide() ? camera : nullptr;
+}
+
+bool vtkWideFoVRenderer::HasOffAxisEye()
+{
+  auto* camera = vtkWideFoVCamera::SafeDownCast(this->ActiveCamera);
+  return camera && !camera->IsWide() && camera->GetCurrentEye() != 0 && camera->GetEyeReach() > 0;
 }
 
 void vtkWideFoVRenderer::PoseToView(double& x, double& y, double& z)
@@ -71,6 +76,13 @@ void vtkWideFoVRenderer::ViewToPose(double& x, double& y, double& z)
 void vtkWideFoVRenderer::WorldToView(double& x, double& y, double& z)
 {
   vtkWideFoVCamera* camera = this->GetWideCamera();
+  if (this->HasOffAxisEye())
+  {
+    // by two steps: by one VTK takes the middle between the eyes, where no picture is drawn from
+    this->WorldToPose(x, y, z);
+    this->PoseToView(x, y, z);
+    return;
+  }
   if (!camera)
   {
     this->Superclass::WorldToView(x, y, z);
@@ -87,6 +99,12 @@ void vtkWideFoVRenderer::WorldToView(double& x, double& y, double& z)
 void vtkWideFoVRenderer::ViewToWorld(double& x, double& y, double& z)
 {
   vtkWideFoVCamera* camera = this->GetWideCamera();
+  if (this->HasOffAxisEye())
+  {
+    this->ViewToPose(x, y, z);
+    this->PoseToWorld(x, y, z);
+    return;
+  }
   if (!camera)
   {
     this->Superclass::ViewToWorld(x, y, z);

@@ -32,8 +32,8 @@ public:
 
   ///@{
   /**
-   * Through the view where the active camera is wide. Depth is 0 on the near and 1 on
-   * the far clip sphere.
+   * Through the view where the active camera is wide: depth is 0 on the near and 1 on
+   * the far clip sphere. In an off-axis perspective as the eye sees that was drawn last.
    */
   using Superclass::WorldToView;
   void WorldToView(double& x, double& y, double& z) override;
@@ -60,6 +60,7 @@ protected:
   ~vtkWideFoVRenderer() override = default;
 
   vtkWideFoVCamera* GetWideCamera();
+  bool HasOffAxisEye(); // of a perspective, with a place of its own
 
 private:
   vtkWideFoVRenderer(const vtkWideFoVRenderer&) = delete;

@@ -36,6 +36,9 @@ constexpr double OffsetTolerance = 2e-3;
 // Pixels: letters are put on whole ones.
 constexpr double LabelTolerance = 1.01;
 
+// Pixels and scene units: VTK's conversions there and back, in double.
+constexpr double ConversionTolerance = 1e-6;
+
 TestPixels Draw(WideFoVTestWindow& test, int type)
 {
   test.Window->SetStereoType(type);
@@ -56,6 +59,17 @@ void Look(WideFoVTestWindow& test)
   test.Camera->SetPosition(0, 0, 0);
   test.Camera->SetFocalPoint(0, 0, -1);
   test.Renderer->SetBackground(0, 0, 0);
+}
+
+// A letter whose place is one of the world.
+vtkSmartPointer<vtkTextActor> AddLabel(WideFoVTestWindow& test)
+{
+  auto label = vtkSmartPointer<vtkTextActor>::New();
+  label->SetInput("O");
+  label->GetTextProperty()->SetFontSize(16);
+  label->GetPositionCoordinate()->SetCoordinateSystemToWorld();
+  test.Renderer->AddViewProp(label);
+  return label;
 }
 
 // Mean column of what is lit.
@@ -113,11 +127,7 @@ TEST(StereoLabels, StandAtTheDepthOfTheirAnchor)
   Look(test);
   test.Camera->SetStereoModel("omnidirectional");
   test.Camera->SetInterpupillaryDistance(0.4);
-  vtkNew<vtkTextActor> label;
-  label->SetInput("O");
-  label->GetTextProperty()->SetFontSize(16);
-  label->GetPositionCoordinate()->SetCoordinateSystemToWorld();
-  test.Renderer->AddViewProp(label);
+  const auto label = AddLabel(test);
   const double r = 0.2;
   for (const double azimuth : { 0.0, 1.2, 2.5, -2.0 })
   {
@@ -128,6 +138,43 @@ TEST(StereoLabels, StandAtTheDepthOfTheirAnchor)
     const double expected = 2 * std::asin(r / d) / (2 * 3.14159265358979) * Width;
     EXPECT_GT(left, 0) << azimuth;
     EXPECT_NEAR(left - right, expected, LabelTolerance) << azimuth;
+  }
+}
+
+TEST(StereoLabels, AreWhereEachOffAxisEyeSeesTheirAnchor)
+{
+  WideFoVTestWindow test("perspective", Width, Height);
+  test.Window->SetMultiSamples(0);
+  Look(test);
+  test.Camera->SetStereoModel("offaxis");
+  test.Camera->SetSeparation(0.1);
+  test.Camera->SetConvergence(2);
+  test.Camera->SetHorizontalFieldOfView(90);
+  test.Camera->SetClipRadii(0.5, 20);
+  const auto label = AddLabel(test);
+  for (const double depth : { 1.0, 2.0, 6.0 })
+  {
+    const double at[3] = { 0.1 * depth, -0.1 * depth, -depth };
+    label->GetPositionCoordinate()->SetValue(at[0], at[1], at[2]);
+    double middle[2];
+    double place[2];
+    for (const int type : { VTK_STEREO_LEFT, VTK_STEREO_RIGHT })
+    {
+      const int eye = type == VTK_STEREO_LEFT ? 0 : 1;
+      middle[eye] = MiddleOf(Draw(test, type));
+      test.Renderer->SetWorldPoint(at[0], at[1], at[2], 1);
+      test.Renderer->WorldToDisplay();
+      place[eye] = test.Renderer->GetDisplayPoint()[0];
+      test.Renderer->DisplayToWorld();
+      const double* const back = test.Renderer->GetWorldPoint();
+      for (int i = 0; i < 3; i++)
+      {
+        EXPECT_NEAR(back[i] / back[3], at[i], ConversionTolerance) << depth << " " << type;
+      }
+    }
+    const double expected = 0.1 * (1 - 2 / depth) * Width;
+    EXPECT_NEAR(middle[1] - middle[0], expected, LabelTolerance) << depth;
+    EXPECT_NEAR(place[1] - place[0], expected, ConversionTolerance) << depth;
   }
 }
 
