@@ -1,54 +1,102 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes the table of the page of errors: the worst of all scenes for each projection.
+"""Writes the tables of the page of errors: the worst of all scenes for each projection.
 
     errors.py PAGE.md BENCH.json...
 
-Replaces what stands between <!-- begin errors --> and <!-- end errors --> in the page.
+Replaces what stands between <!-- begin errors --> and <!-- end errors --> in the page, and
+between the same marks of "limits".
 """
 
 import json
 import re
 import sys
 
-COLUMNS = ["projection", "method", "pictures", "wrong pixels", "unexplained", "max, px",
-           "depth, relative", "depth, px"]
+# Those that the second table is of: what is unexplained at 0.02 pixels, and distances.
+STRICT = ("exact", "auto 0.02")
 
 
-def rows_of(bench):
-    """One a method: the worst of its pictures, pixels counted."""
-    methods = {}
-    for r in bench["records"]:
-        name = r["method"] + (" %g" % r["parameter"] if r["parameter"] is not None else "")
-        methods.setdefault(name, []).append(r)
-    for name, records in sorted(methods.items()):
-        errors = [r["error"] for r in records]
-        yield [
-            records[0]["projection"],
-            name,
-            str(len(records)),
-            str(sum(e["mismatched_pixels"] for e in errors)),
-            "%.2g" % max(e["unexplained"] for e in errors),
-            "%.2g" % max(e["max_px"] for e in errors),
-            "%.2g" % max(e["max_depth_rel"] for e in errors),
-            "%.2g" % max(e["depth_px"] for e in errors),
+def name_of(record):
+    parameter = record["parameter"]
+    return record["method"] + ("" if parameter is None else " %g" % parameter)
+
+
+def worst(errors, key, form="%.2g"):
+    return form % max(error[key] for error in errors)
+
+
+def row(cells):
+    return "| " + " | ".join(cells) + " |\n"
+
+
+def table(heads, rows):
+    return row(heads) + row(["---"] * len(heads)) + "".join(row(cells) for cells in rows)
+
+
+def collect(files):
+    """{projection: {method: [error of a picture]}}"""
+    found = {}
+    for name in files:
+        with open(name, encoding="utf-8") as file:
+            for record in json.load(file)["records"]:
+                methods = found.setdefault(record["projection"], {})
+                methods.setdefault(name_of(record), []).append(record["error"])
+    return dict(sorted(found.items()))
+
+
+def largest_errors(found):
+    """Pixels, a column for each method and tolerance."""
+    methods = sorted({method for of in found.values() for method in of}, key=order)
+    pictures = {m: max(len(of.get(m, ())) for of in found.values()) for m in methods}
+    heads = ["%s (%d)" % (method, pictures[method]) for method in methods]
+    rows = (
+        [projection] + [worst(of[m], "max_px") if m in of else "" for m in methods]
+        for projection, of in found.items()
+    )
+    return table(["projection", *heads], rows)
+
+
+def order(method):
+    """exact first, then by name and tolerance."""
+    name, _, tolerance = method.partition(" ")
+    return (name != "exact", name, float(tolerance or 0))
+
+
+def strict_errors(found):
+    heads = ["projection", "method", "wrong pixels", "unexplained", "max, px", "depth, relative"]
+    rows = (
+        [
+            projection,
+            method,
+            str(sum(e["mismatched_pixels"] for e in of[method])),
+            worst(of[method], "unexplained"),
+            worst(of[method], "max_px"),
+            worst(of[method], "max_depth_rel"),
         ]
+        for projection, of in found.items()
+        for method in STRICT
+        if method in of
+    )
+    return table(heads, rows)
+
+
+def put(text, mark, new):
+    begin, end = "<!-- begin %s -->\n" % mark, "<!-- end %s -->" % mark
+    text, times = re.subn(
+        re.escape(begin) + ".*?" + re.escape(end), lambda _: begin + new + end, text, flags=re.S
+    )
+    if times != 1:
+        sys.exit("errors.py: the page has no place for the table \"%s\"" % mark)
+    return text
 
 
 def main():
     page, files = sys.argv[1], sys.argv[2:]
-    rows = [COLUMNS, ["---"] * len(COLUMNS)]
-    for name in files:
-        with open(name, encoding="utf-8") as file:
-            rows += rows_of(json.load(file))
-    table = "".join("| " + " | ".join(row) + " |\n" for row in rows)
+    found = collect(files)
     with open(page, encoding="utf-8") as file:
         text = file.read()
-    begin, end = "<!-- begin errors -->\n", "<!-- end errors -->"
-    text, found = re.subn(
-        re.escape(begin) + ".*?" + re.escape(end), lambda _: begin + table + end, text, flags=re.S)
-    if found != 1:
-        sys.exit("errors.py: %s has no place for the table" % page)
+    text = put(text, "errors", strict_errors(found))
+    text = put(text, "limits", largest_errors(found))
     with open(page, "w", encoding="utf-8") as file:
         file.write(text)
 
