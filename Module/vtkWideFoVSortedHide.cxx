@@ -17,6 +17,11 @@ namespace
 {
 // Triangles a thread takes at least.
 constexpr vtkIdType Grain = 4096;
+constexpr vtkIdType LargeGrain = 16; // of those that are looked for in all of the picture
+
+// Triangles that may be anywhere in the picture, of which more would take longer to look at than
+// they do to draw.
+constexpr std::size_t MostAnywhere = 4096;
 
 // Of the triangles that are looked at, the share of hidden ones that is worth another order.
 constexpr double LeastShare = 1.0 / 16;
@@ -31,7 +36,7 @@ void SortedDraw::Show(Entry& e, vtkPolyData* data)
   {
     return;
   }
-  for (const Lot lot : { Calm, Plain })
+  for (const Lot lot : { Covered, Calm, Plain })
   {
     e.ShowLot(lot);
   }
@@ -47,9 +52,13 @@ void SortedDraw::PutBehind(Entry& e, vtkPolyData* data, const std::vector<unsign
   {
     return;
   }
-  const std::size_t calm = e.Lots[Calm].All;
-  e.HideInLot(Calm, hidden.data());
-  e.HideInLot(Plain, hidden.data() + calm);
+  const unsigned char* answers = hidden.data();
+  for (const Lot lot : { Covered, Calm, Plain })
+  {
+    const std::size_t all = e.Lots[lot].All;
+    e.HideInLot(lot, answers);
+    answers += all;
+  }
   this->Load(e, data);
 }
 
@@ -66,8 +75,17 @@ void SortedDraw::FindHiddenIn(const Entry& e, const Real* points,
   const DepthPicture* const depths[], const SampleRays& rays, std::vector<unsigned char>& hidden)
 {
   const Scene<Real> all{ this->Mesh, points, Affine(e.ToMap), e.View };
-  const sorting::HiddenWork<Real, Entry> work(all, e, depths, rays, hidden);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(hidden.size()), Grain, work);
+  const std::size_t anywhere = e.Lots[Covered].All;
+  const bool looks = e.View.Rays && anywhere > 0 && anywhere <= MostAnywhere;
+  RayBlocks blocks[SortView::MostEyes];
+  for (int i = 0; looks && i < e.View.GetNumberOfEyes(); i++)
+  {
+    blocks[i].Make(e.View, e.View.GetViewOf(i), rays);
+  }
+  const sorting::HiddenWork<Real, Entry> work(all, e, depths, rays, blocks, hidden);
+  const auto first = static_cast<vtkIdType>(anywhere);
+  vtkSMPTools::For(0, first, looks ? LargeGrain : Grain, work);
+  vtkSMPTools::For(first, static_cast<vtkIdType>(hidden.size()), Grain, work);
 }
 
 bool SortedDraw::FindHidden(Entry& e, vtkPolyData* data, HiddenScene& scene)
@@ -87,7 +105,7 @@ bool SortedDraw::FindHidden(Entry& e, vtkPolyData* data, HiddenScene& scene)
   }
   this->Mesh.Update(data);
   const bool whole = e.TakeNaturalOrder();
-  std::vector<unsigned char> hidden(e.Order.size() - e.GetFirst(Calm));
+  std::vector<unsigned char> hidden(e.Order.size());
   vtkDataArray* const points = data->GetPoints()->GetData();
   if (auto* singles = vtkFloatArray::SafeDownCast(points))
   {

@@ -226,6 +226,7 @@ bool vtkWideFoVStages::GetSortView(
   view.Tolerance = this->Tolerance;
   view.Moving = view.Plain && this->Hurries ? this->Tolerance : 0;
   view.Calm = opaque && !this->DebugView && (cut || exact);
+  view.Rays = view.Calm && exact;
   return true;
 }
 

@@ -63,6 +63,23 @@ public:
     this->AddMesh(MakeGlobe(16), vec3(0, 0, -5), 0.5);
   }
 
+  // Balls above and below the eyes, nearly as near to the axis as their circle: each behind the
+  // next, and their triangles seen under large angles.
+  struct Stack
+  {
+  };
+  explicit Heap(Stack)
+    : CullCrowd(3, Width, Height, 0)
+  {
+    this->AddMesh(MakeRoom(24), vec3(0), 8);
+    for (int i = 0; i < Balls; ++i)
+    {
+      const double up = (i % 2 ? 1 : -1) * (0.6 + 0.2 * i);
+      const vec3 at = 0.25 * this->Place();
+      this->AddMesh(MakeGlobe(i % 3 ? 8 : 20), vec3(at.x, up, at.z), 0.3);
+    }
+  }
+
   vtkActor* GetActor(int i) const { return this->Actors[i]; }
 
 private:
@@ -115,6 +132,18 @@ TEST(Occlusion, ChangesNoPictureOfTwoEyes)
   heap.SetStereo("omnidirectional");
   CompareAll(
     heap, { "equirectangular", "hammer", "azimuthal-equidistant", "equi-angular-cubemap" });
+}
+
+TEST(Occlusion, ChangesNoPictureOfTwoEyesBesideTheirCircle)
+{
+  Heap heap{ Heap::Stack() };
+  heap.SetStereo("omnidirectional");
+  heap.Pass->SetTechnique(vtkWideFoVPass::AUTO);
+  for (const char* name : { "equirectangular", "hammer", "azimuthal-equidistant", "panini" })
+  {
+    heap.Point(*FindProjection(name), vec3(0), vec3(0, 0, -1));
+    EXPECT_GT(heap.CompareHidden(), 0) << name;
+  }
 }
 
 namespace
