@@ -78,6 +78,10 @@ measure table1.json --table1 ${few[@]+"${few[@]}"}
 measure turning.json --quick --turn 1 --methods auto,exact,cubemap
 bash Utilities/with-display.sh build/bin/widefov-bench --output output/small.json --frames 9 \
   --scenes balls,balls-apart --size 2048x1024 --methods auto,vertex,floor
+eyes=(--scenes atrium,flow-large)
+[ "${#scenes[@]}" -eq 0 ] || eyes=("${scenes[@]}")
+bash Utilities/with-display.sh build/bin/widefov-bench --output output/stereo.json --quick --frames 9 \
+  "${eyes[@]}" ${data[@]+"${data[@]}"} --methods auto,exact,perspective,stereo-omnidirectional,stereo-offaxis
 if [ -n "$large" ]; then
   [ "${#scenes[@]}" -gt 0 ] || scenes=(--scenes cornell,room,atrium,office,flow-large)
   measure large.json --size 2048x1024 --frames 3 --methods auto,cubemap
@@ -85,12 +89,13 @@ if [ -n "$large" ]; then
 fi
 
 step=writing
-cp output/benchmark.json output/table1.json output/turning.json output/small.json "$page/"
+cp output/benchmark.json output/table1.json output/turning.json output/small.json \
+  output/stereo.json "$page/"
 [ -f "$page/README.md" ] || cp Documentation/benchmarks/README.md "$page/"
 /usr/bin/python3 -B Testing/Benchmark/plot.py "$page/benchmark.json" "$page"
 beside=()
 [ ! -f "$page/large.json" ] || beside=("$page/large.json")
 /usr/bin/python3 -B Testing/Benchmark/tables.py "$page/README.md" "$page/benchmark.json" \
   "$page/table1.json" "$page/turning.json" "$page/small.json" \
-  ${beside[@]+"${beside[@]}"} ${trial[@]+"${trial[@]}"}
+  "$page/stereo.json" ${beside[@]+"${beside[@]}"} ${trial[@]+"${trial[@]}"}
 echo "Written: $page"

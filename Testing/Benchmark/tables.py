@@ -2,10 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Writes the tables of the benchmark page from what was measured.
 
-    tables.py PAGE.md BENCH.json TABLE1.json TURNING.json SMALL.json [LARGE.json] [--trial]
+    tables.py PAGE.md BENCH.json TABLE1.json TURNING.json SMALL.json STEREO.json \
+        [LARGE.json] [--trial]
 
 Replaces what stands between <!-- begin NAME --> and <!-- end NAME --> in the page: NAME is
-environment, ratios, turning, small, runs, table1, and large where that is given. --trial says on the page that the machine was not quiet.
+environment, ratios, turning, small, stereo, runs, table1, and large where that is given. --trial
+says on the page that the machine was not quiet.
 """
 
 import json
@@ -129,6 +131,22 @@ def small_text(small):
     return text + table(["scene", "triangles", "method", "ms", "method / floor", "max, px"], rows)
 
 
+def stereo_text(stereo):
+    """Both eyes by one picture without stereo."""
+    records = stereo["records"]
+    time = {(r["scene"], method_of(r)): r["ms"]["median"] for r in records}
+    pairs = [("stereo-omnidirectional", "auto 0.25"), ("stereo-omnidirectional", "exact")]
+    pairs.append(("stereo-offaxis", "perspective"))
+    rows = [
+        [scene, both, number(time[scene, both]), one, number(time[scene, one])]
+        + [number(time[scene, both] / time[scene, one])]
+        for scene in dict.fromkeys(r["scene"] for r in records)
+        for both, one in pairs
+    ]
+    text = "%dx%d an eye ([stereo.json](stereo.json)):\n\n" % tuple(records[0]["size"])
+    return text + table(["scene", "both eyes", "ms", "one picture", "ms", "both / one"], rows)
+
+
 def large_text(large):
     """`auto` beside cubemaps of any resolution: time, and what no reference pixel explains."""
     records = large["records"]
@@ -191,21 +209,22 @@ def replaced(page, name, text):
 
 def main():
     arguments = [a for a in sys.argv[1:] if a != "--trial"]
-    if len(arguments) not in (5, 6):
+    if len(arguments) not in (6, 7):
         sys.exit(__doc__.strip().split("\n\n")[1].strip())
     with open(arguments[0], encoding="utf-8") as stream:
         page = stream.read()
     measured = [json.load(open(path, encoding="utf-8")) for path in arguments[1:]]
-    bench, table1, turning, small = measured[:4]
+    bench, table1, turning, small, stereo = measured[:5]
     trial = TRIAL if "--trial" in sys.argv else ""
     page = replaced(page, "environment", trial + environment_table(bench))
     page = replaced(page, "ratios", ratios_table(bench))
     page = replaced(page, "turning", turning_text(turning))
     page = replaced(page, "small", small_text(small))
+    page = replaced(page, "stereo", stereo_text(stereo))
     page = replaced(page, "runs", runs_table(bench))
     page = replaced(page, "table1", table1_table(table1))
-    if len(measured) > 4:
-        page = replaced(page, "large", large_text(measured[4]))
+    if len(measured) > 5:
+        page = replaced(page, "large", large_text(measured[5]))
     with open(arguments[0], "w", encoding="utf-8") as stream:
         stream.write(page)
 
