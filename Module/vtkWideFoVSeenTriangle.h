@@ -89,8 +89,7 @@ public:
     const double turn = this->GetAhead(start) < 0 ? -1 : 1;
     for (int i = 0; i < 3; i++)
     {
-      const double inside = glm::dot(this->Edges[i], direction) + glm::dot(moment, this->Spans[i]);
-      if (turn * inside < -this->Slack[i])
+      if (turn * this->GetInside(i, direction, moment) < -this->Slack[i])
       {
         return false;
       }
@@ -108,11 +107,9 @@ public:
     bool missed = false;
     for (int i = 0; i < 3; i++)
     {
-      const double inside =
-        glm::dot(this->Edges[i], block.Direction) + glm::dot(moment, this->Spans[i]);
       const double slack = this->Slack[i] + glm::length(this->Edges[i]) * block.Angle +
         glm::length(this->Spans[i]) * aside;
-      missed = missed || turn * inside < -slack;
+      missed = missed || turn * this->GetInside(i, block.Direction, moment) < -slack;
     }
     // of a square from which both sides may be seen nobody knows
     return !missed || !(std::abs(ahead) > block.Aside);
@@ -125,6 +122,12 @@ public:
   double GetSine(const vec3& direction) const { return glm::dot(this->Normal, direction); }
 
 private:
+  // On which side of an edge a ray passes, and how far, times lengths.
+  double GetInside(int edge, const vec3& direction, const vec3& moment) const
+  {
+    return glm::dot(this->Edges[edge], direction) + glm::dot(moment, this->Spans[edge]);
+  }
+
   // Radians that float32 may turn a ray or an edge by, and more.
   static constexpr double RaySlack = 1e-6;
 
