@@ -95,8 +95,8 @@ struct vtkWideFoVDataPass::Internals
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   vtkNew<vtkTextureObject> Color[Attachments];
   vtkNew<vtkTextureObject> Depth;
-  float Eye[3] = { 0, 0, 0 };      // of a perspective in stereo, view coordinates
-  vtkNew<vtkMatrix4x4> ClipToView; // transposed, as VTK's uniforms are
+  float Eye[3] = { 0, 0, 0 };                   // of a perspective in stereo, view coordinates
+  vtkNew<vtkMatrix4x4> ClipToView, PixelToView; // transposed, as VTK's uniforms are
   int Size[2] = { 0, 0 };
   bool Wide = false; // the delegate brings surface edges of its own
 
@@ -279,6 +279,12 @@ void vtkWideFoVDataPass::Internals::Prepare(vtkRenderer* renderer)
   vtkMatrix3x3* normals;
   camera->GetKeyMatrices(renderer, toView, normals, toClip, toBoth);
   vtkMatrix4x4::Invert(toClip, this->ClipToView);
+  int part[4];
+  renderer->GetTiledSizeAndOrigin(&part[2], &part[3], &part[0], &part[1]);
+  const double x = 2.0 / part[2], y = 2.0 / part[3];
+  const double toNdc[] = { x, 0, 0, 0, 0, y, 0, 0, 0, 0, 2, 0, -x * part[0] - 1, -y * part[1] - 1,
+    -1, 1 };
+  vtkMatrix4x4::Multiply4x4(toNdc, this->ClipToView->GetData(), this->PixelToView->GetData());
 }
 
 void vtkWideFoVDataPass::Render(const vtkRenderState* s)
@@ -292,12 +298,11 @@ void vtkWideFoVDataPass::Render(const vtkRenderState* s)
     vtkErrorMacro(<< "A delegate pass and a renderer with an OpenGL window are needed");
     return;
   }
-  int size[2];
-  int origin[2];
-  renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+  int part[4];
+  renderer->GetTiledSizeAndOrigin(&part[2], &part[3], &part[0], &part[1]);
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();
-  in.Allocate(window, origin[0] + size[0], origin[1] + size[1]);
+  in.Allocate(window, part[0] + part[2], part[1] + part[3]);
   in.Bind();
   vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
   state->vtkglDisable(GL_SCISSOR_TEST);
@@ -344,12 +349,13 @@ bool vtkWideFoVDataPass::PostReplaceShaderValues(std::string& vertexShader,
     vtkWideFoVShaderBuilder::WrapMain(vertexShader, "", "  wfvKeepPosition();\n");
     vtkWideFoVShaderBuilder::Declare(vertexShader, data_vertex_glsl);
   }
-  vtkWideFoVShaderBuilder::Declare(fragmentShader, data_fragment_glsl);
+  vtkWideFoVShaderBuilder::Declare(fragmentShader,
+    (this->Internal->Wide ? "" : std::string(data_perspective_glsl)) + data_fragment_glsl);
   const bool lit = fragmentShader.find("vec3 normalVCVSOutput =") != std::string::npos;
-  const std::string normal = lit ? "normalVCVSOutput" : "wfvFlatNormal()";
+  const std::string normal = lit ? "wfvDataNormal(normalVCVSOutput)" : "wfvFlatNormal()";
   // balls and sticks work their surface out; elsewhere it is what is interpolated
   const bool ball = fragmentShader.find("centerVCVSOutput") != std::string::npos;
-  const std::string position = ball ? "vertexVC.xyz" : "wfvPositionVSOutput";
+  const std::string position = ball ? "vertexVC.xyz" : "WFV_PLACE";
   vtkShaderProgram::Substitute(fragmentShader, "//VTK::DepthPeeling::Impl",
     "  gl_FragData[1] = wfvData(" + position +
       ", gl_PrimitiveID + PrimitiveIDOffset);\n"
@@ -371,6 +377,7 @@ bool vtkWideFoVDataPass::SetShaderParameters(
   program->SetUniformi("wfvPropNumber", number);
   program->SetUniform3f("wfvDataEye", this->Internal->Eye);
   program->SetUniformMatrix("wfvClipToView", this->Internal->ClipToView);
+  program->SetUniformMatrix("wfvPixelToView", this->Internal->PixelToView);
   return true;
 }
 

@@ -187,8 +187,10 @@ private:
   static constexpr double DepthSlack = 1e-4;
   static constexpr double LeastSine = 2e-3;
 
-  // Radians: a little more than WFV_HAIR (cover_fragment.glsl).
-  static constexpr double Hair = 1e-6;
+  // Radians, and what is added to a sine: a little more than a hair, and WFV_STEEP
+  // (cover_fragment.glsl).
+  static constexpr double Hair = 5e-6;
+  static constexpr double Steep = 0.02;
 
   // Window depth: four steps of a buffer of 24 bits, for rounding and WFV_BEHIND
   // (cover_fragment.glsl).
@@ -240,7 +242,7 @@ private:
   {
     if (this->Covered)
     {
-      return sine >= LeastSine ? distance * (1 - Hair / sine) : 0;
+      return sine >= LeastSine ? distance * (1 - Hair / (sine + Steep)) : 0;
     }
     const double beside = PlainSlack * 2 * WFV_PI / std::min(this->V.Pixels.x, this->V.Pixels.y);
     const double byRay = sine > beside ? distance * (1 - 2 * beside / sine) : 0;

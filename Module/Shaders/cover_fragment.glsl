@@ -221,10 +221,10 @@ void wfvSetSurface(vec3 direction)
 }
 #endif
 
-// Window depth, two steps of a buffer of 24 bits: by so much is what is seen from behind put
+// Window depth, a step of a buffer of 24 bits: by so much is what is seen from behind put
 // back. Where a surface folds away from the eye a pixel's ray may lie so near the fold that its
 // front and its back come out at one depth; then the front shows, in whichever order they come.
-const float WFV_BEHIND = 2.0 / 16777216.0;
+const float WFV_BEHIND = 1.0 / 16777216.0;
 
 // For the data pass.
 #define WFV_DISTANCE (wfvRho * wfvScale())
@@ -327,12 +327,17 @@ WfvRay wfvLook(out vec3 e)
 #endif
 }
 
-// Radians: more than a float32 ray is turned by, which is most on the faces of a cube, where edges
-// are moved aside (preclip_planes.glsl).
+// Radians, a hair at the least: more than a float32 ray is turned by, which is most on the faces of a
+// cube, where edges are moved aside (preclip_planes.glsl).
 const float WFV_HAIR = 6e-7;
 
-// Of the distance: no hair moves it by more, as it would where a splinter is seen edge-on.
-const float WFV_HAIR_MOVES = 1e-3;
+// A hair is wider where a depth buffer tells faces that fold flat apart no nearer to their edge, but by
+// none of these: radians, pixels, a share of the triangle's height over the edge.
+const vec3 WFV_WIDE_HAIR = vec3(4e-6, 0.01, 0.25);
+
+// Of a face's slope against the ray, by which a hair moves it less: never by more than 50 hairs, as it
+// would where a splinter is seen edge-on.
+const float WFV_STEEP = 0.02;
 
 // Sets the depth that tells what hides what: the pixel's own, but by the nearest edge that of a hair
 // inside it. Where a surface folds, what hits it beyond the edge, by rounding alone, meets the plane of
@@ -343,10 +348,14 @@ void wfvOrder(float approach, vec3 e)
   float least = min(e.x, min(e.y, e.z));
   vec3 edge = vec3(least == e.x ? wfvEdge0 : least == e.y ? wfvEdge1 : wfvEdge2);
   float size = wfvTaxiLength(edge);
-  float lack = max(WFV_HAIR * size - least, 0.0);
-  float over = size * size * approach;
-  float nearer = over != 0.0 ? wfvFacing * lack * dot(wfvPlane, edge) / over : 0.0;
-  wfvDepth = wfvDepthInUnits(wfvRho - wfvRho * clamp(nearer, -WFV_HAIR_MOVES, WFV_HAIR_MOVES));
+  float each = 1.0 / size;
+  float inside = least * each;
+  float height = abs(approach);
+  vec2 shares = WFV_WIDE_HAIR.yz * vec2(fwidth(inside), height * each);
+  float hair = max(WFV_HAIR, min(WFV_WIDE_HAIR.x, min(shares.x, shares.y)));
+  float rise = dot(wfvPlane, edge) * each;
+  float nearer = max(hair - inside, 0.0) * rise / (height + abs(rise) * WFV_STEEP);
+  wfvDepth = wfvDepthInUnits(wfvRho - wfvRho * (size * approach != 0.0 ? nearer : 0.0));
 }
 
 void wfvPrepare()

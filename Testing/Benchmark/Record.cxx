@@ -28,6 +28,20 @@ double Found(double pixels)
   return std::min(pixels, reference::SearchLimit);
 }
 
+// Where to look: the farthest first, rows from the top, cells with their distances.
+Json Places(const std::vector<reference::WorstPixel>& pixels)
+{
+  Json places = Json::array();
+  for (const reference::WorstPixel& p : pixels)
+  {
+    const bool both = p.Drawn >= 0 && p.Reference >= 0;
+    places.push_back({ { "pixel", { p.I, p.J } }, { "drawn", p.Drawn },
+      { "reference", p.Reference }, { "px", Found(p.Pixels) },
+      { "nearer", both ? Json(p.ReferenceDistance - p.DrawnDistance) : Json(nullptr) } });
+  }
+  return places;
+}
+
 Json Figures(const std::optional<ErrorFigures>& error)
 {
   if (!error)
@@ -42,7 +56,7 @@ Json Figures(const std::optional<ErrorFigures>& error)
     { "depth_px", depth && std::isfinite(m.DepthPx) ? Json(m.DepthPx) : Json(nullptr) },
     { "depth_ulps", depth && std::isfinite(m.DepthUlps) ? Json(m.DepthUlps) : Json(nullptr) },
     { "b", error->Tolerance }, { "mismatched_pixels", m.Mismatched },
-    { "searched_pixels", m.Searched }, { "tie_pixels", m.Ties } };
+    { "searched_pixels", m.Searched }, { "tie_pixels", m.Ties }, { "places", Places(m.Worst) } };
 }
 }
 

@@ -27,7 +27,7 @@ PARTS = [(["exact", "auto"], EXACT), (["auto"], 0.25)]
 # What is not zero yet: (technique, counter), or (technique, counter, case). Nothing is.
 NOT_YET = set()
 
-# Pictures that were wrong once: projection, case, batch.
+# Pictures that were wrong once: projection, case, batch, and the seed where it is another.
 ONCE_WRONG = [
     ("mercator", "closed-thin", 77),  # columns narrower than a rasterizer tells apart
     ("azimuthal-equidistant", "eye", 6),  # triangles that pass the eye within 1e-6 near radii
@@ -43,6 +43,7 @@ ONCE_WRONG = [
     ("winkel-tripel", "eye", 5),
     ("equi-angular-cubemap", "slivers", 37),  # tilted: by a matrix in float32
     ("equirectangular", "eye", 20),  # a triangle that passes the eye, beyond the near sphere or not
+    ("perspective", "signed-zeros", 1, 5),  # places that are no numbers, of corners in the eye
 ]
 
 
@@ -50,12 +51,12 @@ def output_of(command):
     return subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout
 
 
-def stress(program, arguments, part=PARTS[0]):
+def stress(program, arguments, part=PARTS[0], seed=SEED):
     """Runs the program and returns its report."""
     techniques, tolerance = part
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "stress.json")
-        command = [program, "--seed", str(SEED), "--technique", ",".join(techniques)]
+        command = [program, "--seed", str(seed), "--technique", ",".join(techniques)]
         command += ["--tolerance", str(tolerance)]
         subprocess.run(command + arguments + ["--output", path], check=True)
         with open(path, encoding="utf-8") as stream:
@@ -79,9 +80,9 @@ def small_run(program, projections, cases, part):
 
 
 def once_wrong(program):
-    for projection, case, batch in ONCE_WRONG:
+    for projection, case, batch, *seed in ONCE_WRONG:
         where = ["--projections", projection, "--cases", case, "--batch", str(batch)]
-        yield stress(program, where)
+        yield stress(program, where, PARTS[0], *seed)
 
 
 def allowed(technique, counter, case):
