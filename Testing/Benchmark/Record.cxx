@@ -28,7 +28,7 @@ double Found(double pixels)
   return std::min(pixels, reference::SearchLimit);
 }
 
-// Where to look: the farthest first, rows from the top, cells with their distances.
+// Where to look, rows from the top, and how far behind the true cell the drawn one lies.
 Json Places(const std::vector<reference::WorstPixel>& pixels)
 {
   Json places = Json::array();
@@ -37,7 +37,7 @@ Json Places(const std::vector<reference::WorstPixel>& pixels)
     const bool both = p.Drawn >= 0 && p.Reference >= 0;
     places.push_back({ { "pixel", { p.I, p.J } }, { "drawn", p.Drawn },
       { "reference", p.Reference }, { "px", Found(p.Pixels) },
-      { "nearer", both ? Json(p.ReferenceDistance - p.DrawnDistance) : Json(nullptr) } });
+      { "behind", both ? Json(p.DrawnDistance - p.ReferenceDistance) : Json(nullptr) } });
   }
   return places;
 }

@@ -5,7 +5,7 @@
     errors.py PAGE.md BENCH.json...
 
 Replaces what stands between <!-- begin errors --> and <!-- end errors --> in the page, and
-between the same marks of "limits".
+between the same marks of "limits" and, from pictures wider than WIDE, of "wide".
 """
 
 import json
@@ -14,6 +14,9 @@ import sys
 
 # Those that the second table is of: what is unexplained at 0.02 pixels, and distances.
 STRICT = ("exact", "auto 0.02")
+
+# Pixels: wider pictures have a table of their own.
+WIDE = 4096
 
 
 def name_of(record):
@@ -33,14 +36,18 @@ def table(heads, rows):
     return row(heads) + row(["---"] * len(heads)) + "".join(row(cells) for cells in rows)
 
 
-def collect(files):
-    """{projection: {method: [error of a picture]}}"""
-    found = {}
+def read(files):
     for name in files:
         with open(name, encoding="utf-8") as file:
-            for record in json.load(file)["records"]:
-                methods = found.setdefault(record["projection"], {})
-                methods.setdefault(name_of(record), []).append(record["error"])
+            yield from json.load(file)["records"]
+
+
+def collect(records):
+    """{projection: {method: [error of a picture]}}"""
+    found = {}
+    for record in records:
+        methods = found.setdefault(record["projection"], {})
+        methods.setdefault(name_of(record), []).append(record["error"])
     return dict(sorted(found.items()))
 
 
@@ -92,11 +99,14 @@ def put(text, mark, new):
 
 def main():
     page, files = sys.argv[1], sys.argv[2:]
-    found = collect(files)
+    records = list(read(files))
+    found = collect(r for r in records if r["size"][0] <= WIDE)
+    wide = collect(r for r in records if r["size"][0] > WIDE)
     with open(page, encoding="utf-8") as file:
         text = file.read()
     text = put(text, "errors", strict_errors(found))
     text = put(text, "limits", largest_errors(found))
+    text = put(text, "wide", strict_errors(wide))
     with open(page, "w", encoding="utf-8") as file:
         file.write(text)
 

@@ -5,8 +5,8 @@
 #
 #   bash Testing/Benchmark/errors.sh [--data FOLDER]
 #
-# Two projections at a time, some forty minutes on two cores: times are not looked at. Needs a
-# build in build/.
+# Two projections at a time, some forty minutes on two cores, and another forty for the pictures of
+# 8192 x 4096, which take 12 GB: times are not looked at. Needs a build in build/.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
@@ -14,14 +14,16 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
   { echo "errors.sh: there is no build/bin/widefov-bench; build the project first" >&2; exit 1; }
 
 mkdir -p output/errors
-# measure FILE [OPTION...]: NAME stands for a projection
+# measure PROCESSES FILE [OPTION...]: NAME stands for a projection
 measure() {
   bash Utilities/with-display.sh build/bin/widefov-render --list-projections |
     grep -v -e perspective -e direction-map |
-    xargs -P 2 -I NAME bash Utilities/with-display.sh build/bin/widefov-bench --frames 1 \
-      --size 1024x512 --projection NAME --output "output/errors/$1" "${@:2}"
+    xargs -P "$1" -I NAME bash Utilities/with-display.sh build/bin/widefov-bench --frames 1 \
+      --projection NAME --output "output/errors/$2" "${@:3}"
 }
-measure NAME.json --methods exact,auto "$@"
+measure 2 NAME.json --size 1024x512 --methods exact,auto "$@"
 # software draws patches slowly: without the largest scenes
-measure NAME-tessellate.json --methods tessellate --scenes cornell,room,atrium,globe,vector-cloud "$@"
+measure 2 NAME-tessellate.json --size 1024x512 --methods tessellate \
+  --scenes cornell,room,atrium,globe,vector-cloud "$@"
+measure 1 NAME-8192.json --size 8192x4096 --methods exact --scenes cornell,room,atrium "$@"
 /usr/bin/python3 -B Testing/Benchmark/errors.py Documentation/benchmarks/errors.md output/errors/*.json
