@@ -332,8 +332,8 @@ WfvRay wfvLook(out vec3 e)
 const float WFV_HAIR = 6e-7;
 
 // A hair is wider where a depth buffer tells faces that fold flat apart no nearer to their edge, but by
-// none of these: radians, pixels, a share of the triangle's height over the edge.
-const vec3 WFV_WIDE_HAIR = vec3(4e-6, 0.01, 0.25);
+// none of these: radians, pixels, a share of the way between the two nearest edges.
+const vec3 WFV_WIDE_HAIR = vec3(4e-6, 0.01, 0.5);
 
 // Of a face's slope against the ray, by which a hair moves it less: never by more than 50 hairs, as it
 // would where a splinter is seen edge-on.
@@ -350,11 +350,11 @@ void wfvOrder(float approach, vec3 e)
   float size = wfvTaxiLength(edge);
   float each = 1.0 / size;
   float inside = least * each;
-  float height = abs(approach);
-  vec2 shares = WFV_WIDE_HAIR.yz * vec2(fwidth(inside), height * each);
+  float between = e.x + e.y + e.z - max(e.x, max(e.y, e.z));
+  vec2 shares = WFV_WIDE_HAIR.yz * vec2(fwidth(inside), between * each);
   float hair = max(WFV_HAIR, min(WFV_WIDE_HAIR.x, min(shares.x, shares.y)));
   float rise = dot(wfvPlane, edge) * each;
-  float nearer = max(hair - inside, 0.0) * rise / (height + abs(rise) * WFV_STEEP);
+  float nearer = max(hair - inside, 0.0) * rise / (abs(approach) + abs(rise) * WFV_STEEP);
   wfvDepth = wfvDepthInUnits(wfvRho - wfvRho * (size * approach != 0.0 ? nearer : 0.0));
 }
 
