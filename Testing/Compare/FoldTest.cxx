@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two triangles that meet in a fold, the one seen from its front, the other from behind. The ray of a
-// pixel passes the fold so near that in float32, or in a depth buffer, both lie at one depth. What
-// hides the other in truth does so in the picture, in whichever order they are drawn.
+// Two triangles that meet in a fold, the one seen from its front, the other from behind. The ray of
+// a pixel passes the fold so near that in float32, or in a depth buffer, both lie at one depth.
+// What hides the other in truth does so in the picture, in whichever order they are drawn.
 #include "DrawingTest.h"
 #include "RayCaster.h"
 #include "vtkWideFoVPass.h"
