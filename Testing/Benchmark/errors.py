@@ -5,7 +5,7 @@
     errors.py PAGE.md BENCH.json...
 
 Replaces what stands between <!-- begin errors --> and <!-- end errors --> in the page, and
-between the same marks of "limits" and, from pictures wider than WIDE, of "wide".
+between the same marks of "limits" and, if there are pictures wider than WIDE, of "wide".
 """
 
 import json
@@ -106,7 +106,8 @@ def main():
         text = file.read()
     text = put(text, "errors", strict_errors(found))
     text = put(text, "limits", largest_errors(found))
-    text = put(text, "wide", strict_errors(wide))
+    if wide:
+        text = put(text, "wide", strict_errors(wide))
     with open(page, "w", encoding="utf-8") as file:
         file.write(text)
 
