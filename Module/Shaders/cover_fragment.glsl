@@ -327,13 +327,14 @@ WfvRay wfvLook(out vec3 e)
 #endif
 }
 
-// Radians, a hair at the least: more than a float32 ray is turned by, which is most on the faces of a
+// Radians, a hair at the least where edges are apart: more than a float32 ray is turned by, which is most on the faces of a
 // cube, where edges are moved aside (preclip_planes.glsl).
 const float WFV_HAIR = 6e-7;
 
 // A hair is wider where a depth buffer tells faces that fold flat apart no nearer to their edge, but by
-// none of these: radians, pixels, a share of the way between the two nearest edges.
-const vec3 WFV_WIDE_HAIR = vec3(4e-6, 0.01, 0.5);
+// none of these: radians, pixels. The third is a share of the way between the two nearest edges, which
+// bounds every hair: the tip of a needle beside a fold, moved by more, falls behind the back.
+const vec3 WFV_WIDE_HAIR = vec3(4e-6, 0.01, 0.06);
 
 // Of a face's slope against the ray, by which a hair moves it less: never by more than 50 hairs, as it
 // would where a splinter is seen edge-on.
@@ -352,7 +353,7 @@ void wfvOrder(float approach, vec3 e)
   float inside = least * each;
   float between = e.x + e.y + e.z - max(e.x, max(e.y, e.z));
   vec2 shares = WFV_WIDE_HAIR.yz * vec2(fwidth(inside), between * each);
-  float hair = max(WFV_HAIR, min(WFV_WIDE_HAIR.x, min(shares.x, shares.y)));
+  float hair = min(max(WFV_HAIR, min(WFV_WIDE_HAIR.x, shares.x)), shares.y);
   float rise = dot(wfvPlane, edge) * each;
   float nearer = max(hair - inside, 0.0) * rise / (abs(approach) + abs(rise) * WFV_STEEP);
   wfvDepth = wfvDepthInUnits(wfvRho - wfvRho * (size * approach != 0.0 ? nearer : 0.0));
