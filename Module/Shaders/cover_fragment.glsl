@@ -327,8 +327,8 @@ WfvRay wfvLook(out vec3 e)
 #endif
 }
 
-// Radians, a hair at the least where edges are apart: more than a float32 ray is turned by, which is most on the faces of a
-// cube, where edges are moved aside (preclip_planes.glsl).
+// Radians, a hair at the least where edges are apart: more than a float32 ray is turned by, which is
+// most on the faces of a cube, where edges are moved aside (preclip_planes.glsl).
 const float WFV_HAIR = 6e-7;
 
 // A hair is wider where a depth buffer tells faces that fold flat apart no nearer to their edge, but by
