@@ -73,6 +73,9 @@ measure() { # FILE.json OPTION...: the scenes that were asked for
   bash Utilities/with-display.sh build/bin/widefov-bench --output "output/$1" "${@:2}" \
     ${scenes[@]+"${scenes[@]}"} ${data[@]+"${data[@]}"}
 }
+publish() { # FILE.json...: on the page, without the places of pixels that differ
+  /usr/bin/python3 -B Testing/Benchmark/publish.py "$page" "${@/#/output/}"
+}
 measure benchmark.json ${quick[@]+"${quick[@]}"}
 measure table1.json --table1 ${few[@]+"${few[@]}"}
 measure turning.json --quick --turn 1 --methods auto,exact,cubemap
@@ -85,12 +88,11 @@ bash Utilities/with-display.sh build/bin/widefov-bench --output output/stereo.js
 if [ -n "$large" ]; then
   [ "${#scenes[@]}" -gt 0 ] || scenes=(--scenes cornell,room,atrium,office,flow-large)
   measure large.json --size 2048x1024 --frames 3 --methods auto,cubemap
-  cp output/large.json "$page/"
+  publish large.json
 fi
 
 step=writing
-cp output/benchmark.json output/table1.json output/turning.json output/small.json \
-  output/stereo.json "$page/"
+publish benchmark.json table1.json turning.json small.json stereo.json
 [ -f "$page/README.md" ] || cp Documentation/benchmarks/README.md "$page/"
 /usr/bin/python3 -B Testing/Benchmark/plot.py "$page/benchmark.json" "$page"
 beside=()
