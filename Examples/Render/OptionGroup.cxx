@@ -3,6 +3,8 @@
 
 #include "Messages.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <iostream>

@@ -6,13 +6,18 @@
 #include "Look.h"
 #include "OptionValues.h"
 
-#include <CLI/CLI.hpp>
-
 #include <array>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
+
+// CLI11 is all header: only what declares options is to compile it.
+namespace CLI
+{
+class App;
+class Option;
+}
 
 namespace widefov
 {

@@ -10,6 +10,8 @@
 #include "Sights.h"
 #include "StereoOptions.h"
 
+#include <CLI/CLI.hpp>
+
 namespace widefov
 {
 namespace

@@ -7,6 +7,8 @@
 #include "OptionCheck.h"
 #include "OptionGroup.h"
 
+#include <CLI/CLI.hpp>
+
 namespace widefov
 {
 namespace

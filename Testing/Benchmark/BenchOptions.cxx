@@ -6,6 +6,8 @@
 #include "OptionGroup.h"
 #include "Plan.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <iostream>
 

@@ -5,6 +5,8 @@
 #include "OptionGroup.h"
 #include "vtkWideFoVPass.h"
 
+#include <CLI/CLI.hpp>
+
 #include <iostream>
 
 namespace wfv
