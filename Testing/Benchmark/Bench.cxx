@@ -59,7 +59,7 @@ double WarmUp(BenchStage& stage, std::vector<Record>& records)
     double last = 0;
     for (int frame = 0; frame < WarmUpFrames; ++frame)
     {
-      last = stage.Draw(entry);
+      last = stage.Draw(entry).Passed;
     }
     records[i].Note = DrawsAsPreClip(entry) ? NotBuilt : "";
     all += records[i].Note.empty() ? last : 0;
@@ -77,7 +77,9 @@ void Time(BenchStage& stage, std::vector<Record>& records, int frames)
     {
       if (records[i].Note.empty())
       {
-        records[i].Milliseconds.push_back(stage.Draw(stage.GetEntries()[i]));
+        const FrameTime time = stage.Draw(stage.GetEntries()[i]);
+        records[i].Milliseconds.push_back(time.Passed);
+        records[i].ProcessorMilliseconds.push_back(time.Processor);
       }
     }
     progress.Update(double(frame + 1) / frames);

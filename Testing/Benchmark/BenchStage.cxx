@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 
 namespace wfv
 {
@@ -171,7 +172,7 @@ void DrawEyes(BenchEntry& entry)
 }
 }
 
-double BenchStage::Draw(BenchEntry& entry)
+FrameTime BenchStage::Draw(BenchEntry& entry)
 {
   if (entry.Run.Turn != 0)
   {
@@ -179,13 +180,15 @@ double BenchStage::Draw(BenchEntry& entry)
   }
   entry.Renderer->DrawOn();
   entry.Window->MakeCurrent();
+  const std::clock_t used = std::clock();
   const auto start = std::chrono::steady_clock::now();
   DrawEyes(entry);
   entry.Window->WaitForCompletion();
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
+  const double processor = 1000.0 * static_cast<double>(std::clock() - used) / CLOCKS_PER_SEC;
   entry.Renderer->DrawOff();
   CheckMessages(entry.Run);
-  return time.count();
+  return { time.count(), processor };
 }
 
 std::optional<long long> BenchStage::CountFragments(BenchEntry& entry)

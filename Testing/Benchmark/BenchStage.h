@@ -42,9 +42,9 @@ public:
   const BenchScene& GetScene() const { return this->Scene; }
 
   // Turns the camera as the run says, then draws one frame, of both eyes where it has them, and
-  // waits until it is drawn. Milliseconds, without the turn. Throws a Failure with ExitFailed
-  // where VTK reports an error.
-  double Draw(BenchEntry& entry);
+  // waits until it is drawn. Times are without the turn. Throws a Failure with ExitFailed where VTK
+  // reports an error.
+  FrameTime Draw(BenchEntry& entry);
 
   // Draws one more frame; how often fragment programs run in it, by OpenGL's own count, which knows
   // no early depth test of blocks. None where OpenGL does not count.

@@ -82,7 +82,8 @@ Json ToJson(const Record& r)
     { "vfov", floor ? Json(nullptr) : Json(o.View.VerticalFov) },
     { "size", { o.Size[0], o.Size[1] } }, { "samples", o.Samples }, { "method", r.Run.Method },
     { "parameter", r.Run.Parameter ? Json(*r.Run.Parameter) : Json(nullptr) },
-    { "ms", Times(r.Milliseconds) }, { "frames", r.Milliseconds.size() },
+    { "ms", Times(r.Milliseconds) }, { "processor_ms", Times(r.ProcessorMilliseconds) },
+    { "frames", r.Milliseconds.size() },
     { "covered", r.Covered ? Json(*r.Covered) : Json(nullptr) },
     { "fragments", r.Fragments ? Json(*r.Fragments) : Json(nullptr) },
     { "error", Figures(r.Error) } };

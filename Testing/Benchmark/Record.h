@@ -36,12 +36,20 @@ struct ErrorFigures
   bool HasDepth = false; // the method shows distances
 };
 
+// What a frame takes, milliseconds: until it is drawn, and of all processors together.
+struct FrameTime
+{
+  double Passed = 0;
+  double Processor = 0;
+};
+
 struct Record
 {
   std::string Scene;
   long long Triangles = 0;
   bench::Run Run;
-  std::vector<double> Milliseconds; // one a frame
+  std::vector<double> Milliseconds; // one a frame: FrameTime::Passed
+  std::vector<double> ProcessorMilliseconds;
   std::optional<ErrorFigures> Error;
   std::optional<long> Covered;        // pixels with something in them
   std::optional<long long> Fragments; // runs of fragment programs in a frame, all passes

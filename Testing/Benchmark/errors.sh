@@ -5,7 +5,7 @@
 #
 #   bash Testing/Benchmark/errors.sh [--data FOLDER]
 #
-# Two projections at a time, some forty minutes on two cores, and another twenty for the pictures of
+# Two projections at a time, some forty minutes on two cores, and as many for the pictures of
 # 8192 x 4096, which take 12 GB: times are not looked at. Needs a build in build/.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
@@ -25,5 +25,5 @@ measure 2 NAME.json --size 1024x512 --methods exact,auto "$@"
 # software draws patches slowly: without the largest scenes
 measure 2 NAME-tessellate.json --size 1024x512 --methods tessellate \
   --scenes cornell,room,atrium,globe,vector-cloud "$@"
-measure 1 NAME-8192.json --size 8192x4096 --methods exact --scenes atrium "$@"
+measure 1 NAME-8192.json --size 8192x4096 --quick --methods exact,auto --scenes atrium "$@"
 /usr/bin/python3 -B Testing/Benchmark/errors.py Documentation/benchmarks/errors.md output/errors/*.json

@@ -83,7 +83,7 @@ bash Utilities/with-display.sh build/bin/widefov-bench --output output/small.jso
   --scenes balls,balls-apart --size 2048x1024 --methods auto,vertex,floor
 eyes=(--scenes atrium,flow-large)
 [ "${#scenes[@]}" -eq 0 ] || eyes=("${scenes[@]}")
-bash Utilities/with-display.sh build/bin/widefov-bench --output output/stereo.json --quick --frames 9 \
+bash Utilities/with-display.sh build/bin/widefov-bench --output output/stereo.json --quick --frames 15 \
   "${eyes[@]}" ${data[@]+"${data[@]}"} --methods auto,exact,perspective,stereo-omnidirectional,stereo-offaxis
 if [ -n "$large" ]; then
   [ "${#scenes[@]}" -gt 0 ] || scenes=(--scenes cornell,room,atrium,office,flow-large)

@@ -132,19 +132,22 @@ def small_text(small):
 
 
 def stereo_text(stereo):
-    """Both eyes by one picture without stereo."""
+    """Both eyes by one picture without stereo: until drawn, and of all processors together."""
     records = stereo["records"]
-    time = {(r["scene"], method_of(r)): r["ms"]["median"] for r in records}
+    of = {(r["scene"], method_of(r)): r for r in records}
     pairs = [("stereo-omnidirectional", "auto 0.25"), ("stereo-omnidirectional", "exact")]
     pairs.append(("stereo-offaxis", "perspective"))
-    rows = [
-        [scene, both, number(time[scene, both]), one, number(time[scene, one])]
-        + [number(time[scene, both] / time[scene, one])]
-        for scene in dict.fromkeys(r["scene"] for r in records)
-        for both, one in pairs
-    ]
+    rows = []
+    for scene in dict.fromkeys(r["scene"] for r in records):
+        for both, one in pairs:
+            row = [scene, both, one]
+            for key in ("ms", "processor_ms"):
+                times = [of[scene, method][key]["median"] for method in (both, one)]
+                row += [number(t) for t in (*times, times[0] / times[1])]
+            rows.append(row)
     text = "%dx%d an eye ([stereo.json](stereo.json)):\n\n" % tuple(records[0]["size"])
-    return text + table(["scene", "both eyes", "ms", "one picture", "ms", "both / one"], rows)
+    header = ["scene", "both eyes", "one picture", "both, ms", "one, ms", "both / one"]
+    return text + table(header + ["both, processor ms", "one, processor ms", "both / one"], rows)
 
 
 def large_text(large):
