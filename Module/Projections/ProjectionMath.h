@@ -65,6 +65,9 @@ constexpr int WFV_NEWTON_STEPS = 64;
 // The step after which the next result is double's last (glsl_math.glsl).
 constexpr double WFV_ROOT_STEP = 1e-8;
 
+// Double tells the sides of a border apart (glsl_math.glsl).
+constexpr double WFV_BESIDE_SEAM = 0;
+
 #define WFV_FN inline
 #define WFV_TABLES const DirectionMap*
 #define WFV_DEPTH_MAPPING(v) (v).depthMapping

@@ -104,6 +104,15 @@ WFV_FN vec3 wfvAzimuthalDirection(vec2 a)
   return vec3(theta.x * azimuth.y, theta.x * azimuth.x, -theta.y);
 }
 
+// The ray d of a place x to the right of the middle of a map that ends at lambda = +-pi. Beside
+// that border, rounding may turn a ray on to the meridian behind or beyond, where it would see what
+// the other border shows.
+WFV_FN vec3 wfvOnItsSide(vec3 d, float x)
+{
+  float side = x < 0.0 ? -1.0 : 1.0;
+  return vec3(d.z > 0.0 ? side * max(WFV_BESIDE_SEAM, side * d.x) : d.x, d.y, d.z);
+}
+
 // The direction of twice the longitude of d, a unit vector (to the right, up, ahead) of the
 // half sphere ahead, at the same latitude.
 WFV_FN vec3 wfvDoubleLongitude(vec3 d)
@@ -114,5 +123,5 @@ WFV_FN vec3 wfvDoubleLongitude(vec3 d)
   {
     r = vec3(2.0 * d.x * d.z / c, d.y, (d.x * d.x - d.z * d.z) / c);
   }
-  return r;
+  return wfvOnItsSide(r, d.x);
 }

@@ -106,6 +106,9 @@ WFV_FN float wfvLog(float x)
 // error of a step is about the square of the one before.
 const float WFV_ROOT_STEP = 3e-4;
 
+// Radians, to which float32 knows the ray of a place beside the border: wfvOnItsSide.
+const float WFV_BESIDE_SEAM = 1.2e-7;
+
 // The first five terms; the rest is under 4e-10 for |t| <= 0.1716.
 WFV_FN float wfvAtanhSeries(float t)
 {

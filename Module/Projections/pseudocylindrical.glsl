@@ -30,6 +30,6 @@ WFV_FN WfvRay wfvRayOfMap(vec2 m, WfvView v)
   ray.inside = abs(m.y) <= WFV_TOP * WFV_BORDER && abs(m.x) <= WFV_PI * row.x * WFV_BORDER;
   float lambda = row.x > 0.0 ? max(-WFV_PI, min(WFV_PI, m.x / row.x)) : 0.0;
   vec2 sc = wfvSinCos(lambda);
-  ray.direction = vec3(row.y * sc.x, row.z, -row.y * sc.y);
+  ray.direction = wfvOnItsSide(vec3(row.y * sc.x, row.z, -row.y * sc.y), m.x);
   return ray;
 }

@@ -81,7 +81,7 @@ WFV_FN WfvRay wfvRayOfMap(vec2 m, WfvView v)
       break;
     }
   }
-  ray.direction = wfvMeridianDirection(
-    vec2(m.x < 0.0 ? -2.0 * a.x : 2.0 * a.x, m.y < 0.0 ? -a.y : a.y));
+  ray.direction = wfvOnItsSide(
+    wfvMeridianDirection(vec2(m.x < 0.0 ? -2.0 * a.x : 2.0 * a.x, m.y < 0.0 ? -a.y : a.y)), m.x);
   return ray;
 }

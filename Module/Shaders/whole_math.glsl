@@ -69,3 +69,6 @@ double wfvWholeCbrt(double x)
 
 // As WFV_ROOT_STEP: the next step of an iteration errs by about its square.
 const double WFV_WHOLE_ROOT_STEP = 1e-6lf;
+
+// As WFV_BESIDE_SEAM: more than functions of angles err here.
+const double WFV_WHOLE_BESIDE_SEAM = 2e-12lf;

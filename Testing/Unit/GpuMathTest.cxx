@@ -140,6 +140,14 @@ bool IsOnBorder(const View& view, const vec2& ndc)
   return view.Ray(ndc * (1 - BorderSlack)).Inside != view.Ray(ndc * (1 + BorderSlack)).Inside;
 }
 
+// Whether a ray that looks back, of a map that ends behind the eye, is not on the border nor beyond
+// it: there it would see what the other border shows.
+bool IsOnItsSide(const Projection& p, const vec3& d, const vec2& ndc)
+{
+  const bool back = p.Axis == Family::Meridian && d.z > 0;
+  return !back || ndc.x == 0 || d.x * ndc.x > 0;
+}
+
 // wfvUnproject: the angle between the directions, by the pixels an angle has on the axis,
 // or how far from its point in the picture the direction found really lies: where a map is
 // flat (at the poles of an equal-area cylinder) the one says nothing, where it stretches (at
@@ -161,6 +169,8 @@ Worst WorstRay(const NamedView& v, const std::vector<Texel>& in, const std::vect
       continue;
     }
     ++worst.Inputs;
+    EXPECT_TRUE(IsOnItsSide(p, ToVec3(out[i]), ndc))
+      << v.Name << " ndc " << Text(ndc) << " ray " << Text(ToVec3(out[i]));
     const vec2 place = p.Project(ToVec3(out[i]), v.TheView.GetParameters());
     const double height = PictureWidth / v.Options.Aspect;
     const double aside =
