@@ -114,7 +114,7 @@ WFV_FN vec3 wfvOnItsSide(vec3 d, float x)
 }
 
 // The direction of twice the longitude of d, a unit vector (to the right, up, ahead) of the
-// half sphere ahead, at the same latitude.
+// half sphere ahead, at the same latitude; on the side of d, however near the meridian behind.
 WFV_FN vec3 wfvDoubleLongitude(vec3 d)
 {
   float c = wfvHypot(d.x, d.z);

@@ -55,10 +55,10 @@ samples() {
       END { for (part in sum) print sum[part] "|" part }'
 }
 
-echo "$scene, $method"
 all="$(samples "$frames" "${@:4}")"
+[ -z "$standing" ] || first="$(samples "$settled" "${@:4}")"
+echo "$scene, $method"
 if [ -n "$standing" ]; then
-  first="$(samples "$settled" "${@:4}")"
   printf '%s\n--\n%s\n' "$first" "$all" | awk -F '|' -v n="$((frames - settled))" -v rate="$rate" '
     /^--$/ { later = 1; next }
     !later { before[$2] = $1; next }
