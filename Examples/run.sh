@@ -31,7 +31,7 @@ bash Utilities/install-packages.sh build examples
 # programs are switched on where they are off.
 step=configuring
 if [ ! -f build/build.ninja ]; then
-  cmake --preset default -DWIDEFOV_BUILD_TESTING=OFF
+  cmake --preset default -DWIDEFOV_BUILD_TESTING=OFF -DCMAKE_UNITY_BUILD=ON
 elif grep -q '^WIDEFOV_BUILD_EXAMPLES:BOOL=OFF$' build/CMakeCache.txt; then
   cmake -DWIDEFOV_BUILD_EXAMPLES=ON build
 fi

@@ -16,19 +16,19 @@
 namespace
 {
 // What a pass may know of a mapper only from inside.
-class MapperAccess : public vtkOpenGLPolyDataMapper
+class BufferAccess : public vtkOpenGLPolyDataMapper
 {
 public:
   // From the vertex buffer to model coordinates, row-major; false where they are the same.
   static bool BufferToModel(vtkOpenGLPolyDataMapper* mapper, double m[16])
   {
-    vtkOpenGLVertexBufferObjectGroup* const group = mapper->*(&MapperAccess::VBOs);
+    vtkOpenGLVertexBufferObjectGroup* const group = mapper->*(&BufferAccess::VBOs);
     vtkOpenGLVertexBufferObject* const buffer = group ? group->GetVBO("vertexMC") : nullptr;
     const bool shifted = buffer && buffer->GetCoordShiftAndScaleEnabled();
     if (shifted)
     {
       // VTK keeps it transposed, as its uniforms are
-      vtkMatrix4x4::Transpose((mapper->*(&MapperAccess::VBOShiftScale))->GetData(), m);
+      vtkMatrix4x4::Transpose((mapper->*(&BufferAccess::VBOShiftScale))->GetData(), m);
     }
     return shifted;
   }
@@ -88,7 +88,7 @@ void SetEye(const EyeUniforms& uniforms, vtkOpenGLPolyDataMapper* mapper, vtkAct
   const WorldEye& eye)
 {
   double buffer[16];
-  const bool shifted = MapperAccess::BufferToModel(mapper, buffer);
+  const bool shifted = BufferAccess::BufferToModel(mapper, buffer);
   double place[4];
   std::copy_n(eye.Place, 4, place);
   bool known = eye.Known;

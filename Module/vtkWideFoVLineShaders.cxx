@@ -18,7 +18,7 @@ constexpr int MaxComponents = 1024;
 
 // Of one vertex, beside the varyings: position, primitive number, and what
 // line_geometry.glsl writes (3 + 3 + 4 + 4 + 1).
-constexpr int OwnComponents = 4 + 1 + 15;
+constexpr int LineComponents = 4 + 1 + 15;
 
 // And where the map does not show the whole of an arc, or no eye sees all of it.
 constexpr int RangeComponents = 2;
@@ -39,7 +39,7 @@ int LineVertices(const Request& r, const std::vector<Varying>& varyings)
 {
   const bool rays = OwnRays(r);
   const bool cut = r.Projection->Axis == Family::Faces || r.Projection->FlatRim || rays;
-  const int own = OwnComponents + (cut ? RangeComponents : 0) + (rays ? FootComponents : 0);
+  const int own = LineComponents + (cut ? RangeComponents : 0) + (rays ? FootComponents : 0);
   const int quads = MaxComponents / (4 * (own + CornerComponents(varyings, 2)));
   return 4 * std::min(std::max(quads, FewestQuads), MostQuads);
 }

@@ -8,29 +8,30 @@
 
 namespace
 {
-using Primitive = vtkWideFoVShaderBuilder::Primitive;
+using QuadricPrimitive = vtkWideFoVShaderBuilder::Primitive;
 
 // What a pass may know of a mapper only from inside.
-class MapperAccess : public vtkOpenGLPolyDataMapper
+class QuadricAccess : public vtkOpenGLPolyDataMapper
 {
 public:
   static bool HasRadii(vtkOpenGLPolyDataMapper* mapper)
   {
-    auto* buffers = mapper->*(&MapperAccess::VBOs);
+    auto* buffers = mapper->*(&QuadricAccess::VBOs);
     return buffers->GetNumberOfComponents("radiusMC") > 0;
   }
 
-  static Primitive Fake(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor, Primitive kind)
+  static QuadricPrimitive Fake(
+    vtkOpenGLPolyDataMapper* mapper, vtkActor* actor, QuadricPrimitive kind)
   {
-    vtkOpenGLHelper* buffer = mapper->*(&MapperAccess::LastBoundBO);
-    const bool tubes = buffer && (mapper->*(&MapperAccess::DrawingTubes))(*buffer, actor);
-    const bool spheres = buffer && (mapper->*(&MapperAccess::DrawingSpheres))(*buffer, actor);
+    vtkOpenGLHelper* buffer = mapper->*(&QuadricAccess::LastBoundBO);
+    const bool tubes = buffer && (mapper->*(&QuadricAccess::DrawingTubes))(*buffer, actor);
+    const bool spheres = buffer && (mapper->*(&QuadricAccess::DrawingSpheres))(*buffer, actor);
     // stock VTK asks for tubes even while it draws points to pick them
-    if (spheres || (tubes && kind == Primitive::Points))
+    if (spheres || (tubes && kind == QuadricPrimitive::Points))
     {
-      return Primitive::PointSpheres;
+      return QuadricPrimitive::PointSpheres;
     }
-    return tubes ? Primitive::Tubes : kind;
+    return tubes ? QuadricPrimitive::Tubes : kind;
   }
 };
 }
@@ -39,18 +40,19 @@ namespace wfv
 {
 namespace quadric
 {
-Primitive KindOf(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor, Primitive kind)
+QuadricPrimitive KindOf(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor, QuadricPrimitive kind)
 {
   if (mapper->IsA("vtkOpenGLPointGaussianMapperHelper"))
   {
     // without a radius it draws plain points
-    return MapperAccess::HasRadii(mapper) ? Primitive::Splats : Primitive::Points;
+    return QuadricAccess::HasRadii(mapper) ? QuadricPrimitive::Splats : QuadricPrimitive::Points;
   }
   if (mapper->IsA("vtkOpenGLSphereMapper") || mapper->IsA("vtkOpenGLStickMapper"))
   {
-    return mapper->IsA("vtkOpenGLSphereMapper") ? Primitive::Spheres : Primitive::Sticks;
+    return mapper->IsA("vtkOpenGLSphereMapper") ? QuadricPrimitive::Spheres
+                                                : QuadricPrimitive::Sticks;
   }
-  return MapperAccess::Fake(mapper, actor, kind);
+  return QuadricAccess::Fake(mapper, actor, kind);
 }
 }
 }

@@ -20,7 +20,7 @@ constexpr int MostComponents = 1024;
 
 // Of a vertex of the cover, beside the stock shader's own: position, two balls, share,
 // primitive.
-constexpr int OwnComponents = 4 + 4 + 4 + 2 + 1;
+constexpr int QuadricComponents = 4 + 4 + 4 + 2 + 1;
 
 // Pieces of a long span: more would spare few pixels.
 constexpr int MostPieces = 4;
@@ -121,7 +121,7 @@ std::string CornerInputs(const Request& r, const std::vector<Varying>& varyings)
 // piece, where it crosses the seam.
 int CountPieces(const Request& r, const std::vector<Varying>& varyings)
 {
-  int components = OwnComponents;
+  int components = QuadricComponents;
   for (const Varying& v : varyings)
   {
     const int size = v.Type.compare(0, 3, "vec") == 0 ? v.Type[3] - '0' : 1;

@@ -16,7 +16,7 @@
 namespace
 {
 // Triangles a thread takes at least.
-constexpr vtkIdType Grain = 4096;
+constexpr vtkIdType HideGrain = 4096;
 constexpr vtkIdType LargeGrain = 16; // of those that are looked for in all of the picture
 
 // Triangles that may be anywhere in the picture, of which more would take longer to look at than
@@ -84,8 +84,8 @@ void SortedDraw::FindHiddenIn(const Entry& e, const Real* points,
   }
   const sorting::HiddenWork<Real, Entry> work(all, e, depths, rays, blocks, hidden);
   const auto first = static_cast<vtkIdType>(anywhere);
-  vtkSMPTools::For(0, first, looks ? LargeGrain : Grain, work);
-  vtkSMPTools::For(first, static_cast<vtkIdType>(hidden.size()), Grain, work);
+  vtkSMPTools::For(0, first, looks ? LargeGrain : HideGrain, work);
+  vtkSMPTools::For(first, static_cast<vtkIdType>(hidden.size()), HideGrain, work);
 }
 
 bool SortedDraw::FindHidden(Entry& e, vtkPolyData* data, HiddenScene& scene)

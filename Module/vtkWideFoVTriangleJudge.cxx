@@ -39,11 +39,6 @@ constexpr double BetweenCorners = 1.5;
 
 // Radians: edges that are off their great circles by more are measured.
 constexpr double LargestAside = 1e-3;
-
-double Square(double x)
-{
-  return x * x;
-}
 }
 
 namespace wfv

@@ -13,6 +13,11 @@
 
 namespace wfv
 {
+inline double Square(double x)
+{
+  return x * x;
+}
+
 // What a frame is drawn with, for the sorting of triangles.
 struct SortView
 {

@@ -7,14 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-namespace
-{
-double Square(double x)
-{
-  return x * x;
-}
-}
-
 namespace wfv
 {
 // `most` on both sides for all that is more than that.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshBuilder.h"
 
+#include "Angles.h"
+
 #include <vtkPointData.h>
 
 #include <cmath>
@@ -9,7 +11,6 @@ namespace widefov
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 }
 
 Vector3 operator+(const Vector3& a, const Vector3& b)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OptionCheck.h"
 
+#include "Angles.h"
 #include "ImageOutput.h"
 #include "Messages.h"
 #include "OptionValues.h"
@@ -16,7 +17,6 @@ namespace widefov
 {
 namespace
 {
-constexpr double Degree = 3.14159265358979323846 / 180;
 
 // Horizontal field of view of the perspective where none is given, degrees.
 constexpr double PerspectiveFov = 90;

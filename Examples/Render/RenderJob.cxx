@@ -30,8 +30,6 @@ namespace widefov
 {
 namespace
 {
-constexpr int WarmUpFrames = 2;
-
 // Rows of a tile of float channels at the most: a row of tiles waits in memory.
 constexpr int AovTileHeight = 256;
 

@@ -13,6 +13,9 @@ class vtkWideFoVPass;
 
 namespace widefov
 {
+// Frames before those that are timed: they make programs and buffers.
+constexpr int WarmUpFrames = 2;
+
 // Shader programs that were made, and the time that took. Unknown where stock VTK draws.
 struct ShaderCost
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A two-storey hall, closed all round, in as many triangles as a well-known one.
 #include "MeshBuilder.h"
+#include "Angles.h"
 #include "Messages.h"
 #include "Scenes.h"
 
@@ -11,7 +12,6 @@ namespace widefov
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 constexpr vtkIdType AtriumTriangles = 225839;
 
 // Metres; the origin is the middle of the hall, where the eye is.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Analytic vector fields round the eye.
 #include "ColorMaps.h"
+#include "Angles.h"
 #include "MeshBuilder.h"
 #include "Scenes.h"
 #include "VectorField.h"
@@ -15,7 +16,6 @@ namespace widefov
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 const char* const VelocityName = "velocity";
 
 // The Arnold-Beltrami-Childress flow, a steady solution of Euler's equations whose

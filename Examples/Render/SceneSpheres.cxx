@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Closed spheres round the eye.
 #include "MeshBuilder.h"
+#include "Angles.h"
 #include "Scenes.h"
 
 #include <vtkFloatArray.h>
@@ -14,7 +15,6 @@ namespace widefov
 {
 namespace
 {
-constexpr double Degree = 3.14159265358979323846 / 180;
 
 Vector3 PointOf(vtkPolyData* mesh, vtkIdType id)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scenes.h"
 
+#include "Angles.h"
 #include "Messages.h"
 
 #include <cmath>
@@ -60,7 +61,6 @@ Scene ColoredScene(const std::string& label, vtkPolyData* mesh)
 
 Vector3 DirectionOf(double longitude, double latitude)
 {
-  constexpr double Degree = 3.14159265358979323846 / 180;
   if (std::abs(latitude) >= 90)
   {
     return { { 0, latitude > 0 ? 1. : -1., 0 } }; // one point, whatever the longitude

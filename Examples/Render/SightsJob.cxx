@@ -7,6 +7,7 @@
 #include "Passes.h"
 #include "PictureFiles.h"
 #include "Progress.h"
+#include "RenderStats.h"
 #include "StereoLayout.h"
 #include "StereoOptions.h"
 
@@ -23,8 +24,6 @@ namespace widefov
 {
 namespace
 {
-constexpr int WarmUpFrames = 2;
-
 // What all pictures share: the window, the actors with their buffers.
 class SightsStage
 {

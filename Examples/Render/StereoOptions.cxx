@@ -22,7 +22,7 @@ namespace widefov
 namespace
 {
 // The largest distance that may be asked for, scene units: squares of it still fit a float32.
-constexpr double Most = 1e18;
+constexpr double MostLength = 1e18;
 
 // A number that one model alone takes; that it was given is kept.
 void ModelNumber(OptionGroup& group, Options& o, const std::string& name, const std::string& type,
@@ -132,7 +132,7 @@ void DeclareStereo(CLI::App& app, Options& o)
       o.StereoGiven.push_back(option);
     });
   DeclareAnaglyph(group, o);
-  ModelNumber(group, o, "--ipd", "D", s.InterpupillaryDistance, { 0, Most },
+  ModelNumber(group, o, "--ipd", "D", s.InterpupillaryDistance, { 0, MostLength },
     "omnidirectional, screens: distance between the eyes, scene units");
   group.Add("--pole-fade", "A,B", "off",
     "omnidirectional: latitudes, degrees, between which the eyes' distance fades",
@@ -142,13 +142,13 @@ void DeclareStereo(CLI::App& app, Options& o)
       o.StereoGiven.push_back(option);
     });
   ModelNumber(group, o, "--iod", "D", s.Iod, { 0, 10 }, "warped: distance between the eyes, NDC");
-  ModelNumber(group, o, "--distance", "D", s.Distance, { 0, Most },
+  ModelNumber(group, o, "--distance", "D", s.Distance, { 0, MostLength },
     "warped: of the viewer from the plane of zero parallax, NDC");
   DepthNumber(
     group, o, "--offset", s.Offset, { -1, 1 }, "warped: plane of zero parallax, NDC depth");
   ModelNumber(group, o, "--separation", "F", s.Separation, { 0, 0.5 },
     "offaxis: parallax far away, fraction of the width");
-  DepthNumber(group, o, "--convergence", s.Convergence, { 0, Most, true },
+  DepthNumber(group, o, "--convergence", s.Convergence, { 0, MostLength, true },
     "offaxis: distance of zero parallax, scene units");
   DeclareFrame(group, o);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fields.h"
 
+#include "Angles.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,7 +10,6 @@ namespace widefov
 {
 namespace
 {
-constexpr double Degree = 3.14159265358979323846 / 180;
 
 // Zooming in ends here, degrees: less than any scene's pixels are worth.
 constexpr double SmallestFov = 1;

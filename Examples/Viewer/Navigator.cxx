@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Navigator.h"
 
+#include "Angles.h"
 #include "MeshBuilder.h"
 
 #include <algorithm>
@@ -10,8 +11,6 @@ namespace widefov
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-constexpr double Degree = Pi / 180;
 
 // A direction whose horizontal part is shorter (of a unit vector) has no azimuth: beyond
 // the rounding of unit vectors, far below a pixel.

@@ -16,10 +16,10 @@ constexpr int Cells = 32;
 constexpr int Nodes = Cells + 3;
 
 // For what lies between the nodes; Testing/Unit/LocalBendTest.cxx looks there.
-constexpr double BendSafety = 1.25;
+constexpr double LocalSafety = 1.25;
 
 // Sine of the angle from a singular point below which there is no bound.
-constexpr double Singular = 0.05;
+constexpr double LocalSingular = 0.05;
 
 constexpr float Unbounded = std::numeric_limits<float>::infinity();
 
@@ -88,12 +88,12 @@ std::vector<LocalBend::Cell> Spread(const std::vector<LocalBend::Cell>& table)
 LocalBend::Cell NodeAt(const Projection& p, const WfvView& v, int face, int i, int j)
 {
   const vec3 d = FromFace(face, -1 + 2.0 * (i - 1) / Cells, -1 + 2.0 * (j - 1) / Cells);
-  if (SineToSingularity(p.Axis, d) < Singular)
+  if (SineToSingularity(p.Axis, d) < LocalSingular)
   {
     return { { Unbounded, Unbounded, Unbounded } };
   }
-  const vec2 second = BendSafety * SecondAt(p, v, d);
-  const vec2 both = BendSafety * FirstAt(p, v, d);
+  const vec2 second = LocalSafety * SecondAt(p, v, d);
+  const vec2 both = LocalSafety * FirstAt(p, v, d);
   const double first = std::max(both.x, both.y);
   const bool known = std::isfinite(second.x + second.y + first);
   return { { known ? float(second.x) : Unbounded, known ? float(second.y) : Unbounded,

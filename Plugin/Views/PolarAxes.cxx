@@ -36,12 +36,12 @@ const char* NumberOf(vtkAxisActor* axis, int i)
   return text && text->GetText() ? text->GetText() : "";
 }
 
-class StockAccess : public vtkPolarAxesActor
+class PolarAxesAccess : public vtkPolarAxesActor
 {
 public:
   static void Build(vtkPolarAxesActor* stock, vtkRenderer* renderer)
   {
-    (stock->*(&StockAccess::BuildAxes))(renderer);
+    (stock->*(&PolarAxesAccess::BuildAxes))(renderer);
     for (vtkAxisActor* const axis : GetRadialAxes(stock))
     {
       axis->BuildAxis(renderer, false);
@@ -49,13 +49,13 @@ public:
   }
   static vtkAxisActor* GetPolarAxis(vtkPolarAxesActor* stock)
   {
-    return stock->*(&StockAccess::PolarAxis);
+    return stock->*(&PolarAxesAccess::PolarAxis);
   }
   // Those that are drawn.
   static std::vector<vtkAxisActor*> GetRadialAxes(vtkPolarAxesActor* stock)
   {
     std::vector<vtkAxisActor*> axes;
-    const int count = stock->*(&StockAccess::NumberOfRadialAxes);
+    const int count = stock->*(&PolarAxesAccess::NumberOfRadialAxes);
     const bool round =
       vtkMathUtilities::FuzzyCompare(stock->GetMaximumAngle(), stock->GetMinimumAngle());
     for (int i = 0; stock->GetRadialAxesVisibility() && i < count; i++)
@@ -63,7 +63,7 @@ public:
       const bool inner = i != count - 1 || round;
       if (!inner || stock->GetDrawRadialGridlines())
       {
-        axes.push_back((stock->*(&StockAccess::RadialAxes))[i]);
+        axes.push_back((stock->*(&PolarAxesAccess::RadialAxes))[i]);
       }
     }
     return axes;
@@ -75,15 +75,15 @@ public:
     {
       return arcs;
     }
-    arcs.push_back(stock->*(&StockAccess::PolarArcsActor));
-    arcs.push_back(stock->*(&StockAccess::SecondaryPolarArcsActor));
+    arcs.push_back(stock->*(&PolarAxesAccess::PolarArcsActor));
+    arcs.push_back(stock->*(&PolarAxesAccess::SecondaryPolarArcsActor));
     if (stock->GetPolarTickVisibility() && stock->GetArcTickVisibility())
     {
-      arcs.push_back(stock->*(&StockAccess::ArcTickActor));
+      arcs.push_back(stock->*(&PolarAxesAccess::ArcTickActor));
     }
     if (stock->GetPolarTickVisibility() && stock->GetArcMinorTickVisibility())
     {
-      arcs.push_back(stock->*(&StockAccess::ArcMinorTickActor));
+      arcs.push_back(stock->*(&PolarAxesAccess::ArcMinorTickActor));
     }
     return arcs;
   }
@@ -142,9 +142,9 @@ void PolarAxes::Show(vtkRenderer* renderer)
 {
   this->Renderer = renderer;
   this->Labels.clear();
-  StockAccess::Build(this->Stock, renderer);
-  std::vector<vtkAxisActor*> drawn = StockAccess::GetRadialAxes(this->Stock);
-  vtkAxisActor* const polar = StockAccess::GetPolarAxis(this->Stock);
+  PolarAxesAccess::Build(this->Stock, renderer);
+  std::vector<vtkAxisActor*> drawn = PolarAxesAccess::GetRadialAxes(this->Stock);
+  vtkAxisActor* const polar = PolarAxesAccess::GetPolarAxis(this->Stock);
   if (this->Stock->GetPolarAxisVisibility())
   {
     drawn.push_back(polar);
@@ -273,7 +273,7 @@ void PolarAxes::AddNumbers(vtkAxisActor* axis)
 
 void PolarAxes::ShowArcs()
 {
-  const std::vector<vtkActor*> arcs = StockAccess::GetArcs(this->Stock);
+  const std::vector<vtkActor*> arcs = PolarAxesAccess::GetArcs(this->Stock);
   while (this->Lines.size() < arcs.size())
   {
     auto line = vtkSmartPointer<vtkActor>::New();

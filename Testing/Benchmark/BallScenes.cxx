@@ -13,7 +13,7 @@ namespace bench
 {
 namespace
 {
-constexpr int Balls = 127;
+constexpr int BallCount = 127;
 constexpr double Radius = 0.15; // seen from a distance of 1
 
 // Even in height and turned by the golden angle: evenly over the sphere.
@@ -53,7 +53,7 @@ widefov::Scene MakeBallScene(bool apart)
 {
   widefov::Scene scene;
   scene.Eye = widefov::Vector3{ { 0, 0, 0 } };
-  for (int count = Balls; static_cast<int>(scene.Props.size()) < Balls; count++)
+  for (int count = BallCount; static_cast<int>(scene.Props.size()) < BallCount; count++)
   {
     scene.Props.clear();
     for (int i = 0; i < count; i++)

@@ -17,7 +17,7 @@ using namespace wfv::test;
 namespace
 {
 // Pixels: what the contract asks of the pre-clip where no edge exceeds one degree.
-constexpr double Tolerance = 1;
+constexpr double FineMeshTolerance = 1;
 
 // Relative. Attributes, and with them the distance, are interpolated along chords: an edge
 // of one degree seen at an angle t from the perpendicular errs by at most
@@ -68,7 +68,7 @@ long UnexplainedAtAnyFiner(
 {
   return std::count_if(m.Worst.begin(), m.Worst.end(), [&](const reference::WorstPixel& pixel) {
     return !std::isfinite(
-      reference::NearestAgreement(caster, shot.Width, shot.Height, pixel, Tolerance));
+      reference::NearestAgreement(caster, shot.Width, shot.Height, pixel, FineMeshTolerance));
   });
 }
 
@@ -78,13 +78,13 @@ void Check(Drawing& drawing, const Shot& shot, const std::string& scene, double 
   const reference::DrawnPicture picture = drawing.Draw(shot);
   ASSERT_EQ(picture.Width, shot.Width) << "nothing was drawn: " << Describe(shot);
   const reference::RayCaster caster(drawing.GetMesh(), drawing.GetView(), drawing.GetPose());
-  const reference::Metrics m = reference::Compare(picture, caster, Tolerance);
+  const reference::Metrics m = reference::Compare(picture, caster, FineMeshTolerance);
   std::cout << Row(shot, scene, m) << std::endl;
   ASSERT_LE(m.UnexplainedPixels, long(reference::Metrics::MaxWorst));
   EXPECT_EQ(UnexplainedAtAnyFiner(caster, shot, m), 0) << scene << "\n  " << Describe(shot) << "\n"
                                                        << Details(shot, drawing.GetView(), m);
-  EXPECT_LE(m.MaxPx, Tolerance) << scene << "\n  " << Describe(shot) << "\n"
-                                << Details(shot, drawing.GetView(), m);
+  EXPECT_LE(m.MaxPx, FineMeshTolerance) << scene << "\n  " << Describe(shot) << "\n"
+                                        << Details(shot, drawing.GetView(), m);
   EXPECT_LE(m.MaxDepthRel, AllowedDepth(shot, depthTolerance)) << scene << "\n  " << Describe(shot);
 }
 }

@@ -21,10 +21,10 @@ using namespace wfv::test;
 
 namespace
 {
-constexpr int Width = 192;
-constexpr int Height = 96;
-constexpr int Meshes = 40;
-constexpr int Shots = 3; // a projection and technique
+constexpr int CullWidth = 192;
+constexpr int CullHeight = 96;
+constexpr int CullMeshes = 40;
+constexpr int CullShots = 3; // a projection and technique
 
 vtkSmartPointer<vtkPolyData> InStrips(vtkPolyData* mesh)
 {
@@ -39,10 +39,10 @@ class Crowd : public CullCrowd
 {
 public:
   explicit Crowd(int samples)
-    : CullCrowd(17, Width, Height, samples)
+    : CullCrowd(17, CullWidth, CullHeight, samples)
   {
     this->AddMesh(MakeRoom(40), vec3(0), 8, vec3(0.7, 0.7, 0.9));
-    for (int i = 0; i < Meshes; ++i)
+    for (int i = 0; i < CullMeshes; ++i)
     {
       const vec3 at = 5.0 * this->Place();
       const vec3 colour = 0.6 + 0.4 * this->Place();
@@ -68,7 +68,8 @@ private:
 };
 
 // Both techniques that sort.
-LeftOut Compare(Crowd& crowd, const Projection& p, int autoShots = Shots, int exactShots = Shots)
+LeftOut Compare(
+  Crowd& crowd, const Projection& p, int autoShots = CullShots, int exactShots = CullShots)
 {
   LeftOut left = crowd.Compare(p, vtkWideFoVPass::AUTO, autoShots);
   left += crowd.Compare(p, vtkWideFoVPass::EXACT, exactShots);
@@ -108,7 +109,7 @@ void CompareEyes(const std::string& model, int autoShots, int exactShots)
 
 TEST(Culling, ChangesNoPictureOfTwoEyes)
 {
-  CompareEyes("omnidirectional", Shots, Shots);
+  CompareEyes("omnidirectional", CullShots, CullShots);
 }
 
 // A picture of curves takes its time, and both techniques draw the same.
@@ -126,7 +127,7 @@ TEST(Culling, AsksOnceForBothEyes)
   {
     crowd.SetStereo(model);
     crowd.Pass->SetTechnique(vtkWideFoVPass::AUTO);
-    for (int i = 0; i < Shots; ++i)
+    for (int i = 0; i < CullShots; ++i)
     {
       crowd.Point(*FindProjection("equirectangular"));
       crowd.Draw(false); // all of them: what is drawn first prepares its mapper, which changes it

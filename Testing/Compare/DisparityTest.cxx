@@ -19,8 +19,8 @@ using namespace wfv::test;
 
 namespace
 {
-constexpr int Width = 720;
-constexpr int Height = 360;
+constexpr int DisparityWidth = 720;
+constexpr int DisparityHeight = 360;
 constexpr double Distance = 0.2; // between the eyes, scene units
 
 // Pixels: how far an edge may be from where the closed form has it.
@@ -52,7 +52,7 @@ std::vector<Edge> Edges()
 // Where an edge must be, so that the eye s sees it so many pixels to the right of its pixel.
 double LongitudeOf(const Edge& edge, int s, double offset)
 {
-  const double seen = ((edge.Column + 0.5 + offset) / Width - 0.5) * 2 * WFV_PI;
+  const double seen = ((edge.Column + 0.5 + offset) / DisparityWidth - 0.5) * 2 * WFV_PI;
   return seen + s * std::asin(0.5 * Distance / edge.Distance);
 }
 
@@ -92,8 +92,8 @@ int Check(Drawing& drawing, int s, double offset)
   const std::vector<Edge> edges = Edges();
   drawing.SetMesh(MakeWalls(edges, s, offset));
   Shot shot;
-  shot.Width = Width;
-  shot.Height = Height;
+  shot.Width = DisparityWidth;
+  shot.Height = DisparityHeight;
   shot.Options.Radii = { { 0.1, 200 } };
   shot.Options.Stereo.Model = FindStereoModel("omnidirectional");
   shot.Options.Stereo.Eye = s < 0 ? Eye::Left : Eye::Right;
@@ -104,12 +104,12 @@ int Check(Drawing& drawing, int s, double offset)
   {
     // right of the pixel's centre the edge leaves the left wall to it
     const double expected = double(2 * k) + (offset > 0 ? 0 : 1) + 1;
-    for (int j = 0; j < Height; j++)
+    for (int j = 0; j < DisparityHeight; j++)
     {
-      const double latitude = 90 - (j + 0.5) * 180 / Height;
+      const double latitude = 90 - (j + 0.5) * 180 / DisparityHeight;
       if (std::abs(latitude) < 90 - NearestPole)
       {
-        EXPECT_EQ(picture.Cell[j * Width + edges[k].Column], expected)
+        EXPECT_EQ(picture.Cell[j * DisparityWidth + edges[k].Column], expected)
           << "eye " << s << " edge " << k << " offset " << offset << " latitude " << latitude;
         looked++;
       }

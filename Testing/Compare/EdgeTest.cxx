@@ -39,7 +39,7 @@ constexpr double Widest = 4;
 
 // Radians by which edges are carried on: pixels inside a triangle may be nearer to the great
 // circle of an edge than to the edge.
-constexpr double Beyond = 0.5;
+constexpr double BeyondLine = 0.5;
 
 // The room as six polygons, which the mapper draws as two triangles each.
 vtkSmartPointer<vtkPolyData> MakeBox()
@@ -96,7 +96,7 @@ reference::Segment CarryOn(const vec3& p, const vec3& q, vtkIdType id)
   const vec3 v = glm::normalize(q - u * glm::dot(u, q));
   const double span = std::atan2(glm::dot(v, q), glm::dot(u, q));
   const auto at = [&](double a) { return std::cos(a) * u + std::sin(a) * v; };
-  return { at(-Beyond), at(span + Beyond), id };
+  return { at(-BeyondLine), at(span + BeyondLine), id };
 }
 
 // Of each pixel, the edges near it, numbered 3 x triangle + k.

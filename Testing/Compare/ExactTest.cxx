@@ -16,10 +16,10 @@ using namespace wfv::test;
 namespace
 {
 // Pixels: float32 in the shaders, double in the ray caster.
-constexpr double Tolerance = 0.02;
+constexpr double ExactTolerance = 0.02;
 
 // Relative error of the distance along the pixel's ray.
-constexpr double DepthTolerance = 1e-5;
+constexpr double ExactDepthTolerance = 1e-5;
 
 const std::vector<double> Fovs{ 60, 180, 270, 360 };
 }
@@ -30,7 +30,7 @@ protected:
   void SetUp() override
   {
     Picture->SetTechnique(vtkWideFoVPass::EXACT);
-    Picture->SetTolerance(Tolerance);
+    Picture->SetTolerance(ExactTolerance);
   }
 
   // Asserts one shot and prints its row.
@@ -39,11 +39,11 @@ protected:
     const reference::DrawnPicture picture = Picture->Draw(shot);
     ASSERT_EQ(picture.Width, shot.Width) << "nothing was drawn: " << Describe(shot);
     const reference::RayCaster caster(Picture->GetMesh(), Picture->GetView(), Picture->GetPose());
-    const reference::Metrics m = reference::Compare(picture, caster, Tolerance);
+    const reference::Metrics m = reference::Compare(picture, caster, ExactTolerance);
     std::cout << Row(shot, scene, m) << std::endl;
     EXPECT_EQ(m.UnexplainedPixels, 0) << scene << "\n  " << Describe(shot) << "\n"
                                       << Details(shot, Picture->GetView(), m);
-    EXPECT_LE(m.MaxDepthRel, DepthTolerance) << scene << "\n  " << Describe(shot);
+    EXPECT_LE(m.MaxDepthRel, ExactDepthTolerance) << scene << "\n  " << Describe(shot);
   }
 
   void CheckAll(const std::vector<NamedPose>& poses, const std::string& mesh)

@@ -20,10 +20,10 @@ using namespace wfv::test;
 namespace
 {
 // Pixels: as near as what is drawn for each eye.
-constexpr double Tolerance = 0.02;
+constexpr double FarTolerance = 0.02;
 
 // Relative: what the eyes' circle adds to a distance, half its share of it squared, is nothing.
-constexpr double DepthTolerance = 1e-5;
+constexpr double FarDepthTolerance = 1e-5;
 
 // Triangles with outlines of their own: balls, one before the other.
 vtkSmartPointer<vtkPolyData> MakeBalls(const std::vector<Placement>& places)
@@ -109,12 +109,12 @@ TEST_P(CompareFar, ShowsWhatEachEyeSees)
     const reference::DrawnPicture picture = this->Draw(shot);
     EXPECT_EQ(Picture->GetNumberOfFarProps(), 2);
     const reference::RayCaster caster(this->All, Picture->GetView(), Picture->GetPose());
-    const reference::Metrics m = reference::Compare(picture, caster, Tolerance);
+    const reference::Metrics m = reference::Compare(picture, caster, FarTolerance);
     std::cout << Row(shot, "eyes apart " + std::to_string(apart), m) << std::endl;
     EXPECT_EQ(m.UnexplainedPixels, 0) << Describe(shot) << "\n"
                                       << Details(shot, Picture->GetView(), m);
     // where a surface runs away from the eye, a distance is as right as the place
-    EXPECT_TRUE(m.MaxDepthRel <= DepthTolerance || m.DepthPx <= Tolerance)
+    EXPECT_TRUE(m.MaxDepthRel <= FarDepthTolerance || m.DepthPx <= FarTolerance)
       << m.MaxDepthRel << ", " << m.DepthPx << " px\n  " << Describe(shot);
   }
 }

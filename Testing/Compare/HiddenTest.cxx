@@ -30,16 +30,16 @@ using namespace wfv::test;
 
 namespace
 {
-constexpr int Width = 256;
-constexpr int Height = 128;
-constexpr int Shots = 2; // a projection and technique
+constexpr int HiddenWidth = 256;
+constexpr int HiddenHeight = 128;
+constexpr int HiddenShots = 2; // a projection and technique
 
 // Balls of triangles of several sizes among each other, in a room.
 class Heap : public CullCrowd
 {
 public:
   explicit Heap(int samples = 0)
-    : CullCrowd(29, Width, Height, samples)
+    : CullCrowd(29, HiddenWidth, HiddenHeight, samples)
   {
     this->AddMesh(MakeRoom(24), vec3(0), 8);
     for (int i = 0; i < Balls; ++i)
@@ -56,7 +56,7 @@ public:
   {
   };
   explicit Heap(Hiding)
-    : CullCrowd(1, Width, Height, 0)
+    : CullCrowd(1, HiddenWidth, HiddenHeight, 0)
   {
     this->AddMesh(MakeRoom(24), vec3(0), 8);
     this->AddMesh(MakeGlobe(16), vec3(0, 0, -3), 1);
@@ -69,7 +69,7 @@ public:
   {
   };
   explicit Heap(Stack)
-    : CullCrowd(3, Width, Height, 0)
+    : CullCrowd(3, HiddenWidth, HiddenHeight, 0)
   {
     this->AddMesh(MakeRoom(24), vec3(0), 8);
     for (int i = 0; i < Balls; ++i)
@@ -111,8 +111,8 @@ vtkIdType CompareAll(Heap& heap, const std::vector<const char*>& names)
     if (names.empty() || std::any_of(names.begin(), names.end(), is))
     {
       const vtkIdType before = hidden;
-      hidden += heap.CompareHidden(p, vtkWideFoVPass::AUTO, Shots);
-      hidden += heap.CompareHidden(p, vtkWideFoVPass::EXACT, Shots);
+      hidden += heap.CompareHidden(p, vtkWideFoVPass::AUTO, HiddenShots);
+      hidden += heap.CompareHidden(p, vtkWideFoVPass::EXACT, HiddenShots);
       EXPECT_TRUE(hidden > before || p.Axis == Family::Planar) << p.Name;
     }
   }
@@ -222,11 +222,11 @@ TEST(Occlusion, LeavesSelectionsAlone)
   const vtkIdType hidden = heap.CompareHidden();
   ASSERT_GT(hidden, 0);
   vtkNew<vtkPropPicker> picker;
-  EXPECT_EQ(picker->Pick(Width / 2.0, Height / 2.0, 0, heap.Renderer), 1);
+  EXPECT_EQ(picker->Pick(HiddenWidth / 2.0, HiddenHeight / 2.0, 0, heap.Renderer), 1);
   EXPECT_EQ(picker->GetActor(), heap.GetActor(1));
   picker->PickFromListOn();
   picker->AddPickList(heap.GetActor(2));
-  EXPECT_EQ(picker->Pick(Width / 2.0, Height / 2.0, 0, heap.Renderer), 1);
+  EXPECT_EQ(picker->Pick(HiddenWidth / 2.0, HiddenHeight / 2.0, 0, heap.Renderer), 1);
   EXPECT_EQ(picker->GetActor(), heap.GetActor(2));
   heap.Draw(true);
   EXPECT_EQ(heap.Pass->GetNumberOfHiddenTriangles(), hidden);

@@ -17,11 +17,11 @@ using namespace wfv::test;
 namespace
 {
 // Pixels.
-constexpr double Tolerance = 0.02;
+constexpr double PositionTolerance = 0.02;
 
 // Relative error of the distance along the pixel's ray. float32 leaves 4e-7; double, of an
 // eye at 1e5 and 1e-5 from the wall, another 1e-6.
-constexpr double DepthTolerance = 2e-6;
+constexpr double PositionDepthTolerance = 2e-6;
 
 struct Place
 {
@@ -33,7 +33,7 @@ struct Place
 // Points are float where they reach the mapper's buffer as they are: what that holds is what
 // the ray caster sees. VTK shifts and scales points whose box is far away for its size; those
 // of a large box round the origin it would scale too, had their mapper not been told.
-const Place Places[] = { { "at the origin", { vec3(0), 1, false } },
+const Place WallPlaces[] = { { "at the origin", { vec3(0), 1, false } },
   { "points at 1e5", { vec3(1e5, -1e5, 1e5), 1, false } },
   { "actor at 1e5", { vec3(0), 1, false }, vec3(1e5, -1e5, 1e5) },
   { "size 1000", { vec3(0), 1000, false } } };
@@ -78,18 +78,18 @@ protected:
     const reference::DrawnPicture picture = Picture->Draw(shot);
     ASSERT_EQ(picture.Width, shot.Width) << "nothing was drawn: " << Describe(shot);
     const reference::RayCaster caster(Picture->GetMesh(), Picture->GetView(), Picture->GetPose());
-    const reference::Metrics m = reference::Compare(picture, caster, Tolerance);
+    const reference::Metrics m = reference::Compare(picture, caster, PositionTolerance);
     std::cout << Row(shot, place.Name + (" " + std::to_string(gap)), m) << std::endl;
     EXPECT_EQ(m.UnexplainedPixels, 0) << Describe(shot) << "\n"
                                       << Details(shot, Picture->GetView(), m);
-    EXPECT_LE(m.MaxDepthRel, DepthTolerance) << Describe(shot);
+    EXPECT_LE(m.MaxDepthRel, PositionDepthTolerance) << Describe(shot);
   }
 };
 
 TEST_P(Position, NearTheEyeAndFarFromTheOrigin)
 {
   Picture->SetTechnique(vtkWideFoVPass::EXACT);
-  for (const Place& place : Places)
+  for (const Place& place : WallPlaces)
   {
     Picture->SetMesh(MakeRoom(20, place.Where));
     Picture->SetActorPosition(place.Actor);

@@ -20,10 +20,10 @@ using namespace wfv::test;
 namespace
 {
 // Pixels: float32 in the shaders, double in the ray caster.
-constexpr double Tolerance = 0.02;
+constexpr double QuadricTolerance = 0.02;
 
 // Relative error of the distance along the pixel's ray, and error of the unit normal.
-constexpr double DepthTolerance = 1e-5;
+constexpr double QuadricDepthTolerance = 1e-5;
 constexpr double NormalTolerance = 1e-4;
 
 // Radians: how far float32 turns the ray of a pixel. Where the surface runs away from the
@@ -38,7 +38,7 @@ constexpr double TubePixels = 7;
 constexpr double PointPixels = 9;
 
 // Relative to a centre's distance from the eye: its view coordinates are float32.
-constexpr double PlaceRounding = 2e-7;
+constexpr double CenterRounding = 2e-7;
 
 // Relative: radii in pixels come from differences of the map, in float32.
 constexpr double RadiusRounding = 1e-4;
@@ -76,7 +76,7 @@ double Shift(const reference::Hit& hit, const reference::Body& body, bool inPixe
 {
   const double place = std::max(glm::length(body.P), glm::length(body.Q));
   const double radius = inPixels ? RadiusRounding * std::max(body.R, body.S) : 0;
-  return hit.Distance * RayRounding + PlaceRounding * place + radius;
+  return hit.Distance * RayRounding + CenterRounding * place + radius;
 }
 
 double SmallestRadius(const reference::Body& b)
@@ -108,7 +108,7 @@ Errors Measure(vtkImageData* data, const reference::QuadricCaster& caster,
     const vec3 drawn(
       normal->GetComponent(at, 0), normal->GetComponent(at, 1), normal->GetComponent(at, 2));
     errors.Depth.Add(std::abs(distance->GetComponent(at, 0) - hit.Distance),
-      DepthTolerance * hit.Distance + shift, hit, i, j);
+      QuadricDepthTolerance * hit.Distance + shift, hit, i, j);
     errors.Normal.Add(
       glm::length(drawn - hit.Normal), NormalTolerance + shift / SmallestRadius(body), hit, i, j);
     errors.Pixels++;
@@ -141,7 +141,7 @@ protected:
     const reference::QuadricCaster caster(
       InView(bodies, Picture->GetPose(), Mono(shot, view), pixels, shot.Width, shot.Height), view);
     const reference::HitPicture truth = caster.Render(shot.Width, shot.Height);
-    const reference::Metrics m = reference::Compare(picture, caster, truth, Tolerance);
+    const reference::Metrics m = reference::Compare(picture, caster, truth, QuadricTolerance);
     const Errors errors = Measure(Picture->GetData(), caster, truth, pixels > 0);
     std::cout << Row(shot, scene, m) << " errors of " << errors.Depth.Ratio << " and "
               << errors.Normal.Ratio << " allowed, " << errors.Pixels << " pixels" << std::endl;

@@ -16,8 +16,8 @@ using namespace wfv::test;
 namespace
 {
 // Pixels, and relative error of the distance: as of the technique exact.
-constexpr double Tolerance = 0.02;
-constexpr double DepthTolerance = 1e-5;
+constexpr double SampledTolerance = 0.02;
+constexpr double SampledDepthTolerance = 1e-5;
 }
 
 class CompareSampled : public DrawingTest
@@ -28,10 +28,10 @@ protected:
     const reference::DrawnPicture picture = Picture->Draw(shot);
     ASSERT_EQ(picture.Width, shot.Width) << "nothing was drawn: " << Describe(shot);
     const reference::RayCaster caster(Picture->GetMesh(), Picture->GetView(), Picture->GetPose());
-    const reference::Metrics m = reference::Compare(picture, caster, Tolerance);
+    const reference::Metrics m = reference::Compare(picture, caster, SampledTolerance);
     std::cout << this->GetParam() << ": " << Row(shot, scene, m) << std::endl;
     EXPECT_EQ(m.UnexplainedPixels, 0) << scene << Details(shot, Picture->GetView(), m);
-    EXPECT_LE(m.MaxDepthRel, DepthTolerance) << scene;
+    EXPECT_LE(m.MaxDepthRel, SampledDepthTolerance) << scene;
   }
 };
 
@@ -42,7 +42,7 @@ TEST_P(CompareSampled, RoomAndGlobe)
   shot.Height = FindProjection(this->GetParam())->Axis == Family::Azimuthal ? 192 : 96;
   UseMapOf(this->GetParam(), shot);
   Picture->SetTechnique(vtkWideFoVPass::AUTO);
-  Picture->SetTolerance(Tolerance);
+  Picture->SetTolerance(SampledTolerance);
   Picture->SetMesh(MakeRoom(1));
   for (const NamedPose& pose : PlainPoses())
   {

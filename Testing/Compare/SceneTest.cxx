@@ -23,7 +23,7 @@ using namespace wfv::test;
 
 namespace
 {
-const double Tolerances[] = { 0.05, 0.25, 1 }; // pixels
+const double SceneTolerances[] = { 0.05, 0.25, 1 }; // pixels
 
 // Pixels: behind the geometry stage both techniques decide by rays, as `exact` does.
 constexpr double ByRays = 0.02;
@@ -106,7 +106,7 @@ TEST_P(Scenes, KeepTheTolerance)
   SceneDrawing drawing(this->GetParam());
   for (const int technique : { vtkWideFoVPass::AUTO, vtkWideFoVPass::TESSELLATE })
   {
-    for (const double tolerance : Tolerances)
+    for (const double tolerance : SceneTolerances)
     {
       const reference::Metrics m = drawing.Measure(technique, tolerance, tolerance);
       const std::string name = this->GetParam() +
@@ -130,7 +130,8 @@ TEST_P(Scenes, KeepTheToleranceInStereo)
     for (const Eye eye : { Eye::Left, Eye::Right })
     {
       drawing.SetEye(eye, part * length);
-      const reference::Metrics m = drawing.Measure(vtkWideFoVPass::AUTO, Tolerances[1], ByRays);
+      const reference::Metrics m =
+        drawing.Measure(vtkWideFoVPass::AUTO, SceneTolerances[1], ByRays);
       const std::string name = this->GetParam() + ", auto, eyes apart " + std::to_string(part);
       std::cout << Row(drawing.View, name, m) << std::endl;
       EXPECT_EQ(drawing.CountUnexplained(m), 0)

@@ -31,7 +31,7 @@ namespace
 constexpr double ScreenTolerance = 0.02;
 
 // Pixels: how far the pictures of a line may be apart where two screens meet.
-constexpr double EdgeTolerance = 0.05;
+constexpr double ScreenEdgeTolerance = 0.05;
 
 // Relative error of the distance along the pixel's ray.
 constexpr double ScreenDepthTolerance = 1e-5;
@@ -309,9 +309,9 @@ TEST(CompareScreens, LinesContinueAcrossEdges)
     for (const Band& band : { left, front })
     {
       ASSERT_LE(band.Low, band.High) << "no straight line fits what was drawn";
-      EXPECT_GE(band.Low, row - EdgeTolerance) << line;
-      EXPECT_LE(band.High, row + EdgeTolerance) << line;
+      EXPECT_GE(band.Low, row - ScreenEdgeTolerance) << line;
+      EXPECT_LE(band.High, row + ScreenEdgeTolerance) << line;
     }
-    EXPECT_LE(std::max(left.High - front.Low, front.High - left.Low), EdgeTolerance);
+    EXPECT_LE(std::max(left.High - front.Low, front.High - left.Low), ScreenEdgeTolerance);
   }
 }

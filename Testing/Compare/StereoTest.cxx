@@ -16,13 +16,13 @@ using namespace wfv::test;
 namespace
 {
 // Pixels: float32 in the shaders, double in the ray caster.
-constexpr double Tolerance = 0.02;
+constexpr double StereoTolerance = 0.02;
 
 // Relative error of the distance along the pixel's ray.
-constexpr double DepthTolerance = 1e-5;
+constexpr double StereoDepthTolerance = 1e-5;
 
 // The same beside the rim of a round map, seen along a curve, where a shift of the pixel by
-// Tolerance explains it.
+// StereoTolerance explains it.
 constexpr double RimDepth = 1e-3;
 
 // One eye of a model.
@@ -47,7 +47,7 @@ protected:
   void SetUp() override
   {
     Picture->SetTechnique(vtkWideFoVPass::EXACT);
-    Picture->SetTolerance(Tolerance);
+    Picture->SetTolerance(StereoTolerance);
   }
 
   // Asserts both eyes of one shot and prints their rows.
@@ -60,15 +60,15 @@ protected:
       ASSERT_EQ(picture.Width, shot.Width) << "nothing was drawn: " << Describe(shot);
       ASSERT_EQ(Picture->GetView().GetStereoModel(), stereo.Model) << Describe(shot);
       const reference::RayCaster caster(Picture->GetMesh(), Picture->GetView(), Picture->GetPose());
-      const reference::Metrics m = reference::Compare(picture, caster, Tolerance);
+      const reference::Metrics m = reference::Compare(picture, caster, StereoTolerance);
       const std::string name = scene + (eye == Eye::Left ? ", left" : ", right");
       std::cout << Row(shot, name, m) << std::endl;
       EXPECT_EQ(m.UnexplainedPixels, 0) << name << "\n  " << Describe(shot) << "\n"
                                         << Details(shot, Picture->GetView(), m);
       // at the rim of a round map the ray turns without bound: a distance is as right as the place
       const bool rim = !stereo.Model->Straight &&
-        FindProjection(shot.Projection)->Axis == Family::Azimuthal && m.DepthPx <= Tolerance;
-      EXPECT_LE(m.MaxDepthRel, rim ? RimDepth : DepthTolerance)
+        FindProjection(shot.Projection)->Axis == Family::Azimuthal && m.DepthPx <= StereoTolerance;
+      EXPECT_LE(m.MaxDepthRel, rim ? RimDepth : StereoDepthTolerance)
         << name << ", " << m.DepthPx << " px\n  " << Describe(shot);
     }
   }

@@ -22,8 +22,8 @@
 namespace
 {
 constexpr int Blocks = 5;
-constexpr int Width = 400;
-constexpr int Height = 200;
+constexpr int PartsWidth = 400;
+constexpr int PartsHeight = 200;
 
 vtkSmartPointer<vtkPolyData> MakeBlock(int i)
 {
@@ -73,7 +73,7 @@ struct Drawn
 
 Drawn Draw(bool composite, bool twice)
 {
-  WideFoVTestWindow test("equirectangular", Width, Height);
+  WideFoVTestWindow test("equirectangular", PartsWidth, PartsHeight);
   AddBlocks(test.Renderer, composite);
   test.Window->Render();
   if (twice)
@@ -105,12 +105,12 @@ TEST(Composite, BlocksAreSortedAsOwnMappersAre)
   const unsigned char* const pixels = own.Pixels->GetPointer(0);
   EXPECT_GT(std::count_if(pixels, pixels + own.Pixels->GetNumberOfValues(),
               [](unsigned char c) { return c > 50; }),
-    Width * Height / 10);
+    PartsWidth * PartsHeight / 10);
 }
 
 TEST(Billboards, StandWhereTheirPlaceIsShown)
 {
-  WideFoVTestWindow test("hammer", Width, Height);
+  WideFoVTestWindow test("hammer", PartsWidth, PartsHeight);
   vtkNew<vtkBillboardTextActor3D> text;
   text->SetInput("MM");
   test.Renderer->AddActor(text);
@@ -122,22 +122,22 @@ TEST(Billboards, StandWhereTheirPlaceIsShown)
     text->SetPosition(place[0], place[1], place[2]);
     test.Window->Render();
     double ndc[3];
-    ASSERT_TRUE(test.Camera->WorldToNDC(place, double(Width) / Height, ndc));
+    ASSERT_TRUE(test.Camera->WorldToNDC(place, double(PartsWidth) / PartsHeight, ndc));
     TestPixels pixels(test.Window);
-    int left = Width;
-    int low = Height;
+    int left = PartsWidth;
+    int low = PartsHeight;
     int high = -1;
-    for (int i = 0; i < Width * Height; i++)
+    for (int i = 0; i < PartsWidth * PartsHeight; i++)
     {
-      if (pixels.At(i % Width, i / Width)[0] > 128)
+      if (pixels.At(i % PartsWidth, i / PartsWidth)[0] > 128)
       {
-        left = std::min(left, i % Width);
-        low = std::min(low, i / Width);
-        high = std::max(high, i / Width);
+        left = std::min(left, i % PartsWidth);
+        low = std::min(low, i / PartsWidth);
+        high = std::max(high, i / PartsWidth);
       }
     }
-    EXPECT_NEAR(left, 0.5 * (ndc[0] + 1) * Width, 5);
-    EXPECT_NEAR(low, 0.5 * (ndc[1] + 1) * Height, 6);
+    EXPECT_NEAR(left, 0.5 * (ndc[0] + 1) * PartsWidth, 5);
+    EXPECT_NEAR(low, 0.5 * (ndc[1] + 1) * PartsHeight, 6);
     EXPECT_GT(high - low, 5);
     EXPECT_LT(high - low, 30);
   }

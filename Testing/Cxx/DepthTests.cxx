@@ -26,10 +26,10 @@
 
 namespace
 {
-const int Mappings[] = { vtkWideFoVCamera::LINEAR, vtkWideFoVCamera::LOGARITHMIC,
+const int DepthMappings[] = { vtkWideFoVCamera::LINEAR, vtkWideFoVCamera::LOGARITHMIC,
   vtkWideFoVCamera::REVERSED };
 const char* const Names[] = { "linear", "logarithmic", "reversed" };
-const char* const Wide[] = { "equirectangular", "hammer", "azimuthal-equidistant" };
+const char* const WideProjections[] = { "equirectangular", "hammer", "azimuthal-equidistant" };
 
 // A room, cones, a ball without a geometry stage, lines and points.
 void Furnish(vtkRenderer* renderer)
@@ -95,7 +95,7 @@ long Different(const std::vector<float>& a, const std::vector<float>& b)
 
 TEST(Depth, ThePictureIsTheSameInEveryMappingAndInTheDebugView)
 {
-  for (const char* projection : Wide)
+  for (const char* projection : WideProjections)
   {
     for (int technique : { vtkWideFoVPass::AUTO, vtkWideFoVPass::EXACT })
     {
@@ -170,7 +170,7 @@ TEST(Depth, TheBufferHoldsTheMappingOfTheDistance)
   // by that rounding over the sine of the angle; in a few pixels only
   constexpr double Grazing = 2e-5;
   constexpr int FewPixels = 8;
-  for (const char* projection : Wide)
+  for (const char* projection : WideProjections)
   {
     for (int mapping : { vtkWideFoVCamera::LOGARITHMIC, vtkWideFoVCamera::REVERSED })
     {
@@ -296,7 +296,7 @@ TEST(Depth, ResolvesWhatItsStepsAllow)
     for (int technique : { vtkWideFoVPass::EXACT, vtkWideFoVPass::VERTEX })
     {
       Walls walls(stencil, technique);
-      for (int mapping : Mappings)
+      for (int mapping : DepthMappings)
       {
         char text[100];
         std::snprintf(text, sizeof text, "%4d %-8s %-12s", stencil ? 24 : 32,

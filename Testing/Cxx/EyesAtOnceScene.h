@@ -44,9 +44,9 @@ struct Seen
 };
 
 // A window that looks at each eye's picture when it is drawn.
-struct Scene : WideFoVTestWindow
+struct EyesScene : WideFoVTestWindow
 {
-  explicit Scene(const char* projection, const char* model, int samples = 0)
+  explicit EyesScene(const char* projection, const char* model, int samples = 0)
     : WideFoVTestWindow(projection, 200, 100)
   {
     this->Window->SetMultiSamples(samples);
@@ -59,7 +59,7 @@ struct Scene : WideFoVTestWindow
     vtkNew<vtkCallbackCommand> look;
     look->SetClientData(this);
     look->SetCallback(
-      [](vtkObject*, unsigned long, void* self, void*) { static_cast<Scene*>(self)->Look(); });
+      [](vtkObject*, unsigned long, void* self, void*) { static_cast<EyesScene*>(self)->Look(); });
     this->Renderer->AddObserver(vtkCommand::EndEvent, look);
   }
 

@@ -57,7 +57,7 @@ TEST(EyesAtOnce, ShowWhatTwoTraversalsShow)
 {
   for (const char* projection : Projections)
   {
-    Scene scene(projection, "omnidirectional");
+    EyesScene scene(projection, "omnidirectional");
     scene.AddRoom();
     const std::vector<Seen> once = scene.Draw();
     const std::vector<Seen> twice = scene.DrawTwice();
@@ -80,7 +80,7 @@ TEST(EyesAtOnce, ShowSortedMeshesAsTwoTraversalsDo)
       {
         SCOPED_TRACE(
           std::string(projection) + " " + std::to_string(technique) + (haste ? " in haste" : ""));
-        Scene scene(projection, "omnidirectional");
+        EyesScene scene(projection, "omnidirectional");
         scene.AddRing(5); // some triangles lie between the samples of one eye alone
         scene.AddSortedRoom();
         scene.Pass()->SetTechnique(technique);
@@ -109,7 +109,7 @@ TEST(EyesAtOnce, ShowTheOthersInEachTurn)
       for (const int samples : { 0, 4 })
       {
         SCOPED_TRACE(std::string(model) + " " + projection + " samples " + std::to_string(samples));
-        Scene scene(projection, model, samples);
+        EyesScene scene(projection, model, samples);
         scene.AddOthers();
         scene.AddRoom();
         scene.AddOthers();
@@ -127,7 +127,7 @@ TEST(EyesAtOnce, ShowTheOthersInEachTurn)
 // A circle of the eyes that fades towards the poles, a view that is tilted, and a part of a window.
 TEST(EyesAtOnce, ShowPartsAndFades)
 {
-  Scene scene("equirectangular", "omnidirectional");
+  EyesScene scene("equirectangular", "omnidirectional");
   scene.AddRoom();
   scene.AddRing();
   scene.Pass()->SetSortWhileMoving(true);
@@ -149,7 +149,7 @@ TEST(EyesAtOnce, ShowWhatIsFarInEachTurn)
   for (const bool haste : { false, true })
   {
     SCOPED_TRACE(haste);
-    Scene scene("equirectangular", "omnidirectional");
+    EyesScene scene("equirectangular", "omnidirectional");
     scene.AddBall(1000, 300);
     scene.AddRing();
     scene.AddBall(1400, 400);
@@ -165,7 +165,7 @@ TEST(EyesAtOnce, ShowWhatIsFarInEachTurn)
 // Every way that shows both eyes draws them at once, the others do not.
 TEST(EyesAtOnce, FollowTheStereoType)
 {
-  Scene scene("equirectangular", "omnidirectional");
+  EyesScene scene("equirectangular", "omnidirectional");
   scene.AddRoom();
   const std::vector<Seen> twice = scene.DrawTwice();
   for (const int type : { VTK_STEREO_INTERLACED, VTK_STEREO_SPLITVIEWPORT_HORIZONTAL,
@@ -191,7 +191,7 @@ TEST(EyesAtOnce, FollowTheStereoType)
 // What waits for the right eye is shown in its own frame alone.
 TEST(EyesAtOnce, ShowNothingStale)
 {
-  Scene scene("equirectangular", "omnidirectional");
+  EyesScene scene("equirectangular", "omnidirectional");
   scene.AddRoom();
   vtkActor* const ring = scene.AddRing();
   scene.Pass()->SetSortWhileMoving(true);
@@ -228,7 +228,7 @@ TEST(EyesAtOnce, ShowNothingStale)
 // Something moves when the left eye has been drawn.
 TEST(EyesAtOnce, ShowWhatMovesBetweenTheTwo)
 {
-  Scene scene("equirectangular", "omnidirectional");
+  EyesScene scene("equirectangular", "omnidirectional");
   scene.AddRoom();
   vtkActor* const ring = scene.AddRing();
   scene.Pass()->SetSortWhileMoving(true);
@@ -251,7 +251,7 @@ TEST(EyesAtOnce, ShowWhatMovesBetweenTheTwo)
 // Where it cannot be, both eyes are drawn as ever.
 TEST(EyesAtOnce, KeepToTwoTraversalsWhereTheyMust)
 {
-  Scene scene("equirectangular", "omnidirectional");
+  EyesScene scene("equirectangular", "omnidirectional");
   scene.AddRoom();
   EXPECT_GT(scene.Draw().at(0).Shared, 0);
   const auto expectNone = [&scene](const char* why) {

@@ -30,10 +30,10 @@ double DistanceOf(double pixels)
 // Factor: so much farther away it is sure to be known, for the bound is no larger.
 constexpr double Bound = 2;
 
-struct FarScene : Scene
+struct FarScene : EyesScene
 {
   explicit FarScene(const char* projection, const char* model = "omnidirectional")
-    : Scene(projection, model)
+    : EyesScene(projection, model)
   {
     this->Pass()->SetTechnique(vtkWideFoVPass::AUTO);
     this->Pass()->SetEyesAtOnce(vtkWideFoVPass::NEVER);

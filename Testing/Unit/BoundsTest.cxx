@@ -13,12 +13,12 @@ using namespace wfv::test;
 namespace
 {
 // A corner of the bounds and a point mapped to it are two roundings of one value.
-constexpr double Rounding = 1e-12; // relative to the picture, NDC
+constexpr double BoundsRounding = 1e-12; // relative to the picture, NDC
 
 // Samples along each side of a rectangle of angles, and the part of the size of the
 // bounds that the extremes between samples may be missed by.
 constexpr int Samples = 24;
-constexpr double Slack = 0.02;
+constexpr double BoundsSlack = 0.02;
 
 struct Sampled
 {
@@ -98,7 +98,7 @@ TEST(Bounds, HoldEveryMappedPoint)
       const vec4 b = v.TheView.GetProjection().Bounds(r, v.TheView.GetParameters());
       const Sampled s = SampleMap(v.TheView, r);
       const double size = std::max(1.0, std::max(std::abs(b.x), std::abs(b.w)));
-      const double e = Rounding * size;
+      const double e = BoundsRounding * size;
       ASSERT_TRUE(
         s.Low.x >= b.x - e && s.Low.y >= b.y - e && s.High.x <= b.z + e && s.High.y <= b.w + e)
         << v.Name << "\nangles " << Text(vec2(r.x, r.y)) << " to " << Text(vec2(r.z, r.w))
@@ -123,7 +123,7 @@ TEST(Bounds, AreTight)
       const vec4 r = RandomRectangle(DomainOf(v.TheView), engine);
       const vec4 b = v.TheView.GetProjection().Bounds(r, v.TheView.GetParameters());
       const Sampled s = SampleMap(v.TheView, r);
-      const vec2 e = vec2(b.z - b.x, b.w - b.y) * Slack + vec2(1e-9);
+      const vec2 e = vec2(b.z - b.x, b.w - b.y) * BoundsSlack + vec2(1e-9);
       ASSERT_TRUE(s.Low.x <= b.x + e.x && s.Low.y <= b.y + e.y && s.High.x >= b.z - e.x &&
         s.High.y >= b.w - e.y)
         << v.Name << "\nangles " << Text(vec2(r.x, r.y)) << " to " << Text(vec2(r.z, r.w))

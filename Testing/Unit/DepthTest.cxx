@@ -14,7 +14,7 @@ namespace
 {
 // Relative; times the condition of the inverse, which is far / near for REVERSED (its depth
 // approaches 1 long before the far sphere) and log(far / near) for LOGARITHMIC.
-constexpr double RoundTrip = 8 * std::numeric_limits<double>::epsilon();
+constexpr double DepthRoundTrip = 8 * std::numeric_limits<double>::epsilon();
 
 const DepthMapping All[] = { DepthMapping::Linear, DepthMapping::Logarithmic,
   DepthMapping::Reversed };
@@ -66,10 +66,10 @@ TEST(Depth, FollowsTheFormulaAndComesBack)
       {
         const double rho = near * std::pow(far / near, double(i) / Steps);
         const double depth = wfvDepthOf(rho, v);
-        const double rounding = RoundTrip * Condition(mapping, far / near);
+        const double rounding = DepthRoundTrip * Condition(mapping, far / near);
         // of a difference of two nearly equal distances where the spheres are close
-        const double close = RoundTrip * far / (far - near);
-        EXPECT_NEAR(depth, double(Formula(mapping, rho, near, far)), RoundTrip + close)
+        const double close = DepthRoundTrip * far / (far - near);
+        EXPECT_NEAR(depth, double(Formula(mapping, rho, near, far)), DepthRoundTrip + close)
           << int(mapping) << " " << rho;
         EXPECT_GT(depth, before) << int(mapping) << " " << rho;
         before = depth;

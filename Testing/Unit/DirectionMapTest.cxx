@@ -16,7 +16,7 @@ using namespace wfv::test;
 namespace
 {
 // Radians: float32 in the tables.
-constexpr double Rounding = 2e-7;
+constexpr double MapRounding = 2e-7;
 
 // Pixels: what the search counts as found (WFV_SEARCH_REST), and some.
 constexpr double Found = 0.02;
@@ -24,7 +24,7 @@ constexpr double Found = 0.02;
 // Of 4,000: in the outer half of a pixel on a border, which the search leaves again.
 constexpr int MostLost = 2;
 
-struct Case
+struct MapCase
 {
   const char* Projection;
   double Fov;
@@ -34,11 +34,11 @@ struct Case
 
 // The whole sphere with a seam; a disc with nothing round it, which sees behind; a break
 // between rows of faces; a window.
-const Case Cases[] = { { "equirectangular", 360, 128, 64 },
+const MapCase Cases[] = { { "equirectangular", 360, 128, 64 },
   { "azimuthal-equidistant", 300, 96, 96 }, { "equi-angular-cubemap", 360, 120, 80 },
   { "perspective", 100, 64, 48 }, { "hammer", 360, 128, 64 } };
 
-View FormulaOf(const Case& c)
+View FormulaOf(const MapCase& c)
 {
   ViewOptions o;
   const Projection& p = *FindProjection(c.Projection);
@@ -63,7 +63,7 @@ vec2 NdcOf(const DirectionMap& map, double x, double y)
 
 TEST(DirectionMap, RaysOfPixelsAreTheFiles)
 {
-  for (const Case& c : Cases)
+  for (const MapCase& c : Cases)
   {
     const View formula = FormulaOf(c);
     const auto map = SampleView(formula, c.Width, c.Height);
@@ -77,18 +77,18 @@ TEST(DirectionMap, RaysOfPixelsAreTheFiles)
         ASSERT_EQ(a.Inside, b.Inside) << c.Projection << " " << x << " " << y;
         if (a.Inside)
         {
-          ASSERT_LT(glm::length(a.Direction - b.Direction), Rounding) << c.Projection;
+          ASSERT_LT(glm::length(a.Direction - b.Direction), MapRounding) << c.Projection;
         }
       }
     }
     EXPECT_FALSE(sampled.Ray(vec2(1.01, 0)).Inside);
-    EXPECT_NEAR(glm::length(sampled.Ray(vec2(0, std::nan(""))).Direction), 1, Rounding);
+    EXPECT_NEAR(glm::length(sampled.Ray(vec2(0, std::nan(""))).Direction), 1, MapRounding);
   }
 }
 
 TEST(DirectionMap, ForwardFindsTheRayAgain)
 {
-  for (const Case& c : Cases)
+  for (const MapCase& c : Cases)
   {
     const View formula = FormulaOf(c);
     const auto map = SampleView(formula, c.Width, c.Height);
@@ -110,7 +110,7 @@ TEST(DirectionMap, ForwardFindsTheRayAgain)
       const double pixel = std::max(glm::length(right), glm::length(up));
       // the same direction, wherever it is found: some are shown twice
       lost +=
-        !found.Inside || glm::length(again.Direction - ray.Direction) > Found * pixel + Rounding;
+        !found.Inside || glm::length(again.Direction - ray.Direction) > Found * pixel + MapRounding;
     }
     EXPECT_LE(lost, MostLost) << c.Projection;
   }
@@ -118,7 +118,7 @@ TEST(DirectionMap, ForwardFindsTheRayAgain)
 
 TEST(DirectionMap, CapsBoundAllThatIsSeenOfThem)
 {
-  for (const Case& c : Cases)
+  for (const MapCase& c : Cases)
   {
     const auto map = SampleView(FormulaOf(c), c.Width, c.Height);
     const View sampled = SampledOf(map);

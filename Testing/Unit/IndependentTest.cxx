@@ -14,11 +14,11 @@ namespace
 using real = long double;
 
 // Largest difference in the raw map, relative to its size.
-constexpr double Agreement = 1e-13;
+constexpr double FormulaAgreement = 1e-13;
 
 const real Pi = 3.14159265358979323846264338327950288L;
 
-struct Place
+struct MapPlace
 {
   real X;
   real Y;
@@ -36,7 +36,7 @@ View WidestView(const char* name)
 
 // Worst difference over the directions that `formula` has a place for.
 void Check(const char* name, const std::vector<vec3>& directions,
-  const std::function<Place(const vec3&)>& formula)
+  const std::function<MapPlace(const vec3&)>& formula)
 {
   const View view = WidestView(name);
   const vec2 scale = view.GetParameters().scale;
@@ -51,7 +51,7 @@ void Check(const char* name, const std::vector<vec3>& directions,
       continue;
     }
     ++count;
-    const Place right = formula(d);
+    const MapPlace right = formula(d);
     const vec3 ndc = view.Forward(d).Ndc;
     const double error =
       std::hypot(double(ndc.x / scale.x - right.X), double(ndc.y / scale.y - right.Y)) /
@@ -65,7 +65,7 @@ void Check(const char* name, const std::vector<vec3>& directions,
   }
   std::cout << name << ": " << count << " directions, worst " << worst << " at " << where << "\n";
   EXPECT_GT(count, 2000) << name;
-  EXPECT_LE(worst, Agreement) << where;
+  EXPECT_LE(worst, FormulaAgreement) << where;
 }
 
 real Longitude(const vec3& d)
@@ -80,7 +80,7 @@ real Latitude(const vec3& d)
 
 // Sharpless, Postle and German 2010: with S = (d + 1) / (d + cos(phi)) horizontally
 // h = S sin(phi) and vertically v = S tan(theta), phi the longitude, theta the latitude.
-Place Pannini(const vec3& direction)
+MapPlace Pannini(const vec3& direction)
 {
   const real d = 1;
   const real s = (d + 1) / (d + std::cos(Longitude(direction)));
@@ -89,7 +89,7 @@ Place Pannini(const vec3& direction)
 
 // FFmpeg's v360 filter, "eac": a cube of 3 by 2 faces, 2 / pi atan(uv) + 0.5 on each, the
 // lower row turned.
-Place EquiAngular(const vec3& p)
+MapPlace EquiAngular(const vec3& p)
 {
   const real x = p.x, y = p.y, z = -p.z; // ahead is z there
   const real ax = std::abs(x), ay = std::abs(y), az = std::abs(z);
@@ -153,7 +153,7 @@ real SineExcess(real u) // 2u - sin(2u)
   return sum;
 }
 
-Place Mollweide(const vec3& d)
+MapPlace Mollweide(const vec3& d)
 {
   const real q = Gap(d);
   const real u = Root(0, Pi / 2, [q](real t) { return SineExcess(t) - Pi * q; });
@@ -162,7 +162,7 @@ Place Mollweide(const vec3& d)
 }
 
 // The same manual, (32-1) to (32-5), in u = pi/2 - theta.
-Place EckertIV(const vec3& d)
+MapPlace EckertIV(const vec3& d)
 {
   const real q = Gap(d);
   const real u = Root(0, Pi / 2, [q](real t) {
@@ -175,7 +175,7 @@ Place EckertIV(const vec3& d)
 
 // Snyder, Flattening the Earth, p. 130: half the longitude, the angle from the centre, its
 // sine by the chord, which does not cancel.
-Place Aitoff(const vec3& d)
+MapPlace Aitoff(const vec3& d)
 {
   const real l = Longitude(d) / 2, p = Latitude(d);
   const real x = std::cos(p) * std::sin(l), y = std::sin(p);
@@ -184,18 +184,18 @@ Place Aitoff(const vec3& d)
   return { 2 * x * k, y * k };
 }
 
-Place WinkelTripel(const vec3& d)
+MapPlace WinkelTripel(const vec3& d)
 {
-  const Place a = Aitoff(d);
+  const MapPlace a = Aitoff(d);
   return { (Longitude(d) * 2 / Pi + a.X) / 2, (Latitude(d) + a.Y) / 2 };
 }
 
 // The radius is the chord from the centre: the length of d minus the axis.
-Place EqualArea(const vec3& d)
+MapPlace EqualArea(const vec3& d)
 {
   const real x = d.x, y = d.y, s = std::hypot(x, y);
   const real chord = std::hypot(s, real(d.z) + 1);
-  return s > 0 ? Place{ chord * x / s, chord * y / s } : Place{ chord, 0 };
+  return s > 0 ? MapPlace{ chord * x / s, chord * y / s } : MapPlace{ chord, 0 };
 }
 
 std::vector<vec3> Directions()

@@ -12,7 +12,7 @@ using namespace wfv::test;
 
 namespace
 {
-constexpr int Edges = 20000; // a view
+constexpr int EdgesOfView = 20000; // a view
 
 // Radians: no edge of the test is shorter than so many times its longest.
 constexpr double Shortest = 0.1;
@@ -68,7 +68,7 @@ Worst Measure(const View& view, std::mt19937_64& engine)
   const LocalBend bends(view.GetProjection(), view.GetParameters());
   std::uniform_real_distribution<double> unit(-1, 1);
   Worst worst;
-  for (int i = 0; i < Edges; ++i)
+  for (int i = 0; i < EdgesOfView; ++i)
   {
     const WfvRay ray =
       view.GetProjection().Unproject(vec2(unit(engine), unit(engine)), view.GetParameters());

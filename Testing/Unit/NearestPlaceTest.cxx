@@ -16,7 +16,7 @@ constexpr int Height = 512;
 const vec2 Centre(600.5, 256.5); // of pixel (600, 256), next to the equator
 
 // Pixels: the ray is cast so far inside of an edge, and the frame is true to first order.
-constexpr double Slack = 2 * ApartFromEdge;
+constexpr double PlaceSlack = 2 * ApartFromEdge;
 
 View WholeSphere()
 {
@@ -62,18 +62,18 @@ TEST(NearestPlace, FindsANeedleAHundredthOfAPixelWide)
 {
   Picture picture;
   picture.AddNeedle(10, 0.3, 0.01);
-  EXPECT_NEAR(picture.Nearest(0), 0.3, Slack);
+  EXPECT_NEAR(picture.Nearest(0), 0.3, PlaceSlack);
   // on the other side its slanting edge is nearest, half as thick at this height
   Picture left;
   left.AddNeedle(10, -0.3, 0.01);
-  EXPECT_NEAR(left.Nearest(0), 0.295, Slack);
+  EXPECT_NEAR(left.Nearest(0), 0.295, PlaceSlack);
 }
 
 TEST(NearestPlace, IsZeroWhereTheCellIsSeen)
 {
   Picture picture;
   picture.Add(10, { { Centre + vec2(-3, 3), Centre + vec2(3, 3), Centre + vec2(0, -5) } });
-  EXPECT_LE(picture.Nearest(0), Slack);
+  EXPECT_LE(picture.Nearest(0), PlaceSlack);
 }
 
 TEST(NearestPlace, IsInfiniteWhereTheCellIsHidden)
@@ -97,7 +97,7 @@ TEST(NearestPlace, GoesRoundWhatHidesTheCell)
     picture.Add(5, { { a, a + vec2(1, 0), a + vec2(0, 30) } });
     picture.Add(5, { { a + vec2(1, 0), a + vec2(1, 30), a + vec2(0, 30) } });
   }
-  EXPECT_NEAR(picture.Nearest(0), std::hypot(0.3, 5), Slack);
+  EXPECT_NEAR(picture.Nearest(0), std::hypot(0.3, 5), PlaceSlack);
 }
 
 TEST(NearestPlace, LooksBesideWhatIntersectsTheCell)
@@ -119,7 +119,7 @@ TEST(NearestPlace, FindsTheNearestBackground)
 {
   Picture picture;
   picture.Add(10, { { Centre + vec2(0.5, 40), Centre + vec2(0.5, -40), Centre + vec2(-60, 0) } });
-  EXPECT_NEAR(picture.Nearest(-1), 0.5, Slack);
+  EXPECT_NEAR(picture.Nearest(-1), 0.5, PlaceSlack);
 }
 
 // At a pole a row of pixels is one direction: what is a pixel aside there is near.
@@ -149,5 +149,5 @@ TEST(NearestPlace, LeavesTheFortyEightPointsAlone)
   drawn.Cell[n] = 1;
   const Metrics m = Compare(drawn, caster, reference, 1);
   EXPECT_EQ(m.UnexplainedPixels, 1);
-  EXPECT_NEAR(m.MaxPx, 0.3, Slack);
+  EXPECT_NEAR(m.MaxPx, 0.3, PlaceSlack);
 }

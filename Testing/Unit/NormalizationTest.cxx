@@ -9,7 +9,7 @@ using namespace wfv::test;
 
 namespace
 {
-constexpr double Rounding = 1e-12; // NDC
+constexpr double CornerRounding = 1e-12; // NDC
 
 const double Fovs[] = { 0.01, 1, 45, 60, 120, 178.5, 180, 270, 359.99, 360 };
 const double Aspects[] = { 0.25, 0.5, 1, 4.0 / 3, 2, 7 };
@@ -40,13 +40,13 @@ TEST(Normalization, FieldsOfViewEndAtTheBorders)
         const double phi = 0.5 * vfov * Degree;
         SCOPED_TRACE(MakeView(p, o).Name);
         const vec3 right = view.Forward(wfvMeridianDirection(vec2(lambda, 0))).Ndc;
-        EXPECT_NEAR(right.x, 1, Rounding);
-        EXPECT_NEAR(right.y, 0, Rounding);
-        EXPECT_NEAR(view.Forward(wfvMeridianDirection(vec2(-lambda, 0))).Ndc.x, -1, Rounding);
+        EXPECT_NEAR(right.x, 1, CornerRounding);
+        EXPECT_NEAR(right.y, 0, CornerRounding);
+        EXPECT_NEAR(view.Forward(wfvMeridianDirection(vec2(-lambda, 0))).Ndc.x, -1, CornerRounding);
         const vec3 top = view.Forward(wfvMeridianDirection(vec2(0, phi))).Ndc;
-        EXPECT_NEAR(top.x, 0, Rounding);
-        EXPECT_NEAR(top.y, 1, Rounding);
-        EXPECT_NEAR(view.Forward(wfvMeridianDirection(vec2(0, -phi))).Ndc.y, -1, Rounding);
+        EXPECT_NEAR(top.x, 0, CornerRounding);
+        EXPECT_NEAR(top.y, 1, CornerRounding);
+        EXPECT_NEAR(view.Forward(wfvMeridianDirection(vec2(0, -phi))).Ndc.y, -1, CornerRounding);
       }
     }
   }
@@ -64,8 +64,8 @@ TEST(Normalization, EquirectangularIsLinear)
     {
       const vec3 d = wfvMeridianDirection(vec2(lambda, phi) * Degree);
       const vec3 ndc = view.Forward(d).Ndc;
-      EXPECT_NEAR(ndc.x, 2 * lambda / 200, Rounding);
-      EXPECT_NEAR(ndc.y, 2 * phi / 70, Rounding);
+      EXPECT_NEAR(ndc.x, 2 * lambda / 200, CornerRounding);
+      EXPECT_NEAR(ndc.y, 2 * phi / 70, CornerRounding);
     }
   }
 }
@@ -99,8 +99,8 @@ TEST(Normalization, RoundMapsStayRoundAndTouchTheNearerBorders)
           // in units of half the shorter side of the viewport
           const double x = ndc.x * std::max(1.0, aspect);
           const double y = ndc.y * std::max(1.0, 1 / aspect);
-          EXPECT_NEAR(x, std::cos(a), Rounding) << MakeView(p, o).Name;
-          EXPECT_NEAR(y, std::sin(a), Rounding) << MakeView(p, o).Name;
+          EXPECT_NEAR(x, std::cos(a), CornerRounding) << MakeView(p, o).Name;
+          EXPECT_NEAR(y, std::sin(a), CornerRounding) << MakeView(p, o).Name;
         }
       }
     }
@@ -120,7 +120,7 @@ TEST(Normalization, LensIsThePolynomial)
     {
       const double r = c[0] * t + c[1] * t * t + c[2] * std::pow(t, 3) + c[3] * std::pow(t, 4) +
         c[4] * std::pow(t, 5);
-      EXPECT_NEAR(view.Forward(wfvAzimuthalDirection(vec2(0.0, t))).Ndc.x, r, Rounding);
+      EXPECT_NEAR(view.Forward(wfvAzimuthalDirection(vec2(0.0, t))).Ndc.x, r, CornerRounding);
     }
   }
 }
@@ -137,11 +137,11 @@ TEST(Normalization, FacesFillThePicture)
   for (const auto& place : places)
   {
     const vec3 ndc = view.Forward(place.first).Ndc;
-    EXPECT_NEAR(ndc.x, place.second.x, Rounding) << Text(place.first);
-    EXPECT_NEAR(ndc.y, place.second.y, Rounding) << Text(place.first);
+    EXPECT_NEAR(ndc.x, place.second.x, CornerRounding) << Text(place.first);
+    EXPECT_NEAR(ndc.y, place.second.y, CornerRounding) << Text(place.first);
   }
-  EXPECT_NEAR(view.Ray(vec2(1, 1)).Direction.y, std::sqrt(1. / 3), Rounding);
-  EXPECT_NEAR(view.Ray(vec2(-1, 1)).Direction.z, std::sqrt(1. / 3), Rounding);
+  EXPECT_NEAR(view.Ray(vec2(1, 1)).Direction.y, std::sqrt(1. / 3), CornerRounding);
+  EXPECT_NEAR(view.Ray(vec2(-1, 1)).Direction.z, std::sqrt(1. / 3), CornerRounding);
 }
 
 TEST(Normalization, TiltRaisesTheAxis)
@@ -161,9 +161,9 @@ TEST(Normalization, TiltRaisesTheAxis)
       const View view(p, o);
       const vec3 axis(0, std::sin(tilt * Degree), -std::cos(tilt * Degree));
       const vec3 ndc = view.Forward(axis).Ndc;
-      EXPECT_NEAR(ndc.x, 0, Rounding) << p.Name << " " << tilt;
-      EXPECT_NEAR(ndc.y, 0, Rounding) << p.Name << " " << tilt;
-      EXPECT_NEAR(glm::length(view.Ray(vec2(0, 0)).Direction - axis), 0, Rounding) << p.Name;
+      EXPECT_NEAR(ndc.x, 0, CornerRounding) << p.Name << " " << tilt;
+      EXPECT_NEAR(ndc.y, 0, CornerRounding) << p.Name << " " << tilt;
+      EXPECT_NEAR(glm::length(view.Ray(vec2(0, 0)).Direction - axis), 0, CornerRounding) << p.Name;
     }
   }
 }

@@ -13,7 +13,7 @@ using namespace wfv::test;
 
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr double Infinite = std::numeric_limits<double>::infinity();
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
 ViewOptions Small()
@@ -74,13 +74,13 @@ TEST(Options, FieldsOfViewHaveARange)
   for (const Projection& p : Projections())
   {
     EXPECT_EQ(CheckOptions(p, SmallFor(p)), "") << p.Name;
-    for (double bad : { 0.0, -1.0, p.MaxHorizontalFov * 1.001, NaN, Infinity, -Infinity })
+    for (double bad : { 0.0, -1.0, p.MaxHorizontalFov * 1.001, NaN, Infinite, -Infinite })
     {
       ViewOptions o = SmallFor(p);
       o.HorizontalFov = bad;
       ExpectRefused(p, o, { "horizontal", p.Name, "degrees" });
     }
-    for (double bad : { 0.0, -1.0, p.MaxVerticalFov * 1.001, NaN, Infinity })
+    for (double bad : { 0.0, -1.0, p.MaxVerticalFov * 1.001, NaN, Infinite })
     {
       ViewOptions o = SmallFor(p);
       o.VerticalFov = bad;
@@ -125,14 +125,14 @@ TEST(Options, TiltAndRadii)
 {
   for (const Projection& p : Projections())
   {
-    for (double bad : { NaN, Infinity, -Infinity })
+    for (double bad : { NaN, Infinite, -Infinite })
     {
       ViewOptions o = SmallFor(p);
       o.Tilt = bad;
       ExpectRefused(p, o, { "tilt" });
     }
     const std::array<double, 2> bad[] = { { { 0, 1 } }, { { -1, 1 } }, { { 1, 1 } }, { { 2, 1 } },
-      { { NaN, 1 } }, { { 1, NaN } }, { { 1, Infinity } } };
+      { { NaN, 1 } }, { { 1, NaN } }, { { 1, Infinite } } };
     for (const auto& radii : bad)
     {
       ViewOptions o = SmallFor(p);
@@ -161,7 +161,7 @@ TEST(Options, Lens)
   const Projection& fisheye = *FindProjection("azimuthal-equidistant");
   // c1 0: the slope is 0 on the axis; sin turns round at 90 degrees; falling at once
   const std::array<double, 5> bad[] = { { { 0, 1, 0, 0, 0 } }, { { 1, 0, -0.3, 0, 0 } },
-    { { -1, 0, 0, 0, 0 } }, { { NaN, 0, 0, 0, 0 } }, { { 1, Infinity, 0, 0, 0 } } };
+    { { -1, 0, 0, 0, 0 } }, { { NaN, 0, 0, 0, 0 } }, { { 1, Infinite, 0, 0, 0 } } };
   for (const auto& lens : bad)
   {
     o.Lens = lens;

@@ -14,7 +14,7 @@ using namespace wfv::test;
 namespace
 {
 // Largest difference, in units of the sphere's radius: 0.06 mm on the Earth.
-constexpr double Agreement = 1e-11;
+constexpr double ProjAgreement = 1e-11;
 
 constexpr double Radius = 6.4e6; // metres
 
@@ -29,7 +29,7 @@ struct Counterpart
   const char* Sphere; // the same by PROJ's formula for the sphere
   double Fov;         // degrees
   bool TearsAtAntipode;
-  double MaxLatitude = 90; // degrees: up to where PROJ's own solver ends within `Agreement`
+  double MaxLatitude = 90; // degrees: up to where PROJ's own solver ends within `ProjAgreement`
   double MinAngle = 0;     // radians: how near the centre or the antipode PROJ's formula holds
 };
 
@@ -192,7 +192,7 @@ TEST_P(Proj, AgreesForward)
   std::cout << c.Projection << ": " << count << " directions, worst " << worst << " radii at "
             << where << "\n";
   EXPECT_GT(count, 8000);
-  EXPECT_LE(worst, Agreement) << where;
+  EXPECT_LE(worst, ProjAgreement) << where;
 }
 
 TEST_P(Proj, AgreesInverse)
@@ -230,7 +230,7 @@ TEST_P(Proj, AgreesInverse)
   std::cout << c.Projection << ": " << count << " points, worst " << worst << " rad at " << where
             << "\n";
   EXPECT_GT(count, 20000);
-  EXPECT_LE(worst, Agreement) << where;
+  EXPECT_LE(worst, ProjAgreement) << where;
 }
 
 // Round maps: PROJ's spherical formulas refuse what lies half a radius outside; the view

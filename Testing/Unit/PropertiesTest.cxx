@@ -19,7 +19,7 @@ constexpr double DifferenceStep = 1e-4; // radians
 constexpr double DerivativeError = 1e-8;
 
 // Relative error of a length that is exact but for rounding.
-constexpr double Rounding = 1e-12;
+constexpr double PropertyRounding = 1e-12;
 
 View FullView(const Projection& p)
 {
@@ -91,11 +91,6 @@ std::vector<vec3> SmoothDirections(const Projection& p)
   return inside;
 }
 
-double Cross(const vec2& a, const vec2& b)
-{
-  return a.x * b.y - a.y * b.x;
-}
-
 void CheckEqualArea(const Projection& p)
 {
   const View view = FullView(p);
@@ -135,12 +130,13 @@ void CheckEquidistant(const Projection& p)
     const double s = along(engine);
     const double t = along(engine);
     const vec2 difference = RawMap(view, vec2(a, t)) - RawMap(view, vec2(a, s));
-    ASSERT_NEAR(glm::length(difference), std::abs(t - s), Rounding) << p.Name << " at " << a;
+    ASSERT_NEAR(glm::length(difference), std::abs(t - s), PropertyRounding)
+      << p.Name << " at " << a;
     if (meridian)
     {
       const double b = turn(engine);
       const vec2 equator = RawMap(view, vec2(a, 0)) - RawMap(view, vec2(b, 0));
-      ASSERT_NEAR(glm::length(equator), std::abs(a - b), Rounding) << p.Name << " equator";
+      ASSERT_NEAR(glm::length(equator), std::abs(a - b), PropertyRounding) << p.Name << " equator";
     }
   }
 }
@@ -154,8 +150,8 @@ void CheckEquidistantAxes(const Projection& p)
   {
     const double lambda = WFV_PI * i / 100;
     const double phi = 0.5 * lambda;
-    ASSERT_NEAR(RawMap(view, vec2(lambda, 0)).x, unit.x * lambda, Rounding) << p.Name;
-    ASSERT_NEAR(RawMap(view, vec2(0, phi)).y, unit.y * phi, Rounding) << p.Name;
+    ASSERT_NEAR(RawMap(view, vec2(lambda, 0)).x, unit.x * lambda, PropertyRounding) << p.Name;
+    ASSERT_NEAR(RawMap(view, vec2(0, phi)).y, unit.y * phi, PropertyRounding) << p.Name;
   }
 }
 
@@ -170,7 +166,7 @@ void CheckStraight(const Projection& p, int axis)
     vec2 b = wfvMeridianAngles(d[i + 1]);
     b[axis] = a[axis];
     const double u = RawMap(view, a)[axis];
-    ASSERT_NEAR(RawMap(view, b)[axis], u, Rounding * std::max(1.0, std::abs(u))) << p.Name;
+    ASSERT_NEAR(RawMap(view, b)[axis], u, PropertyRounding * std::max(1.0, std::abs(u))) << p.Name;
   }
 }
 
@@ -182,7 +178,8 @@ void CheckStraightRadials(const Projection& p)
   {
     const vec2 m = RawProject(view, d);
     const double size = std::max(1.0, glm::length(m));
-    ASSERT_LE(std::abs(Cross(m, vec2(d.x, d.y))), Rounding * size) << p.Name << " " << Text(d);
+    ASSERT_LE(std::abs(Cross(m, vec2(d.x, d.y))), PropertyRounding * size)
+      << p.Name << " " << Text(d);
     ASSERT_GT(glm::dot(m, vec2(d.x, d.y)), 0) << p.Name << " " << Text(d);
   }
 }
@@ -206,8 +203,8 @@ void CheckEquiangular(const Projection& p)
         const vec3 d =
           faces[f][2] + faces[f][0] * std::tan(i * Degree) + faces[f][1] * std::tan(j * Degree);
         const vec2 m = RawProject(view, glm::normalize(d));
-        ASSERT_NEAR(m.x, centre.x + i / 45. / 3, Rounding) << f << " " << i << " " << j;
-        ASSERT_NEAR(m.y, centre.y + j / 45. / 2, Rounding) << f << " " << i << " " << j;
+        ASSERT_NEAR(m.x, centre.x + i / 45. / 3, PropertyRounding) << f << " " << i << " " << j;
+        ASSERT_NEAR(m.y, centre.y + j / 45. / 2, PropertyRounding) << f << " " << i << " " << j;
       }
     }
   }
@@ -226,7 +223,7 @@ void CheckStraightLines(const Projection& p)
     const vec2 v = RawProject(view, a * 0.3 + b * 0.7);
     const vec2 w = RawProject(view, b);
     const double size = glm::length(w - u) * std::max(1.0, glm::length(v - u));
-    ASSERT_LE(std::abs(Cross(v - u, w - u)), Rounding * std::max(1.0, size))
+    ASSERT_LE(std::abs(Cross(v - u, w - u)), PropertyRounding * std::max(1.0, size))
       << p.Name << " from " << Text(a) << " to " << Text(b);
   }
 }

@@ -19,7 +19,7 @@ using namespace wfv::reference;
 
 namespace
 {
-View FullSphere(double nearRadius, double farRadius)
+View SphereBetween(double nearRadius, double farRadius)
 {
   ViewOptions o;
   o.Radii = { { nearRadius, farRadius } };
@@ -96,7 +96,7 @@ Hit BruteForce(const RayCaster& caster, const vec3& o, const vec3& d)
 
 TEST(RayCaster, CandidatesAreComplete)
 {
-  const View view = FullSphere(0.5, 12);
+  const View view = SphereBetween(0.5, 12);
   const RayCaster caster(RandomTriangles(3000), view, EyeAt(0.1, -0.2, 0.3));
   int hits = 0;
   for (const vec3& d : test::RandomDirections(4000))
@@ -115,7 +115,7 @@ TEST(RayCaster, CandidatesAreComplete)
 TEST(RayCaster, CandidatesAreCompleteAlongBoxFaces)
 {
   // rays along the faces and diagonals of the boxes of the search, through shared vertices
-  const View view = FullSphere(1e-3, 100);
+  const View view = SphereBetween(1e-3, 100);
   const RayCaster caster(Sphere(64), view, EyeAt(0, 0, 0));
   for (double offset : { 0.0, 1e-15, 1e-12, 1e-9 })
   {
@@ -140,7 +140,7 @@ TEST(RayCaster, KnowsDistanceAndBarycentricsOfAPlane)
   vtkNew<vtkPolyData> polyData;
   polyData->SetPoints(points);
   polyData->SetPolys(cells);
-  const View view = FullSphere(0.1, 100);
+  const View view = SphereBetween(0.1, 100);
   const RayCaster caster(polyData, view, EyeAt(0, 0, 0));
   for (const vec3& target : { vec3(0, 0, -3), vec3(1, 2, -3), vec3(-3.9, -3.9, -3) })
   {
@@ -165,13 +165,15 @@ TEST(RayCaster, ClipSpheres)
   cube->SetZLength(2);
   cube->Update();
   const vec3 diagonal = glm::normalize(vec3(1, 1, 1));
-  EXPECT_EQ(
-    RayCaster(cube->GetOutput(), FullSphere(0.1, 1.7), IdentityPose()).Cast(vec3(0), diagonal).Cell,
+  EXPECT_EQ(RayCaster(cube->GetOutput(), SphereBetween(0.1, 1.7), IdentityPose())
+              .Cast(vec3(0), diagonal)
+              .Cell,
     -1);
-  EXPECT_GE(
-    RayCaster(cube->GetOutput(), FullSphere(0.1, 1.8), IdentityPose()).Cast(vec3(0), diagonal).Cell,
+  EXPECT_GE(RayCaster(cube->GetOutput(), SphereBetween(0.1, 1.8), IdentityPose())
+              .Cast(vec3(0), diagonal)
+              .Cell,
     0);
-  EXPECT_EQ(RayCaster(cube->GetOutput(), FullSphere(1.1, 1.8), IdentityPose())
+  EXPECT_EQ(RayCaster(cube->GetOutput(), SphereBetween(1.1, 1.8), IdentityPose())
               .Cast(vec3(0), vec3(1, 0, 0))
               .Cell,
     -1);
@@ -201,7 +203,7 @@ TEST(RayCaster, CellIdsCountVertsAndLinesFirst)
   polyData->SetLines(lines);
   polyData->SetPolys(polys);
   polyData->SetStrips(strips);
-  const RayCaster caster(polyData, FullSphere(0.1, 10), IdentityPose());
+  const RayCaster caster(polyData, SphereBetween(0.1, 10), IdentityPose());
   EXPECT_EQ(caster.GetTriangles().Triangles.size(), 6u);
   EXPECT_EQ(caster.Cast(vec3(0), vec3(0, 0, -1)).Cell, 3);
   EXPECT_EQ(caster.Cast(vec3(0), glm::normalize(vec3(0.1, 0.2, -1))).Cell, 3);
@@ -225,7 +227,7 @@ TEST(RayCaster, ClosedMeshHasNoGap)
       source->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
       source->Update();
       const Pose pose = EyeAt(far * scale, -far * scale, (far + 0.25) * scale);
-      const RayCaster caster(source->GetOutput(), FullSphere(1e-3 * scale, 10 * scale), pose);
+      const RayCaster caster(source->GetOutput(), SphereBetween(1e-3 * scale, 10 * scale), pose);
       const TriangleSoup& soup = caster.GetTriangles();
       for (const auto& t : soup.Triangles)
       {
@@ -244,7 +246,7 @@ TEST(RayCaster, ClosedMeshHasNoGap)
 
 TEST(RayCaster, PictureIsTopDown)
 {
-  const RayCaster caster(Sphere(32), FullSphere(0.01, 10), EyeAt(0, 0.5, 0));
+  const RayCaster caster(Sphere(32), SphereBetween(0.01, 10), EyeAt(0, 0.5, 0));
   const HitPicture picture = caster.Render(64, 32);
   // the eye is near the top of the sphere
   EXPECT_NEAR(picture.At(10, 0).Distance, 0.5, 0.01);
@@ -260,7 +262,7 @@ TEST(RayCaster, PictureIsTopDown)
 TEST(RayCaster, EmptyInputHitsNothing)
 {
   vtkNew<vtkPolyData> nothing;
-  const RayCaster caster(nothing, FullSphere(0.1, 10), IdentityPose());
+  const RayCaster caster(nothing, SphereBetween(0.1, 10), IdentityPose());
   EXPECT_EQ(caster.Cast(vec2(0, 0)).Cell, -1);
   EXPECT_TRUE(caster.Cast(vec2(0, 0)).InDomain);
 }
@@ -283,7 +285,7 @@ DrawnPicture Perfect(const HitPicture& p)
 
 TEST(Metrics, PerfectPictureHasNoError)
 {
-  const RayCaster caster(Sphere(24), FullSphere(0.01, 10), EyeAt(0.1, 0.2, 0));
+  const RayCaster caster(Sphere(24), SphereBetween(0.01, 10), EyeAt(0.1, 0.2, 0));
   const HitPicture reference = caster.Render(128, 64);
   const Metrics m = Compare(Perfect(reference), caster, reference, 0.25);
   EXPECT_EQ(m.Mismatched, 0);
@@ -295,7 +297,7 @@ TEST(Metrics, PerfectPictureHasNoError)
 
 TEST(Metrics, HolesAndStrangersAreCounted)
 {
-  const RayCaster caster(Sphere(24), FullSphere(0.01, 10), EyeAt(0.1, 0.2, 0));
+  const RayCaster caster(Sphere(24), SphereBetween(0.01, 10), EyeAt(0.1, 0.2, 0));
   const HitPicture reference = caster.Render(128, 64);
   DrawnPicture drawn = Perfect(reference);
   drawn.Cell[30 * 128 + 40] = 0; // a hole
@@ -317,7 +319,7 @@ TEST(Metrics, HolesAndStrangersAreCounted)
 // and the distance found is of its size.
 TEST(Metrics, ShiftIsMeasured)
 {
-  const RayCaster caster(Sphere(24), FullSphere(0.01, 10), EyeAt(0.1, 0.2, 0));
+  const RayCaster caster(Sphere(24), SphereBetween(0.01, 10), EyeAt(0.1, 0.2, 0));
   const HitPicture reference = caster.Render(128, 64);
   DrawnPicture drawn = Perfect(reference);
   constexpr double Shift = 0.4; // pixels

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is said to lie between the samples of a picture does, and most of what does is said to.
+#include "Views.h"
 #include "vtkWideFoVSampleGrid.h"
 
 #include <gtest/gtest.h>
@@ -11,14 +12,10 @@
 #include <random>
 
 using namespace wfv;
+using namespace wfv::test;
 
 namespace
 {
-double Cross(const vec2& a, const vec2& b)
-{
-  return a.x * b.y - a.y * b.x;
-}
-
 double DistanceToSide(const vec2& s, const vec2& a, const vec2& b)
 {
   const double length2 = glm::dot(b - a, b - a);

@@ -15,7 +15,7 @@ using namespace wfv::test;
 namespace
 {
 // Largest error of a round trip and of a closed form: radians, NDC, or relative to a distance.
-constexpr double RoundTrip = 1e-12;
+constexpr double StereoRoundTrip = 1e-12;
 
 ViewOptions OptionsOf(const char* model, Eye eye)
 {
@@ -140,7 +140,7 @@ TEST(Stereo, PointForwardRayAt)
         count++;
         const double error = TripOf(v.TheView, p, q);
         worst = std::max(worst, error);
-        ASSERT_LE(error, RoundTrip) << v.Name << " " << Text(p);
+        ASSERT_LE(error, StereoRoundTrip) << v.Name << " " << Text(p);
       }
     }
   }
@@ -172,12 +172,12 @@ TEST(Stereo, OmnidirectionalIsTheTangentOfTheCircle)
       const vec2 ndc(std::remainder(at.x, 2 * WFV_PI) / WFV_PI, at.y / (0.5 * WFV_PI));
       const NdcPoint q = view.Forward(p);
       // the two borders of the picture are one meridian
-      EXPECT_NEAR(std::remainder(q.Ndc.x - ndc.x, 2.0), 0, RoundTrip) << Text(p);
-      EXPECT_NEAR(q.Ndc.y, ndc.y, RoundTrip) << Text(p);
+      EXPECT_NEAR(std::remainder(q.Ndc.x - ndc.x, 2.0), 0, StereoRoundTrip) << Text(p);
+      EXPECT_NEAR(q.Ndc.y, ndc.y, StereoRoundTrip) << Text(p);
       const ViewRay ray = view.Ray(vec2(q.Ndc.x, q.Ndc.y));
       const vec3 tangent = vec3(std::cos(at.x), 0, std::sin(at.x)) * (sign * r);
-      EXPECT_LE(glm::length(ray.Origin - tangent), RoundTrip) << Text(p);
-      EXPECT_LE(AngleBetween(ray.Direction, p - tangent), 50 * RoundTrip) << Text(p);
+      EXPECT_LE(glm::length(ray.Origin - tangent), StereoRoundTrip) << Text(p);
+      EXPECT_LE(AngleBetween(ray.Direction, p - tangent), 50 * StereoRoundTrip) << Text(p);
     }
   }
 }
@@ -203,7 +203,7 @@ TEST(Stereo, OmnidirectionalDisparityHasOneSignAllRound)
         const double flat = rho * std::cos(phi * Degree);
         const double parallax = left.Forward(d * rho).Ndc.x - right.Forward(d * rho).Ndc.x;
         const double expected = 2 * std::asin(0.032 / flat) / WFV_PI;
-        EXPECT_NEAR(std::remainder(parallax, 2.0), expected, RoundTrip)
+        EXPECT_NEAR(std::remainder(parallax, 2.0), expected, StereoRoundTrip)
           << lambda << " " << phi << " " << rho;
       }
     }
@@ -221,9 +221,9 @@ TEST(Stereo, PoleFadeIsFullBelowAndNothingAbove)
   const auto radius = [&](double phi) { return glm::length(view.Ray(vec2(0.3, phi / 90)).Origin); };
   for (double phi : { 0.0, 20.0, -29.9 })
   {
-    EXPECT_NEAR(radius(phi), 1, RoundTrip) << phi;
+    EXPECT_NEAR(radius(phi), 1, StereoRoundTrip) << phi;
   }
-  EXPECT_NEAR(radius(45), 0.5, RoundTrip);
+  EXPECT_NEAR(radius(45), 0.5, StereoRoundTrip);
   for (double phi : { 60.1, -75.0, 89.0 })
   {
     EXPECT_EQ(radius(phi), 0) << phi;
@@ -260,8 +260,8 @@ TEST(Stereo, PaperHasNoParallaxOnItsPlane)
         const vec3 r = right.Forward(p).Ndc;
         // two centres of projection 0.5 apart, 5 in front of the plane z = -0.8
         const double expected = 0.5 * (z + 0.8) / (5 + z + 0.8);
-        EXPECT_NEAR(r.x - l.x, expected, RoundTrip) << name << " " << z;
-        EXPECT_NEAR(r.y, l.y, RoundTrip) << name << " " << z;
+        EXPECT_NEAR(r.x - l.x, expected, StereoRoundTrip) << name << " " << z;
+        EXPECT_NEAR(r.y, l.y, StereoRoundTrip) << name << " " << z;
       }
     }
   }
@@ -282,8 +282,8 @@ TEST(Stereo, OffAxisParallaxIsThatOfTheTalk)
   {
     const vec3 q(0.1 * w, -0.2 * w, -w);
     const double parallax = 0.5 * (right.Forward(q).Ndc.x - left.Forward(q).Ndc.x);
-    EXPECT_NEAR(parallax, 0.05 * (1 - 4 / w), RoundTrip) << w;
-    EXPECT_NEAR(right.Forward(q).Ndc.y, left.Forward(q).Ndc.y, RoundTrip) << w;
+    EXPECT_NEAR(parallax, 0.05 * (1 - 4 / w), StereoRoundTrip) << w;
+    EXPECT_NEAR(right.Forward(q).Ndc.y, left.Forward(q).Ndc.y, StereoRoundTrip) << w;
   }
 }
 
@@ -291,9 +291,9 @@ TEST(Stereo, ComfortIsThatOfTheModels)
 {
   EXPECT_DOUBLE_EQ(OffAxisParallax(0.03, 4, 2), -3);
   EXPECT_DOUBLE_EQ(OffAxisParallax(0.03, 4, 4), 0);
-  EXPECT_NEAR(OffAxisParallax(0.03, 4, 1e15), 3, RoundTrip);
+  EXPECT_NEAR(OffAxisParallax(0.03, 4, 1e15), 3, StereoRoundTrip);
   // of a screen 2 wide seen from 1, one per cent is 0.02 across
-  EXPECT_NEAR(ParallaxAngle(1, 2, 1), 2 * std::atan(0.01) / Degree, RoundTrip);
+  EXPECT_NEAR(ParallaxAngle(1, 2, 1), 2 * std::atan(0.01) / Degree, StereoRoundTrip);
   EXPECT_DOUBLE_EQ(OmnidirectionalDisparity(0.065, 0.065), 60);
   EXPECT_DOUBLE_EQ(OmnidirectionalDisparity(0.065, 0.03), 180);
   const std::array<double, 2> budget = DepthBudget(3);
@@ -353,7 +353,8 @@ TEST(Stereo, AnswersEverywhere)
           const vec3 ndc = v.TheView.Forward(vec3(x, y, z)).Ndc;
           EXPECT_FALSE(std::isnan(ndc.x) || std::isnan(ndc.y)) << v.Name << Text(vec3(x, y, z));
           const ViewRay ray = v.TheView.RayAt(vec3(x, y, z));
-          EXPECT_NEAR(glm::length(ray.Direction), 1, RoundTrip) << v.Name << Text(vec3(x, y, z));
+          EXPECT_NEAR(glm::length(ray.Direction), 1, StereoRoundTrip)
+            << v.Name << Text(vec3(x, y, z));
           EXPECT_TRUE(std::isfinite(glm::length(ray.Origin))) << v.Name << Text(vec3(x, y, z));
         }
       }

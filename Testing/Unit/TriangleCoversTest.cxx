@@ -20,17 +20,12 @@ constexpr int Triangles = 3000; // a view
 constexpr int OwnTriangles = 1000;
 constexpr int NarrowTriangles = 700;
 constexpr int PlacesEach = 60;
-constexpr double Radius = 0.2; // of the eyes' circle
+constexpr double CircleRadius = 0.2; // of the eyes' circle
 const vec2 Size(1024, 512);
 
 // Pixels: that much of what is added for float32 and rasterizers is left for what lies between the
 // places that were looked at; nothing of the rest may be used up.
-constexpr double Slack = 0.005;
-
-double Cross(const vec2& a, const vec2& b)
-{
-  return a.x * b.y - a.y * b.x;
-}
+constexpr double CoverSlack = 0.005;
 
 SortView MakeSortView(const View& view, const vec2& size = Size)
 {
@@ -78,7 +73,7 @@ struct Shapes
   {
     this->Make(number, d);
     const double size = glm::length(d[1] - d[0]);
-    const double distance = Radius * std::pow(10, 1 + this->Unit(Engine));
+    const double distance = CircleRadius * std::pow(10, 1 + this->Unit(Engine));
     const double slope = number % 4 == 0 ? 1 : 0.1;
     for (int i = 0; i < 3; i++)
     {
@@ -202,8 +197,8 @@ void Check(
     make(shapes, i, d);
     LookAt(view, d, shapes, found);
   }
-  EXPECT_LT(found.WorstCalm, Slack - pad) << name;
-  EXPECT_LT(found.WorstCut, Slack - pad) << name;
+  EXPECT_LT(found.WorstCalm, CoverSlack - pad) << name;
+  EXPECT_LT(found.WorstCut, CoverSlack - pad) << name;
   std::cout << name << ": " << found.Calm << " calm, " << found.WorstCalm << "; " << found.Cut
             << " cut, " << found.WorstCut << " pixels beyond\n";
   EXPECT_GT(found.Calm, leastCalm) << name;
@@ -243,7 +238,7 @@ TEST(TriangleCovers, HoldEveryPlaceSeenFromACircle)
   {
     ViewOptions o = named.Options;
     o.Stereo.Model = FindStereoModel("omnidirectional");
-    o.Stereo.InterpupillaryDistance = 2 * Radius;
+    o.Stereo.InterpupillaryDistance = 2 * CircleRadius;
     o.Stereo.Eye = Eye::Left;
     const View eye(named.TheView.GetProjection(), o);
     SortView view = MakeSortView(eye);
@@ -262,7 +257,7 @@ TEST(TriangleCovers, IsEasyBesideTheCircle)
 {
   ViewOptions o;
   o.Stereo.Model = FindStereoModel("omnidirectional");
-  o.Stereo.InterpupillaryDistance = 2 * Radius;
+  o.Stereo.InterpupillaryDistance = 2 * CircleRadius;
   o.Stereo.Eye = Eye::Left;
   const View eye(*FindProjection("equirectangular"), o);
   SortView view = MakeSortView(eye);
@@ -279,7 +274,7 @@ TEST(TriangleCovers, IsEasyBesideTheCircle)
       for (TriangleJudge::Corner& corner : c)
       {
         const vec3 d = glm::normalize(at + 0.02 * shapes.Direction());
-        corner = judge.See(d * (radii * Radius / std::hypot(d.x, d.z)));
+        corner = judge.See(d * (radii * CircleRadius / std::hypot(d.x, d.z)));
       }
       const TriangleJudge::Corner* const corners[3] = { &c[0], &c[1], &c[2] };
       const TriangleJudge::Verdict verdict = judge.Judge(corners);

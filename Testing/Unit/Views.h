@@ -14,6 +14,12 @@ namespace test
 {
 const double Degree = WFV_PI / 180;
 
+// Twice the area of the triangle between two sides, positive where b is to the left of a.
+inline double Cross(const vec2& a, const vec2& b)
+{
+  return a.x * b.y - a.y * b.x;
+}
+
 struct NamedView
 {
   std::string Name; // projection and options, for messages

@@ -13,8 +13,8 @@ using namespace widefov;
 
 namespace
 {
-// Rounding of a few products of unit vectors, a hundred times over.
-constexpr double Rounding = 1e-12;
+// TurnRounding of a few products of unit vectors, a hundred times over.
+constexpr double TurnRounding = 1e-12;
 
 // Unit vectors, and what is built on differences of places about 100 large.
 constexpr double PlaceRounding = 1e-9;
@@ -52,10 +52,10 @@ Navigator SomePose(const Vector3& up)
 void AssertUpright(const Navigator& n, const Vector3& up)
 {
   const Vector3 right = Cross(n.GetDirection(), n.GetUp());
-  RC_ASSERT(std::abs(Dot(right, up)) < Rounding);
-  RC_ASSERT(Dot(n.GetUp(), up) > -Rounding);
-  RC_ASSERT(std::abs(Dot(n.GetDirection(), n.GetUp())) < Rounding);
-  RC_ASSERT(std::abs(Dot(n.GetUp(), n.GetUp()) - 1) < Rounding);
+  RC_ASSERT(std::abs(Dot(right, up)) < TurnRounding);
+  RC_ASSERT(Dot(n.GetUp(), up) > -TurnRounding);
+  RC_ASSERT(std::abs(Dot(n.GetDirection(), n.GetUp())) < TurnRounding);
+  RC_ASSERT(std::abs(Dot(n.GetUp(), n.GetUp()) - 1) < TurnRounding);
 }
 }
 
@@ -64,7 +64,7 @@ RC_GTEST_PROP(Navigator, BeginsAsItIsTold, ())
   const Vector3 up = Direction();
   const Vector3 direction = Direction();
   const Navigator n({ { 1, 2, 3 } }, 5. * direction, up, 2. * up);
-  RC_ASSERT(Apart(n.GetDirection(), direction) < Rounding);
+  RC_ASSERT(Apart(n.GetDirection(), direction) < TurnRounding);
   AssertUpright(n, up);
 }
 
@@ -74,9 +74,9 @@ TEST(Navigator, BeginsStraightUpAndDown)
   {
     const Vector3 head{ { 0, 0, sign } }; // as MakePose has it
     const Navigator n({ { 0, 0, 0 } }, { { 0, sign, 0 } }, head, { { 0, 1, 0 } });
-    EXPECT_LT(Apart(n.GetDirection(), { { 0, sign, 0 } }), Rounding);
-    EXPECT_LT(Apart(n.GetUp(), head), Rounding);
-    EXPECT_NEAR(n.GetPitch(), 90 * sign, Rounding);
+    EXPECT_LT(Apart(n.GetDirection(), { { 0, sign, 0 } }), TurnRounding);
+    EXPECT_LT(Apart(n.GetUp(), head), TurnRounding);
+    EXPECT_NEAR(n.GetPitch(), 90 * sign, TurnRounding);
   }
 }
 
@@ -110,7 +110,7 @@ RC_GTEST_PROP(Navigator, TheAzimuthIsAlwaysRight, ())
   grip.World = Direction();
   n.Pull(grip, view);
   AssertUpright(n, up);
-  RC_ASSERT(std::abs(n.GetPitch()) <= 90 + Rounding);
+  RC_ASSERT(std::abs(n.GetPitch()) <= 90 + TurnRounding);
   const Vector3 shown = n.ToWorld(view);
   const double a = std::atan2(shown[0], shown[2]) - std::atan2(grip.World[0], grip.World[2]);
   RC_PRE(std::hypot(shown[0], shown[2]) > 1e-3 && std::hypot(grip.World[0], grip.World[2]) > 1e-3);
@@ -143,7 +143,7 @@ TEST(Navigator, ComingBackUndoesADrag)
   n.Pull(grip, Unit({ { 1, -0.9, 0.3 } }));
   EXPECT_GT(Apart(n.GetDirection(), before), 0.1);
   n.Pull(grip, start);
-  EXPECT_LT(Apart(n.GetDirection(), before), Rounding);
+  EXPECT_LT(Apart(n.GetDirection(), before), TurnRounding);
 }
 
 RC_GTEST_PROP(Navigator, OrbitKeepsTheCentreInThePicture, ())

@@ -16,7 +16,7 @@ using namespace widefov;
 namespace
 {
 // Unit vectors and places a few units away, in double.
-constexpr double Rounding = 1e-12;
+constexpr double PoseRounding = 1e-12;
 
 // Of seconds after a few sums.
 constexpr double TimeRounding = 1e-9;
@@ -134,7 +134,7 @@ TEST(Room, RaysAreThoseOfTheCamera)
     ASSERT_TRUE(ray);
     for (std::size_t i = 0; i < 3; i++)
     {
-      EXPECT_NEAR((*ray)[i], direction[i], Rounding);
+      EXPECT_NEAR((*ray)[i], direction[i], PoseRounding);
     }
   }
 }
