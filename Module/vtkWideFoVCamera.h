@@ -66,6 +66,7 @@ public:
   void SetProjectionToAzimuthalEqualArea() { this->SetProjection("azimuthal-equal-area"); }
   void SetProjectionToStereographic() { this->SetProjection("stereographic"); }
   void SetProjectionToOrthographic() { this->SetProjection("orthographic"); }
+  void SetProjectionToGnomonic() { this->SetProjection("gnomonic"); }
   void SetProjectionToEquiAngularCubemap() { this->SetProjection("equi-angular-cubemap"); }
   void SetProjectionToDirectionMap() { this->SetProjection("direction-map"); }
   void SetProjectionToPerspective() { this->SetProjection("perspective"); }

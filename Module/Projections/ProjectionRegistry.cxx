@@ -122,6 +122,12 @@ namespace orthographic
 #include "azimuthal.glsl"
 #include "unproject.glsl"
 }
+namespace gnomonic
+{
+#include "gnomonic.glsl"
+#include "azimuthal.glsl"
+#include "unproject.glsl"
+}
 namespace equi_angular_cubemap
 {
 #include "cube_faces.glsl"
@@ -155,6 +161,7 @@ constexpr double MaxMercator = 170.1022575596132;
 constexpr double MaxCentral = 150;       // 2 * 75
 constexpr double MaxPanini = 320;        // 2 * 160
 constexpr double MaxStereographic = 320; // 2 * 160
+constexpr double MaxGnomonic = 160;      // 2 * 80
 
 const char* const PolesAtInfinity = "its poles are infinitely far away";
 
@@ -248,6 +255,13 @@ Projection Orthographic(Projection p)
   return p;
 }
 
+Projection Gnomonic(Projection p)
+{
+  p = Round(p, MaxGnomonic);
+  p.Limit = "what is 90 degrees off the axis is infinitely far away";
+  return p;
+}
+
 Projection Faces(Projection p)
 {
   p.Axis = Family::Faces;
@@ -321,6 +335,8 @@ std::vector<Projection> OtherOnes()
       "conformal, straight-radials", stereographic_glsl, azimuthal_glsl)),
     Orthographic(WFV_PROJECTION(orthographic, "orthographic", "Orthographic (fisheye)",
       "straight-radials", orthographic_glsl, azimuthal_glsl)),
+    Gnomonic(WFV_PROJECTION(gnomonic, "gnomonic", "Gnomonic (rectilinear fisheye)",
+      "straight-lines, straight-radials", gnomonic_glsl, azimuthal_glsl)),
     Faces(WFV_PROJECTION(equi_angular_cubemap, "equi-angular-cubemap", "Equi-angular cubemap (3x2)",
       "equiangular", cube_faces_glsl, equi_angular_cubemap_glsl)),
     Planar(WFV_PROJECTION(

@@ -60,7 +60,7 @@ TEST(Options, RegistryIsConsistent)
   for (const char* name : { "equirectangular", "cylindrical-equal-area", "miller", "mercator",
          "central-cylindrical", "mollweide", "sinusoidal", "eckert-iv", "winkel-tripel", "aitoff",
          "hammer", "panini", "azimuthal-equidistant", "azimuthal-equal-area", "stereographic",
-         "orthographic", "equi-angular-cubemap", "perspective" })
+         "orthographic", "gnomonic", "equi-angular-cubemap", "perspective" })
   {
     EXPECT_EQ(names.count(name), 1u) << name;
   }
@@ -118,6 +118,7 @@ TEST(Options, LimitsAreExplained)
   ExpectRefused(*FindProjection("orthographic"), o, { "180", "181", "half sphere" });
   o.HorizontalFov = 321;
   ExpectRefused(*FindProjection("stereographic"), o, { "320", "321", "antipode" });
+  ExpectRefused(*FindProjection("gnomonic"), o, { "160", "321", "infinitely" });
   ExpectRefused(*FindProjection("panini"), o, { "320", "321", "infinity" });
 }
 
