@@ -5,7 +5,8 @@
     errors.py PAGE.md BENCH.json...
 
 Replaces what stands between <!-- begin errors --> and <!-- end errors --> in the page, and
-between the same marks of "limits" and, if there are pictures wider than WIDE, of "wide".
+between the same marks of "limits", "wide" and "stretched". Rows of projections that the files
+tell nothing of stay, so that one projection can be measured anew.
 """
 
 import json
@@ -15,8 +16,9 @@ import sys
 # Those that the second table is of: what is unexplained at 0.02 pixels, and distances.
 STRICT = ("exact", "auto 0.02")
 
-# Pixels: wider pictures have a table of their own.
+# Pixels: tables of their own have wider pictures, and of these the whole ones.
 WIDE = 4096
+WHOLE = 4096
 
 
 def name_of(record):
@@ -34,6 +36,10 @@ def row(cells):
 
 def table(heads, rows):
     return row(heads) + row(["---"] * len(heads)) + "".join(row(cells) for cells in rows)
+
+
+def is_square(record):
+    return record["size"][0] == record["size"][1]
 
 
 def read(files):
@@ -87,27 +93,39 @@ def strict_errors(found):
     return table(heads, rows)
 
 
+def rows_of(lines):
+    """{projection: its rows}"""
+    found = {}
+    for line in lines:
+        found.setdefault(line.split("|")[1].strip(), []).append(line)
+    return found
+
+
 def put(text, mark, new):
+    """Replaces the heads of a table and the rows of the projections that are new."""
     begin, end = "<!-- begin %s -->\n" % mark, "<!-- end %s -->" % mark
-    text, times = re.subn(
-        re.escape(begin) + ".*?" + re.escape(end), lambda _: begin + new + end, text, flags=re.S
-    )
-    if times != 1:
+    place = re.search(re.escape(begin) + "(.*?)" + re.escape(end), text, flags=re.S)
+    if not place:
         sys.exit("errors.py: the page has no place for the table \"%s\"" % mark)
-    return text
+    lines = new.splitlines(True)
+    rows = {**rows_of(place.group(1).splitlines(True)[2:]), **rows_of(lines[2:])}
+    merged = "".join(lines[:2]) + "".join("".join(of) for _, of in sorted(rows.items()))
+    return text[: place.start(1)] + merged + text[place.end(1) :]
 
 
 def main():
     page, files = sys.argv[1], sys.argv[2:]
     records = list(read(files))
-    found = collect(r for r in records if r["size"][0] <= WIDE)
-    wide = collect(r for r in records if r["size"][0] > WIDE)
+    found = collect(r for r in records if r["size"][0] <= WIDE and not is_square(r))
+    whole = collect(r for r in records if r["size"][0] > WIDE and r["size"][1] >= WHOLE)
+    stretched = collect(r for r in records if r["size"][0] > WIDE > r["size"][1] or is_square(r))
     with open(page, encoding="utf-8") as file:
         text = file.read()
-    text = put(text, "errors", strict_errors(found))
-    text = put(text, "limits", largest_errors(found))
-    if wide:
-        text = put(text, "wide", strict_errors(wide))
+    tables = [("errors", strict_errors, found), ("limits", largest_errors, found)]
+    tables += [("wide", strict_errors, whole), ("stretched", strict_errors, stretched)]
+    for mark, write, of in tables:
+        if of:
+            text = put(text, mark, write(of))
     with open(page, "w", encoding="utf-8") as file:
         file.write(text)
 

@@ -5,8 +5,9 @@
 #
 #   bash Testing/Benchmark/errors.sh [--data FOLDER]
 #
-# Two projections at a time, some forty minutes on two cores, and as many for the pictures of
-# 8192 x 4096, which take 12 GB: times are not looked at. Needs a build in build/.
+# Two projections at a time, some forty minutes on two cores, as many for the pictures of 8192 x 4096,
+# which take 12 GB, and for those of 8192 x 512. Times are not looked at. Needs a build in build/.
+# PROJECTIONS="hammer aitoff" measures these alone, and leaves the rows of others as they are.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
@@ -14,16 +15,24 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
   { echo "errors.sh: there is no build/bin/widefov-bench; build the project first" >&2; exit 1; }
 
 mkdir -p output/errors
+projections="${PROJECTIONS:-$(bash Utilities/with-display.sh build/bin/widefov-render --list-projections |
+  grep -v -e perspective -e direction-map)}"
+round="azimuthal-equidistant azimuthal-equal-area stereographic orthographic gnomonic"
+
 # measure PROCESSES FILE [OPTION...]: NAME stands for a projection
 measure() {
-  bash Utilities/with-display.sh build/bin/widefov-render --list-projections |
-    grep -v -e perspective -e direction-map |
-    xargs -P "$1" -I NAME bash Utilities/with-display.sh build/bin/widefov-bench --frames 1 \
-      --projection NAME --output "output/errors/$2" "${@:3}"
+  xargs -n 1 <<< "$projections" | xargs -P "$1" -I NAME bash Utilities/with-display.sh \
+    build/bin/widefov-bench --frames 1 --projection NAME --output "output/errors/$2" "${@:3}"
 }
 measure 2 NAME.json --size 1024x512 --methods exact,auto "$@"
 # software draws patches slowly: without the largest scenes
 measure 2 NAME-tessellate.json --size 1024x512 --methods tessellate \
   --scenes cornell,room,atrium,globe,vector-cloud "$@"
 measure 1 NAME-8192.json --size 8192x4096 --quick --methods exact,auto --scenes atrium "$@"
+# all scenes in four million pixels: as wide, or a circle that touches the nearer borders
+for name in $projections; do
+  [[ " $round " == *" $name "* ]] && echo "$name 2048x2048" || echo "$name 8192x512"
+done | xargs -P 2 -L 1 bash -c 'bash Utilities/with-display.sh build/bin/widefov-bench --frames 1 \
+  --projection "$2" --size "$3" --output "output/errors/$2-stretched.json" --quick \
+  --methods exact $1' errors.sh "$*"
 /usr/bin/python3 -B Testing/Benchmark/errors.py Documentation/benchmarks/errors.md output/errors/*.json
