@@ -239,7 +239,15 @@ void TriangleJudge::JudgeEdges(const Corner* const c[3], double angle2, double w
     worst = std::max({ off[0].GetMost(), off[1].GetMost(), off[2].GetMost() });
   }
   const double sure = moved + this->Pad;
-  verdict.Calm = this->V.Calm && angle2 > 0 && worst + sure <= CalmError;
+  // a side moves out by what its edge bulges and by what any edge reaches beyond its ends
+  double sides = 0;
+  double ends = 0;
+  for (int i = 0; i < 3; i++)
+  {
+    sides = std::max({ sides, off[i].Left, off[i].Right });
+    ends = std::max(ends, off[i].Ends);
+  }
+  verdict.Calm = this->V.Calm && angle2 > 0 && std::max(worst, sides + ends) + sure <= CalmError;
   verdict.Reach = verdict.Calm ? GetReach(c, off, sure) : 0;
   const double nearest = std::min({ c[0]->Distance, c[1]->Distance, c[2]->Distance });
   const double farthest = std::max({ c[0]->Distance, c[1]->Distance, c[2]->Distance });

@@ -19,6 +19,7 @@ namespace
 constexpr int Triangles = 3000; // a view
 constexpr int OwnTriangles = 1000;
 constexpr int NarrowTriangles = 700;
+constexpr int TurningTriangles = 60000;
 constexpr int PlacesEach = 60;
 constexpr double CircleRadius = 0.2; // of the eyes' circle
 const vec2 Size(1024, 512);
@@ -65,6 +66,20 @@ struct Shapes
     {
       const vec3 step = along * this->Unit(Engine) + across * (width * this->Unit(Engine));
       d[i] = glm::normalize(at + size * step);
+    }
+  }
+
+  // Beside the nadir, where edges turn in a picture.
+  void MakeTurning(vec3 d[3])
+  {
+    const double size = std::pow(10, -1.2 + 0.5 * this->Unit(Engine));
+    const double width = std::pow(10, -1 + this->Unit(Engine));
+    const vec3 at = glm::normalize(vec3(0, -1, 0) + 0.3 * this->Direction());
+    const vec3 along = glm::normalize(glm::cross(at, this->Direction()));
+    const vec3 across = width * glm::cross(at, along);
+    for (int i = 0; i < 3; i++)
+    {
+      d[i] = glm::normalize(at + size * (along * this->Unit(Engine) + across * this->Unit(Engine)));
     }
   }
 
@@ -229,6 +244,27 @@ TEST(TriangleCovers, HoldEveryPlaceOfNarrowPictures)
 {
   CheckAllViews(vec2(2048, 64), NarrowTriangles);
   CheckAllViews(vec2(64, 2048), NarrowTriangles);
+}
+
+// Beside the nadir of a map that is stretched to the side edges turn back: what one reaches beyond
+// its ends comes on top of what another bulges, for which bits may be too few.
+TEST(TriangleCovers, HoldWhatTurnsBackBeyondItsEnds)
+{
+  for (const char* name : { "aitoff", "hammer", "winkel-tripel", "mollweide" })
+  {
+    const View whole(*FindProjection(name), ViewOptions());
+    const SortView view = MakeSortView(whole, vec2(8192, 512));
+    Shapes shapes;
+    Found found;
+    for (int i = 0; i < TurningTriangles; i++)
+    {
+      vec3 d[3];
+      shapes.MakeTurning(d);
+      LookAt(view, d, shapes, found);
+    }
+    EXPECT_LT(found.WorstCalm, CoverSlack - TriangleJudge::GetPad(view.Pixels)) << name;
+    EXPECT_GT(found.Calm, TurningTriangles / 2) << name;
+  }
 }
 
 // Of an eye whose rays begin on a circle, from there on, and beside its axis.
