@@ -29,7 +29,7 @@ constexpr int Width = 128;
 constexpr int Height = 64;
 constexpr int Meshes = 48;
 constexpr int Crowds = 2;
-constexpr int Shots = 2; // a projection and technique
+constexpr int Shots = 4; // a projection and technique
 
 class RandomCrowd : public CullCrowd
 {

@@ -24,7 +24,7 @@ namespace
 constexpr int CullWidth = 192;
 constexpr int CullHeight = 96;
 constexpr int CullMeshes = 40;
-constexpr int CullShots = 2; // a projection and technique
+constexpr int CullShots = 3; // a projection and technique
 
 vtkSmartPointer<vtkPolyData> InStrips(vtkPolyData* mesh)
 {

@@ -32,7 +32,7 @@ namespace
 {
 constexpr int HiddenWidth = 256;
 constexpr int HiddenHeight = 128;
-constexpr int HiddenShots = 1; // a projection and technique
+constexpr int HiddenShots = 2; // a projection and technique
 
 // Balls of triangles of several sizes among each other, in a room.
 class Heap : public CullCrowd
