@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The Earth's relief seen from its centre, with the January winds floating inside.
+#include "Angles.h"
 #include "ColorMaps.h"
 #include "MeshBuilder.h"
 #include "Messages.h"
@@ -88,7 +89,7 @@ Vector3 ReliefNormal(const MapGrid& grid, int i, int j)
 {
   constexpr double Exaggeration = 25;
   constexpr double EarthRadius = 6.371e6; // metres
-  const double degree = EarthRadius * 3.14159265358979323846 / 180;
+  const double degree = EarthRadius * Degree;
   const double lon = grid.Longitude(i);
   const double lat = grid.Latitude(j);
   const double stretch = std::max(0.2, std::cos(lat / 57.29577951308232));

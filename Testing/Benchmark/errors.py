@@ -16,9 +16,9 @@ import sys
 # Those that the second table is of: what is unexplained at 0.02 pixels, and distances.
 STRICT = ("exact", "auto 0.02")
 
-# Pixels: tables of their own have wider pictures, and of these the whole ones.
-WIDE = 4096
-WHOLE = 4096
+# Pixels of a picture: tables of their own have those of so many, and of so many more.
+MANY = 4e6
+MOST = 3e7
 
 
 def name_of(record):
@@ -38,8 +38,8 @@ def table(heads, rows):
     return row(heads) + row(["---"] * len(heads)) + "".join(row(cells) for cells in rows)
 
 
-def is_square(record):
-    return record["size"][0] == record["size"][1]
+def pixels_of(record):
+    return record["size"][0] * record["size"][1]
 
 
 def read(files):
@@ -116,9 +116,9 @@ def put(text, mark, new):
 def main():
     page, files = sys.argv[1], sys.argv[2:]
     records = list(read(files))
-    found = collect(r for r in records if r["size"][0] <= WIDE and not is_square(r))
-    whole = collect(r for r in records if r["size"][0] > WIDE and r["size"][1] >= WHOLE)
-    stretched = collect(r for r in records if r["size"][0] > WIDE > r["size"][1] or is_square(r))
+    found = collect(r for r in records if pixels_of(r) < MANY)
+    stretched = collect(r for r in records if MANY <= pixels_of(r) < MOST)
+    whole = collect(r for r in records if pixels_of(r) >= MOST)
     with open(page, encoding="utf-8") as file:
         text = file.read()
     tables = [("errors", strict_errors, found), ("limits", largest_errors, found)]

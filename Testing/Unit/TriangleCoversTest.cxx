@@ -51,15 +51,9 @@ struct Shapes
     return glm::normalize(vec3(this->Unit(Engine), this->Unit(Engine), this->Unit(Engine)));
   }
 
-  void Make(int number, vec3 d[3])
+  // About a place, radians; width: of its size.
+  void MakeAt(const vec3& at, double size, double width, vec3 d[3])
   {
-    const double size = std::pow(10, -1.4 + 1.4 * this->Unit(Engine));
-    const double width = number % 3 == 0 ? 1 : std::pow(10, -2 + this->Unit(Engine));
-    vec3 at = this->Direction();
-    if (number % 5 == 0)
-    {
-      at = glm::normalize(vec3(0, at.y < 0 ? -1 : 1, 0) + 0.3 * at);
-    }
     const vec3 along = glm::normalize(glm::cross(at, this->Direction()));
     const vec3 across = glm::cross(at, along);
     for (int i = 0; i < 3; i++)
@@ -69,18 +63,24 @@ struct Shapes
     }
   }
 
+  void Make(int number, vec3 d[3])
+  {
+    const double size = std::pow(10, -1.4 + 1.4 * this->Unit(Engine));
+    const double width = number % 3 == 0 ? 1 : std::pow(10, -2 + this->Unit(Engine));
+    vec3 at = this->Direction();
+    if (number % 5 == 0)
+    {
+      at = glm::normalize(vec3(0, at.y < 0 ? -1 : 1, 0) + 0.3 * at);
+    }
+    this->MakeAt(at, size, width, d);
+  }
+
   // Beside the nadir, where edges turn in a picture.
   void MakeTurning(vec3 d[3])
   {
     const double size = std::pow(10, -1.2 + 0.5 * this->Unit(Engine));
     const double width = std::pow(10, -1 + this->Unit(Engine));
-    const vec3 at = glm::normalize(vec3(0, -1, 0) + 0.3 * this->Direction());
-    const vec3 along = glm::normalize(glm::cross(at, this->Direction()));
-    const vec3 across = width * glm::cross(at, along);
-    for (int i = 0; i < 3; i++)
-    {
-      d[i] = glm::normalize(at + size * (along * this->Unit(Engine) + across * this->Unit(Engine)));
-    }
+    this->MakeAt(glm::normalize(vec3(0, -1, 0) + 0.3 * this->Direction()), size, width, d);
   }
 
   // The same at distances from the eyes' circle on, some running away from it.
