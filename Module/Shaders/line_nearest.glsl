@@ -176,11 +176,10 @@ void wfvScanParts(vec2 p, float lo, float hi)
 void wfvStartAnywhere(vec2 p)
 {
   wfvScanned[0] = wfvScanned[1] = 1e9;
-  float gap = wfvHasGap() ? wfvArcGap.x : wfvArcRange.y;
-  wfvScanParts(p, wfvArcRange.x, min(gap, wfvArcRange.y));
+  wfvScanParts(p, wfvArcRange.x, min(wfvArcInner.x, wfvArcRange.y));
   if (wfvHasGap())
   {
-    wfvScanParts(p, max(wfvArcGap.y, wfvArcRange.x), wfvArcRange.y);
+    wfvScanParts(p, max(wfvArcInner.y, wfvArcRange.x), wfvArcRange.y);
   }
   wfvStartCount = wfvScanned[1] < 1e9 ? 2 : 1;
 }
@@ -255,9 +254,13 @@ float wfvDistance(vec2 p, int steps)
   }
 #if WFV_FLAT_RIM
   // at the rim an arc turns within a few pixels: its end may be as near as what lies before
+  float ref = wfvArcRef(wfvArcRange.x, wfvArcRange.y);
   for (int i = 0; i < 2; i++)
   {
-    wfvTry(p, wfvArcRange[i], wfvArcRef(wfvArcRange.x, wfvArcRange.y));
+    wfvTry(p, wfvArcRange[i], ref);
+#if WFV_OWN_RAYS
+    wfvTry(p, clamp(wfvArcInner[i], wfvArcRange.x, wfvArcRange.y), ref);
+#endif
   }
 #endif
   return wfvBestDistance;

@@ -12,6 +12,7 @@
 float wfvArcFoot;     // radians
 float wfvArcDistance; // above 0
 vec2 wfvArcGap;       // the angles between which no ray sees the line, or WFV_NO_CUT twice
+vec2 wfvArcInner;     // the same, or farther apart where the map does not show what is beside them
 
 // Beyond this cosine of its angle from the foot a line goes on no farther.
 const float WFV_OWN_END = 1e-9;

@@ -16,6 +16,7 @@ void wfvUnpackOwn(vec4 map, bool parts)
   wfvArcGap = wfvLineFoot.zw;
   wfvTwoTops = parts && map.y < 0.0;
   wfvArcTops = map.zw;
+  wfvArcInner = wfvHasGap() && parts && !wfvTwoTops ? map.zw : wfvArcGap;
   wfvArcJump = false;
   wfvSetLine();
 }

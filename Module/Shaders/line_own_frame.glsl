@@ -57,7 +57,9 @@ void wfvTurnFrame(float to)
   wfvArcEnds.xy -= to;
   wfvArcRange -= to;
   wfvArcFoot -= to;
-  wfvArcGap -= wfvHasGap() ? vec2(to) : vec2(0.0);
+  vec2 turned = wfvHasGap() ? vec2(to) : vec2(0.0);
+  wfvArcGap -= turned;
+  wfvArcInner -= turned;
   wfvSetLine();
 }
 
@@ -90,6 +92,7 @@ void wfvFrameOwn(vec3 p, vec3 q)
   wfvArcCut = WFV_NO_CUT;
   wfvArcJump = false;
   wfvArcGap = vec2(WFV_NO_CUT);
+  wfvArcInner = wfvArcGap;
   wfvTwoTops = false;
   wfvOwnMapped = true;
   wfvLevel = false;
@@ -293,6 +296,7 @@ void wfvEmitOwn(vec3 p, vec3 q)
   if (!wfvIsSeen(at))
   {
     wfvArcGap = wfvFindGap(at);
+    wfvArcInner = wfvArcGap;
     if (wfvArcGap.x <= wfvArcEnds.x && wfvArcGap.y >= wfvArcEnds.y)
     {
       return;

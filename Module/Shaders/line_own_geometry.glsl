@@ -44,7 +44,8 @@ void wfvEmitAngles(float lo, float hi, float ref)
 // The whole window, in which each pixel looks at all of the range.
 void wfvEmitAnywhere()
 {
-  vec2 own = wfvTwoTops ? wfvArcTops : vec2(-WFV_NO_CUT, WFV_NO_CUT);
+  vec2 own = wfvHasGap() ? wfvArcInner : vec2(-WFV_NO_CUT, WFV_NO_CUT);
+  own = wfvTwoTops ? wfvArcTops : own;
   wfvMapOut = vec4(wfvArcCut, wfvTwoTops ? -wfvArcDelta : wfvArcDelta, own);
   wfvEmitWindow();
 }
@@ -110,10 +111,33 @@ void wfvEmitHard()
   wfvEmitParts(a0, a1, wfvArcRef(a0, a1));
 }
 
-void wfvEmitPiece()
+#if WFV_FLAT_RIM
+// Leaves of the range what the rim does, which is in one piece on either side of a gap alone.
+void wfvKeepInFront()
+{
+  if (!wfvHasGap())
+  {
+    wfvKeepShown();
+    return;
+  }
+  vec2 behind = vec2(max(wfvArcGap.y, wfvArcRange.x), wfvArcRange.y);
+  wfvArcRange = vec2(wfvArcRange.x, min(wfvArcGap.x, wfvArcRange.y));
+  wfvKeepShown();
+  vec2 before = wfvArcRange;
+  wfvArcRange = behind;
+  wfvKeepShown();
+  behind = wfvArcRange;
+  bool first = before.x <= before.y;
+  bool second = behind.x <= behind.y;
+  wfvArcInner = first && second ? vec2(before.y, behind.x) : wfvArcGap;
+  wfvArcRange = vec2(first ? before.x : behind.x, second ? behind.y : before.y);
+}
+#endif
+
+void wfvEmitSeen()
 {
 #if WFV_FLAT_RIM
-  wfvKeepShown();
+  wfvKeepInFront();
 #endif
   if (!(wfvArcRange.x <= wfvArcRange.y))
   {
@@ -130,24 +154,5 @@ void wfvEmitPiece()
     return;
   }
   wfvEmitStretch(s);
-}
-
-void wfvEmitSeen()
-{
-#if WFV_FLAT_RIM
-  if (wfvHasGap())
-  {
-    // what the rim leaves is in one piece on either side of the gap alone
-    vec4 ends = vec4(wfvArcRange.x, wfvArcGap, wfvArcRange.y);
-    float turned = wfvArcFoot;
-    for (int i = 0; i < 4; i += 2)
-    {
-      wfvArcRange = vec2(ends[i], ends[i + 1]) + (wfvArcFoot - turned);
-      wfvEmitPiece();
-    }
-    return;
-  }
-#endif
-  wfvEmitPiece();
 }
 #endif

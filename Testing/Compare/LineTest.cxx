@@ -61,6 +61,8 @@ TEST_P(CompareStereoLines, Nasty)
       CheckEyes(LineShot(this->GetParam(), 512), 0.11, scene, width);
     }
   }
+  // here what passes on either side of the eyes ends side by side
+  CheckEyes(LineShot(this->GetParam(), 256), 0.11, NastyLines().front(), 10);
 }
 
 TEST_P(CompareStereoLines, Random)
