@@ -12,7 +12,7 @@ namespace
 constexpr double BendSafety = 1.25;
 
 // Radians: how far round what the window shows, and at how many distances on the way.
-const double Margin = 10 * WFV_PI / 180;
+const double Margin = glm::radians(10.0);
 constexpr int MarginSteps = 2;
 constexpr int MarginDirections = 8;
 

@@ -10,8 +10,6 @@ namespace wfv
 {
 namespace
 {
-const double Degree = WFV_PI / 180;
-
 bool HasLens(const std::array<double, 5>& lens)
 {
   for (double c : lens)
@@ -91,7 +89,7 @@ std::string CheckLens(const Projection& p, const ViewOptions& o)
   {
     return p.Name + " takes no lens; azimuthal-equidistant does";
   }
-  const bool fits = LensIsMonotone(o.Lens, 0.5 * o.HorizontalFov * Degree);
+  const bool fits = LensIsMonotone(o.Lens, glm::radians(0.5 * o.HorizontalFov));
   return fits ? "" : "the lens polynomial does not grow everywhere up to half the field of view";
 }
 }
@@ -168,8 +166,8 @@ View::View(const Projection& projection, const ViewOptions& o)
   WfvView& v = this->Parameters;
   v.map = this->Tables.get();
   v.tables = v.map ? v.map->GetSizes() : vec4(0);
-  v.halfFov = vec2(0.5 * o.HorizontalFov * Degree, 0.5 * o.VerticalFov * Degree);
-  v.tilt = vec2(std::cos(o.Tilt * Degree), std::sin(o.Tilt * Degree));
+  v.halfFov = glm::radians(vec2(0.5 * o.HorizontalFov, 0.5 * o.VerticalFov));
+  v.tilt = vec2(std::cos(glm::radians(o.Tilt)), std::sin(glm::radians(o.Tilt)));
   v.radii = vec2(o.Radii[0], o.Radii[1]);
   v.lens = vec4(o.Lens[0], o.Lens[1], o.Lens[2], o.Lens[3]);
   v.lens5 = o.Lens[4];

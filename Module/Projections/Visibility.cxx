@@ -59,8 +59,8 @@ bool MeetsMeridian(const Projection& p, const WfvView& v, const Box& b, const Wi
   const Range lambda = TurnsOf(ahead, x);
   // what reaches over the seam shows at the other border as well
   const bool both = w.Reach.x > 0 && std::max(-lambda.Low, lambda.High) > 0.5 * WFV_PI;
-  const double endX = 0.5 * p.MaxHorizontalFov * WFV_PI / 180;
-  const double endY = 0.5 * p.MaxVerticalFov * WFV_PI / 180;
+  const double endX = glm::radians(0.5 * p.MaxHorizontalFov);
+  const double endY = glm::radians(0.5 * p.MaxVerticalFov);
   const double low = std::atan2(b.Low.y, b.Low.y < 0 ? flat.Low : flat.High);
   const double high = std::atan2(b.High.y, b.High.y < 0 ? flat.High : flat.Low);
   for (int turn = -1; turn <= 1; turn++)

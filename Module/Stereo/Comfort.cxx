@@ -8,8 +8,6 @@ namespace wfv
 {
 namespace
 {
-const double Degree = WFV_PI / 180;
-
 // Times the convergence.
 constexpr double NearestContent = 0.5;
 constexpr double FarthestContent = 100;
@@ -29,12 +27,12 @@ double OffAxisParallax(double separation, double convergence, double w)
 double OmnidirectionalDisparity(double interpupillaryDistance, double d)
 {
   const double sine = 0.5 * interpupillaryDistance / d;
-  return sine < 1 ? 2 * std::asin(sine) / Degree : 180;
+  return sine < 1 ? 2 * glm::degrees(std::asin(sine)) : 180;
 }
 
 double ParallaxAngle(double percent, double screenWidth, double viewerDistance)
 {
-  return 2 * std::atan2(0.005 * percent * screenWidth, viewerDistance) / Degree;
+  return 2 * glm::degrees(std::atan2(0.005 * percent * screenWidth, viewerDistance));
 }
 
 std::array<double, 2> DepthBudget(double convergence)

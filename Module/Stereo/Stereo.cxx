@@ -45,8 +45,6 @@ namespace wfv
 {
 namespace
 {
-const double InRadians = WFV_PI / 180;
-
 // Fraction of the picture's width: a larger separation leaves the eyes nothing in common.
 constexpr double MaxSeparation = 0.5;
 
@@ -73,8 +71,8 @@ vec4 WarpedParameters(const StereoOptions& o, const WfvView&)
 
 vec4 OmnidirectionalParameters(const StereoOptions& o, const WfvView&)
 {
-  return vec4(0.5 * Sign(o) * o.InterpupillaryDistance, o.PoleFade[0] * InRadians,
-    o.PoleFade[1] * InRadians, 0);
+  return vec4(0.5 * Sign(o) * o.InterpupillaryDistance, glm::radians(o.PoleFade[0]),
+    glm::radians(o.PoleFade[1]), 0);
 }
 
 std::string CheckNothing(const StereoOptions&, const Projection&)

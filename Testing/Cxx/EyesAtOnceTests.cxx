@@ -49,11 +49,32 @@ void ExpectSame(const std::vector<Seen>& once, const std::vector<Seen>& twice, i
   EXPECT_GT(CountChanged(once[0], once[1]), static_cast<int>(once[0].Depths.size() / 20));
 }
 
+// What draws into the layer of each eye.
+bool HasLayers()
+{
+  WideFoVTestWindow scene("equirectangular", 20, 10);
+  scene.Window->Render();
+  const std::string all = scene.Window->ReportCapabilities();
+  return all.find("GL_ARB_shader_viewport_layer_array") != std::string::npos;
+}
+
+class EyesAtOnce : public ::testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    if (!HasLayers())
+    {
+      GTEST_SKIP() << "this OpenGL has no GL_ARB_shader_viewport_layer_array";
+    }
+  }
+};
+
 const char* const Projections[] = { "equirectangular", "hammer", "azimuthal-equidistant",
   "equi-angular-cubemap" };
 }
 
-TEST(EyesAtOnce, ShowWhatTwoTraversalsShow)
+TEST_F(EyesAtOnce, ShowWhatTwoTraversalsShow)
 {
   for (const char* projection : Projections)
   {
@@ -70,7 +91,7 @@ TEST(EyesAtOnce, ShowWhatTwoTraversalsShow)
 }
 
 // Meshes that are sorted, well and in haste.
-TEST(EyesAtOnce, ShowSortedMeshesAsTwoTraversalsDo)
+TEST_F(EyesAtOnce, ShowSortedMeshesAsTwoTraversalsDo)
 {
   for (const char* projection : Projections)
   {
@@ -100,7 +121,7 @@ TEST(EyesAtOnce, ShowSortedMeshesAsTwoTraversalsDo)
 }
 
 // With what cannot be shared before, among and behind it, one sample a pixel and several.
-TEST(EyesAtOnce, ShowTheOthersInEachTurn)
+TEST_F(EyesAtOnce, ShowTheOthersInEachTurn)
 {
   for (const char* model : { "omnidirectional", "warped" })
   {
@@ -125,7 +146,7 @@ TEST(EyesAtOnce, ShowTheOthersInEachTurn)
 }
 
 // A circle of the eyes that fades towards the poles, a view that is tilted, and a part of a window.
-TEST(EyesAtOnce, ShowPartsAndFades)
+TEST_F(EyesAtOnce, ShowPartsAndFades)
 {
   EyesScene scene("equirectangular", "omnidirectional");
   scene.AddRoom();
@@ -144,7 +165,7 @@ TEST(EyesAtOnce, ShowPartsAndFades)
 }
 
 // And with what both see alike, which is drawn as it is without stereo.
-TEST(EyesAtOnce, ShowWhatIsFarInEachTurn)
+TEST_F(EyesAtOnce, ShowWhatIsFarInEachTurn)
 {
   for (const bool haste : { false, true })
   {
@@ -163,7 +184,7 @@ TEST(EyesAtOnce, ShowWhatIsFarInEachTurn)
 }
 
 // Every way that shows both eyes draws them at once, the others do not.
-TEST(EyesAtOnce, FollowTheStereoType)
+TEST_F(EyesAtOnce, FollowTheStereoType)
 {
   EyesScene scene("equirectangular", "omnidirectional");
   scene.AddRoom();
@@ -189,7 +210,7 @@ TEST(EyesAtOnce, FollowTheStereoType)
 }
 
 // What waits for the right eye is shown in its own frame alone.
-TEST(EyesAtOnce, ShowNothingStale)
+TEST_F(EyesAtOnce, ShowNothingStale)
 {
   EyesScene scene("equirectangular", "omnidirectional");
   scene.AddRoom();
@@ -226,7 +247,7 @@ TEST(EyesAtOnce, ShowNothingStale)
 }
 
 // Something moves when the left eye has been drawn.
-TEST(EyesAtOnce, ShowWhatMovesBetweenTheTwo)
+TEST_F(EyesAtOnce, ShowWhatMovesBetweenTheTwo)
 {
   EyesScene scene("equirectangular", "omnidirectional");
   scene.AddRoom();
@@ -249,7 +270,7 @@ TEST(EyesAtOnce, ShowWhatMovesBetweenTheTwo)
 }
 
 // Where it cannot be, both eyes are drawn as ever.
-TEST(EyesAtOnce, KeepToTwoTraversalsWhereTheyMust)
+TEST_F(EyesAtOnce, KeepToTwoTraversalsWhereTheyMust)
 {
   EyesScene scene("equirectangular", "omnidirectional");
   scene.AddRoom();
@@ -275,4 +296,19 @@ TEST(EyesAtOnce, KeepToTwoTraversalsWhereTheyMust)
   EXPECT_GT(scene.Draw().at(0).Shared, 0);
   scene.Camera->SetWarpedViewer(0.5, 0);
   expectNone("a viewer who stands beside the axis");
+}
+
+// Nor where OpenGL has no layers for it.
+TEST(EyesInTurn, WhereThereAreNoLayers)
+{
+  if (HasLayers())
+  {
+    GTEST_SKIP() << "this OpenGL has GL_ARB_shader_viewport_layer_array";
+  }
+  EyesScene scene("equirectangular", "omnidirectional");
+  scene.AddRoom();
+  scene.AddRing();
+  const std::vector<Seen> always = scene.Draw();
+  ExpectSame(always, scene.DrawTwice(), 0);
+  EXPECT_EQ(always.at(1).Draws, always.at(0).Draws);
 }
