@@ -29,9 +29,38 @@ constexpr double PartOfWay = 0.5;
 // Of the rays' lengths, so small a product of three is rounding.
 constexpr double Flat = 1e-12;
 
+// On what parabolas through places say of an arc between them: as much as BetweenParts has over what
+// they say of one that bends to one side.
+constexpr double BeyondParts = 3.2;
+
 double Cross(const vec2& a, const vec2& b)
 {
   return a.x * b.y - a.y * b.x;
+}
+
+// By how much a curve may reach beyond its places, by a parabola through three of them: between two
+// with this difference, where second differences are as large as that.
+double BeyondStep(double difference, double second)
+{
+  const double rest = 0.5 * std::abs(second) - std::abs(difference);
+  return rest > 0 ? rest * rest / (2 * std::abs(second)) : 0;
+}
+
+// The same of an arc, along this direction or across it.
+double BeyondPlaces(const vec2* seen, const vec2& along)
+{
+  double beyond = 0;
+  for (int i = 1; i < Places - 1; i++)
+  {
+    const vec2 before = seen[i] - seen[i - 1];
+    const vec2 behind = seen[i + 1] - seen[i];
+    for (const vec2& step : { before, behind })
+    {
+      beyond = std::max({ beyond, BeyondStep(glm::dot(along, step), glm::dot(along, behind - before)),
+        BeyondStep(Cross(along, step), Cross(along, behind - before)) });
+    }
+  }
+  return beyond;
 }
 
 // True where a point on the sphere is surely not in a triangle.
@@ -240,7 +269,12 @@ bool TrianglePieces::Enclose(const Slab& slab, double moved, CoverPiece& piece, 
   // seen by rays of its own it may fold, and what is within bulges as its edges do
   const double parts =
     this->V.Own ? 2 * TriangleJudge::BetweenParts - 1 : TriangleJudge::BetweenParts - 1;
-  const double grow = parts * b.Off + shift + this->Pad;
+  double beyond = 0;
+  for (int i = 0; i < b.Count; i += Places)
+  {
+    beyond = std::max(beyond, BeyondPlaces(&b.Seen[static_cast<std::size_t>(i)], along));
+  }
+  const double grow = std::max(parts * b.Off, BeyondParts * beyond) + shift + this->Pad;
   low -= grow;
   high += grow;
   const vec2 up(-along.y, along.x);

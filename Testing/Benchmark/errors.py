@@ -5,8 +5,8 @@
     errors.py PAGE.md BENCH.json...
 
 Replaces what stands between <!-- begin errors --> and <!-- end errors --> in the page, and
-between the same marks of "limits", "wide" and "stretched". Rows of projections that the files
-tell nothing of stay, so that one projection can be measured anew.
+between the same marks of "limits", "wide" and "stretched". Rows that the files tell nothing of stay,
+so that one projection can be measured anew.
 """
 
 import json
@@ -76,11 +76,12 @@ def order(method):
 
 
 def strict_errors(found):
-    heads = ["projection", "method", "wrong pixels", "unexplained", "max, px", "depth, relative"]
+    heads = ["projection", "method", "scenes", "wrong pixels", "unexplained", "max, px"]
     rows = (
         [
             projection,
             method,
+            str(len(of[method])),
             str(sum(e["mismatched_pixels"] for e in of[method])),
             worst(of[method], "unexplained"),
             worst(of[method], "max_px"),
@@ -90,26 +91,24 @@ def strict_errors(found):
         for method in STRICT
         if method in of
     )
-    return table(heads, rows)
+    return table([*heads, "depth, relative"], rows)
 
 
-def rows_of(lines):
-    """{projection: its rows}"""
-    found = {}
-    for line in lines:
-        found.setdefault(line.split("|")[1].strip(), []).append(line)
-    return found
+def rows_of(lines, keys):
+    """{what is in its first cells: a row}"""
+    return {tuple(line.split("|")[1 : keys + 1]): line for line in lines}
 
 
-def put(text, mark, new):
-    """Replaces the heads of a table and the rows of the projections that are new."""
+def put(text, mark, keys, new):
+    """Replaces the heads of a table and the rows that are new, told by so many first cells."""
     begin, end = "<!-- begin %s -->\n" % mark, "<!-- end %s -->" % mark
     place = re.search(re.escape(begin) + "(.*?)" + re.escape(end), text, flags=re.S)
     if not place:
         sys.exit("errors.py: the page has no place for the table \"%s\"" % mark)
     lines = new.splitlines(True)
-    rows = {**rows_of(place.group(1).splitlines(True)[2:]), **rows_of(lines[2:])}
-    merged = "".join(lines[:2]) + "".join("".join(of) for _, of in sorted(rows.items()))
+    rows = {**rows_of(place.group(1).splitlines(True)[2:], keys), **rows_of(lines[2:], keys)}
+    in_order = sorted(rows, key=lambda cells: [cells[0], *map(order, map(str.strip, cells[1:]))])
+    merged = "".join(lines[:2]) + "".join(rows[cells] for cells in in_order)
     return text[: place.start(1)] + merged + text[place.end(1) :]
 
 
@@ -121,11 +120,11 @@ def main():
     whole = collect(r for r in records if pixels_of(r) >= MOST)
     with open(page, encoding="utf-8") as file:
         text = file.read()
-    tables = [("errors", strict_errors, found), ("limits", largest_errors, found)]
-    tables += [("wide", strict_errors, whole), ("stretched", strict_errors, stretched)]
-    for mark, write, of in tables:
+    tables = [("errors", 2, strict_errors, found), ("limits", 1, largest_errors, found)]
+    tables += [("wide", 2, strict_errors, whole), ("stretched", 2, strict_errors, stretched)]
+    for mark, keys, write, of in tables:
         if of:
-            text = put(text, mark, write(of))
+            text = put(text, mark, keys, write(of))
     with open(page, "w", encoding="utf-8") as file:
         file.write(text)
 

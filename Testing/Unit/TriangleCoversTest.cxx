@@ -262,8 +262,11 @@ TEST(TriangleCovers, HoldWhatTurnsBackBeyondItsEnds)
       shapes.MakeTurning(d);
       LookAt(view, d, shapes, found);
     }
-    EXPECT_LT(found.WorstCalm, CoverSlack - TriangleJudge::GetPad(view.Pixels)) << name;
+    const double pad = TriangleJudge::GetPad(view.Pixels);
+    EXPECT_LT(found.WorstCalm, CoverSlack - pad) << name;
+    EXPECT_LT(found.WorstCut, CoverSlack - pad) << name;
     EXPECT_GT(found.Calm, TurningTriangles / 2) << name;
+    EXPECT_GT(found.Cut, TurningTriangles / 2) << name;
   }
 }
 
