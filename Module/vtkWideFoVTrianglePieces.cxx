@@ -29,8 +29,8 @@ constexpr double PartOfWay = 0.5;
 // Of the rays' lengths, so small a product of three is rounding.
 constexpr double Flat = 1e-12;
 
-// On what parabolas through places say of an arc between them: as much as BetweenParts has over what
-// they say of one that bends to one side.
+// On what parabolas through places say of an arc between them: as much as BetweenParts has over
+// what they say of one that bends to one side.
 constexpr double BeyondParts = 3.2;
 
 double Cross(const vec2& a, const vec2& b)
@@ -56,8 +56,9 @@ double BeyondPlaces(const vec2* seen, const vec2& along)
     const vec2 behind = seen[i + 1] - seen[i];
     for (const vec2& step : { before, behind })
     {
-      beyond = std::max({ beyond, BeyondStep(glm::dot(along, step), glm::dot(along, behind - before)),
-        BeyondStep(Cross(along, step), Cross(along, behind - before)) });
+      beyond =
+        std::max({ beyond, BeyondStep(glm::dot(along, step), glm::dot(along, behind - before)),
+          BeyondStep(Cross(along, step), Cross(along, behind - before)) });
     }
   }
   return beyond;
@@ -242,6 +243,20 @@ bool TrianglePieces::IsWhole(const Slab& slab, bool& torn) const
     TriangleJudge::IsInDomain(this->V, seen) && TriangleJudge::IsInDomain(this->V, seen + 1);
 }
 
+// Pixels by which what a boundary holds may be outside its places, along this direction or across.
+double TrianglePieces::GetBeyond(const Boundary& b, const vec2& along) const
+{
+  // seen by rays of its own it may fold, and what is within bulges as its edges do
+  const double parts =
+    this->V.Own ? 2 * TriangleJudge::BetweenParts - 1 : TriangleJudge::BetweenParts - 1;
+  double beyond = 0;
+  for (int i = 0; i < b.Count; i += Places)
+  {
+    beyond = std::max(beyond, BeyondPlaces(&b.Seen[static_cast<std::size_t>(i)], along));
+  }
+  return std::max(parts * b.Off, BeyondParts * beyond);
+}
+
 bool TrianglePieces::Enclose(const Slab& slab, double moved, CoverPiece& piece, bool& torn) const
 {
   Boundary b;
@@ -266,15 +281,7 @@ bool TrianglePieces::Enclose(const Slab& slab, double moved, CoverPiece& piece, 
   }
   const double pixels = 0.5 * std::max(this->V.Pixels.x, this->V.Pixels.y);
   const double shift = moved > 0 ? moved * b.Stretch * pixels : 0;
-  // seen by rays of its own it may fold, and what is within bulges as its edges do
-  const double parts =
-    this->V.Own ? 2 * TriangleJudge::BetweenParts - 1 : TriangleJudge::BetweenParts - 1;
-  double beyond = 0;
-  for (int i = 0; i < b.Count; i += Places)
-  {
-    beyond = std::max(beyond, BeyondPlaces(&b.Seen[static_cast<std::size_t>(i)], along));
-  }
-  const double grow = std::max(parts * b.Off, BeyondParts * beyond) + shift + this->Pad;
+  const double grow = this->GetBeyond(b, along) + shift + this->Pad;
   low -= grow;
   high += grow;
   const vec2 up(-along.y, along.x);

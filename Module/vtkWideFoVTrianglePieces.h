@@ -49,6 +49,7 @@ private:
   bool Look(const vec3& from, const vec3& to, Boundary& boundary) const;
   double GetTurn(const Slab& slab) const;
   bool IsWhole(const Slab& slab, bool& torn) const;
+  double GetBeyond(const Boundary& boundary, const vec2& along) const;
   bool Enclose(const Slab& slab, double moved, CoverPiece& piece, bool& torn) const;
   void Append(CoverPiece piece, bool torn, std::vector<CoverPiece>& pieces) const;
   bool IsInPicture(const CoverPiece& piece) const;
