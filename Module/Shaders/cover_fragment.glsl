@@ -333,8 +333,9 @@ const float WFV_HAIR = 6e-7;
 
 // A hair is wider where a depth buffer tells faces that fold flat apart no nearer to their edge, but by
 // none of these: radians, pixels. The third is a share of the way between the two nearest edges, which
-// bounds every hair: the tip of a needle beside a fold, moved by more, falls behind the back.
-const vec3 WFV_WIDE_HAIR = vec3(4e-6, 0.01, 0.06);
+// bounds every hair: the tip of a needle beside a fold, moved by more, falls behind the back, and so it
+// does where the back beside it is moved by more.
+const vec3 WFV_WIDE_HAIR = vec3(4e-6, 0.01, 0.03);
 
 // Of a face's slope against the ray, by which a hair moves it less: never by more than 50 hairs, as it
 // would where a splinter is seen edge-on.
@@ -346,17 +347,23 @@ const float WFV_STEEP = 0.02;
 // tell; a hair inside they are in order. Not among chords, which are not where edges are.
 void wfvOrder(float approach, vec3 e)
 {
-  float least = min(e.x, min(e.y, e.z));
-  vec3 edge = vec3(least == e.x ? wfvEdge0 : least == e.y ? wfvEdge1 : wfvEdge2);
-  float size = wfvTaxiLength(edge);
-  float each = 1.0 / size;
-  float inside = least * each;
-  float between = e.x + e.y + e.z - max(e.x, max(e.y, e.z));
-  vec2 shares = WFV_WIDE_HAIR.yz * vec2(fwidth(inside), between * each);
+  vec3 first = vec3(wfvEdge0);
+  vec3 second = vec3(wfvEdge1);
+  vec3 third = vec3(wfvEdge2);
+  vec3 sizes = vec3(wfvTaxiLength(first), wfvTaxiLength(second), wfvTaxiLength(third));
+  vec3 each = 1.0 / sizes;
+  vec3 away = e * each;
+  float inside = min(away.x, min(away.y, away.z));
+  bool isFirst = inside == away.x;
+  bool isSecond = inside == away.y;
+  vec3 edge = isFirst ? first : isSecond ? second : third;
+  float between = away.x + away.y + away.z - max(away.x, max(away.y, away.z));
+  vec2 shares = WFV_WIDE_HAIR.yz * vec2(fwidth(inside), between);
   float hair = min(max(WFV_HAIR, min(WFV_WIDE_HAIR.x, shares.x)), shares.y);
-  float rise = dot(wfvPlane, edge) * each;
+  float rise = dot(wfvPlane, edge) * (isFirst ? each.x : isSecond ? each.y : each.z);
   float nearer = max(hair - inside, 0.0) * rise / (abs(approach) + abs(rise) * WFV_STEEP);
-  wfvDepth = wfvDepthInUnits(wfvRho - wfvRho * (size * approach != 0.0 ? nearer : 0.0));
+  bool known = min(sizes.x, min(sizes.y, sizes.z)) > 0.0 && approach != 0.0;
+  wfvDepth = wfvDepthInUnits(wfvRho - wfvRho * (known ? nearer : 0.0));
 }
 
 void wfvPrepare()
