@@ -188,7 +188,7 @@ private:
   static constexpr double LeastSine = 2e-3;
 
   // Radians, and what is added to a sine: a little more than a hair, and WFV_STEEP
-  // (cover_fragment.glsl).
+  // (order_fragment.glsl).
   static constexpr double Hair = 5e-6;
   static constexpr double Steep = 0.02;
 

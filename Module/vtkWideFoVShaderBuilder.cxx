@@ -174,7 +174,7 @@ std::string CoverFragment(
   RewriteFlatNormal(fragment);
   return std::string(r.BothEyes ? "flat in float wfvEye; // that the fragment is for\n" : "") +
     ray_fragment_glsl + (r.Whole ? WholeSource(*r.Projection) : "") + cover_fragment_glsl +
-    (Warped(r) ? warped_fragment_glsl : "") + chord_fragment_glsl +
+    (Warped(r) ? warped_fragment_glsl : "") + chord_fragment_glsl + order_fragment_glsl +
     (r.Edges || r.DebugView ? edge_distance_glsl : "") +
     CornerInputs(varyings, { "wfvB.x", "wfvB.y", "wfvB.z" }, KnownOf(r));
 }

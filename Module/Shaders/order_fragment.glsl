@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Depth of covered triangles by which faces are in order that meet in a fold.
+
+// Radians, a hair at the least where edges are apart: more than a float32 ray is turned by, which is
+// most on the faces of a cube, where edges are moved aside (preclip_planes.glsl).
+const float WFV_HAIR = 6e-7;
+
+// A hair is wider where a depth buffer tells faces that fold flat apart no nearer to their edge, but by
+// none of these: radians, pixels. The third is a share of the way between the two nearest edges, which
+// bounds every hair: the tip of a needle beside a fold, moved by more, falls behind the back, and so it
+// does where the back beside it is moved by more.
+const vec3 WFV_WIDE_HAIR = vec3(4e-6, 0.01, 0.03);
+
+// Of a face's slope against the ray, by which a hair moves it less: never by more than 50 hairs, as it
+// would where a splinter is seen edge-on.
+const float WFV_STEEP = 0.02;
+
+// Sets the depth that tells what hides what: the pixel's own, but by the nearest edge that of a hair
+// inside it. Where a surface folds, what hits it beyond the edge, by rounding alone, meets the plane of
+// the face behind first, and just inside the faces are nearer to each other than a depth buffer can
+// tell; a hair inside they are in order. Not among chords, which are not where edges are.
+void wfvOrder(float approach, vec3 e)
+{
+  vec3 first = vec3(wfvEdge0);
+  vec3 second = vec3(wfvEdge1);
+  vec3 third = vec3(wfvEdge2);
+  vec3 sizes = vec3(wfvTaxiLength(first), wfvTaxiLength(second), wfvTaxiLength(third));
+  vec3 each = 1.0 / sizes;
+  vec3 away = e * each;
+  float inside = min(away.x, min(away.y, away.z));
+  bool isFirst = inside == away.x;
+  bool isSecond = inside == away.y;
+  vec3 edge = isFirst ? first : isSecond ? second : third;
+  float between = away.x + away.y + away.z - max(away.x, max(away.y, away.z));
+  vec2 shares = WFV_WIDE_HAIR.yz * vec2(fwidth(inside), between);
+  float hair = min(max(WFV_HAIR, min(WFV_WIDE_HAIR.x, shares.x)), shares.y);
+  float rise = dot(wfvPlane, edge) * (isFirst ? each.x : isSecond ? each.y : each.z);
+  float nearer = max(hair - inside, 0.0) * rise / (abs(approach) + abs(rise) * WFV_STEEP);
+  bool known = min(sizes.x, min(sizes.y, sizes.z)) > 0.0 && approach != 0.0;
+  wfvDepth = wfvDepthInUnits(wfvRho - wfvRho * (known ? nearer : 0.0));
+}
