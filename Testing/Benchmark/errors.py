@@ -5,8 +5,8 @@
     errors.py PAGE.md BENCH.json...
 
 Replaces what stands between <!-- begin errors --> and <!-- end errors --> in the page, and
-between the same marks of "limits", "wide" and "stretched". Rows that the files tell nothing of stay,
-so that one projection can be measured anew.
+between the same marks of "limits", "wide" and "stretched". Rows that the files tell nothing of
+stay, so that one projection can be measured anew.
 """
 
 import json
@@ -107,6 +107,8 @@ def put(text, mark, keys, new):
         sys.exit("errors.py: the page has no place for the table \"%s\"" % mark)
     lines = new.splitlines(True)
     rows = {**rows_of(place.group(1).splitlines(True)[2:], keys), **rows_of(lines[2:], keys)}
+    if len({line.count("|") for line in [lines[0], *rows.values()]}) > 1:
+        sys.exit("errors.py: rows that stay in %s have other columns; measure all methods" % mark)
     in_order = sorted(rows, key=lambda cells: [cells[0], *map(order, map(str.strip, cells[1:]))])
     merged = "".join(lines[:2]) + "".join(rows[cells] for cells in in_order)
     return text[: place.start(1)] + merged + text[place.end(1) :]

@@ -212,8 +212,9 @@ TEST(Fold, NeedleHidesBack)
   CheckFold(fold, shot, 64, 32);
 }
 
-// The same where the back is no needle, and moved by as much as the front is narrow: of arrowheads,
-// whose bases are seen nearly edge-on, at 8192 x 4096.
+// The same at a tip whose short edge is not the nearest, and where the back is no needle and was
+// moved by more than the front is wide: of arrowheads, whose bases are seen nearly edge-on, at 8192
+// x 4096.
 TEST(Fold, NeedleOfAnArrowHidesBack)
 {
   Shot shot;
