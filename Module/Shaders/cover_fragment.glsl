@@ -224,10 +224,11 @@ void wfvSetSurface(vec3 direction)
 }
 #endif
 
-// Window depth, a step of a buffer of 24 bits: by so much is what is seen from behind put
-// back. Where a surface folds away from the eye a pixel's ray may lie so near the fold that its
-// front and its back come out at one depth; then the front shows, in whichever order they come.
-const float WFV_BEHIND = 1.0 / 16777216.0;
+// Window depth, two steps of a buffer of 24 bits, for each face may be rounded by one: by so much is
+// what is seen from behind put back. Where a surface folds away from the eye a pixel's ray may lie so
+// near the fold that its front and its back come out at one depth; then the front shows, in whichever
+// order they come.
+const float WFV_BEHIND = 2.0 / 16777216.0;
 
 // For the data pass.
 #define WFV_DISTANCE (wfvRho * wfvScale())
