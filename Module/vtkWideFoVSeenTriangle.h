@@ -189,7 +189,7 @@ private:
 
   // Radians, and what is added to a sine: a little more than a hair, and WFV_STEEP
   // (order_fragment.glsl).
-  static constexpr double Hair = 7e-6;
+  static constexpr double Hair = 6e-6;
   static constexpr double Steep = 0.02;
 
   // Window depth: four steps of a buffer of 24 bits, for rounding and WFV_BEHIND

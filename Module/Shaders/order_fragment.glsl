@@ -6,16 +6,21 @@
 const float WFV_HAIR = 6e-7;
 
 // A hair is wider where a depth buffer tells faces that fold flat apart no nearer to their edge, but by
-// none of these: radians, pixels. The third is a share of the way between the two nearest edges, which
-// bounds a hair that moves a front away or a back nearer: the tip of a needle beside a fold, moved by
-// more, falls behind the back, and so it does where the back beside it is moved by more. A front that
-// comes nearer and a back that yields stay in order whatever the other is moved by; but no needle is
-// moved farther than a hair is wide, out of what lies between.
-const vec3 WFV_WIDE_HAIR = vec3(6e-6, 0.01, 0.02);
+// none of these: radians, pixels. It is as much narrower as the angle whose tangent is the slope is less
+// than the slope: two faces as far apart come out as far apart whichever way they are turned, the steeper
+// one is moved by more, and a steep one not through what is near it. The third is a share of the way
+// between the two nearest edges, which bounds a hair that moves a front away or a back nearer: the tip
+// of a needle beside a fold, moved by more, falls behind the back, and so it does where the back beside
+// it is moved by more. A front that comes nearer and a back that yields stay in order whatever the other
+// is moved by; but no needle is moved farther than a hair is wide, out of what lies between.
+const vec3 WFV_WIDE_HAIR = vec3(5e-6, 0.01, 0.02);
 
 // Of a face's slope against the ray, by which a hair moves it less: never by more than 50 hairs, as it
 // would where a splinter is seen edge-on.
 const float WFV_STEEP = 0.02;
+
+// A slope whose angle is as large as itself, and no division by 0.
+const float WFV_FLAT = 0.001;
 
 // Sets the depth that tells what hides what: the pixel's own, but by the nearest edge that of a hair
 // inside it. Where a surface folds, what hits it beyond the edge, by rounding alone, meets the plane of
@@ -35,9 +40,10 @@ void wfvOrder(float approach, vec3 e)
   vec3 edge = isFirst ? first : isSecond ? second : third;
   float between = away.x + away.y + away.z - max(away.x, max(away.y, away.z));
   vec2 shares = WFV_WIDE_HAIR.yz * vec2(fwidth(inside), between);
-  float hair = max(WFV_HAIR, min(WFV_WIDE_HAIR.x, shares.x));
   float rise = dot(wfvPlane, edge) * (isFirst ? each.x : isSecond ? each.y : each.z);
   float slope = rise / (abs(approach) + abs(rise) * WFV_STEEP);
+  float steep = max(abs(slope), WFV_FLAT);
+  float hair = max(WFV_HAIR, min(WFV_WIDE_HAIR.x * atan(steep) / steep, shares.x));
   float most = wfvFront == rise > 0.0 ? max(shares.y, hair / max(abs(slope), 1.0)) : shares.y;
   float nearer = max(min(hair, most) - inside, 0.0) * slope;
   bool known = min(sizes.x, min(sizes.y, sizes.z)) > 0.0 && approach != 0.0;
