@@ -28,12 +28,11 @@ public:
   // At least one.
   void Load(vtkOpenGLRenderWindow* window, const std::vector<unsigned int>& numbers)
   {
-    this->Texture->SetContext(window);
-    this->Texture->SetInternalFormat(GL_R32UI);
-    this->Texture->SetFormat(GL_RED_INTEGER);
-    this->Buffer->Upload(numbers, vtkOpenGLBufferObject::TextureBuffer);
-    this->Texture->CreateTextureBuffer(
-      static_cast<unsigned int>(numbers.size()), 1, VTK_UNSIGNED_INT, this->Buffer);
+    this->LoadSingles(window, numbers, GL_R32UI, VTK_UNSIGNED_INT);
+  }
+  void Load(vtkOpenGLRenderWindow* window, const std::vector<unsigned char>& numbers)
+  {
+    this->LoadSingles(window, numbers, GL_R8UI, VTK_UNSIGNED_CHAR);
   }
 
   // Four a place, at least one.
@@ -68,6 +67,18 @@ public:
   }
 
 private:
+  template <typename Number>
+  void LoadSingles(vtkOpenGLRenderWindow* window, const std::vector<Number>& numbers,
+    unsigned int format, int type)
+  {
+    this->Texture->SetContext(window);
+    this->Texture->SetInternalFormat(format);
+    this->Texture->SetFormat(GL_RED_INTEGER);
+    this->Buffer->Upload(numbers, vtkOpenGLBufferObject::TextureBuffer);
+    this->Texture->CreateTextureBuffer(
+      static_cast<unsigned int>(numbers.size()), 1, type, this->Buffer);
+  }
+
   vtkNew<vtkOpenGLBufferObject> Buffer;
   vtkNew<vtkTextureObject> Texture;
 };

@@ -192,9 +192,9 @@ private:
   static constexpr double Hair = 6e-6;
   static constexpr double Steep = 0.02;
 
-  // Window depth: four steps of a buffer of 24 bits, for rounding and WFV_BEHIND
-  // (cover_fragment.glsl).
-  static constexpr double DepthSteps = 4.0 / (1 << 24);
+  // Window depth: ten steps of a buffer of 24 bits, for rounding, WFV_BEHIND (cover_fragment.glsl)
+  // and WFV_BACK_YIELDS (order_fragment.glsl).
+  static constexpr double DepthSteps = 10.0 / (1 << 24);
 
   // Sines under which a plain triangle surely has the depth of a place, and from which on that of
   // the ray: WFV_LEAST_SINE (depth_fragment.glsl), by a length that is up to 1.73 times the

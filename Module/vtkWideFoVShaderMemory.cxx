@@ -17,11 +17,11 @@ void AppendRequest(std::string& key, const vtkWideFoVShaderBuilder::Request& req
 {
   const auto& [projection, stereo, stage, kind, widePoints, wideLines, edges, edgeFlags, byRays,
     debugView, multisample, tilted, fades, surface, headlights, depthMapping, calm, surfaceDepth,
-    whole, runs, rayDepth, bothEyes, lights] = request;
+    whole, folds, runs, rayDepth, bothEyes, lights] = request;
   const auto& [noAmbient, noDiffuse, fullDiffuse, noSpecular, opaque] = surface;
   Append(key, projection, stereo, stage, kind, widePoints, wideLines, edges, edgeFlags, byRays,
     debugView, multisample, tilted, fades, headlights, depthMapping, calm, surfaceDepth, whole,
-    runs, rayDepth, bothEyes, noAmbient, noDiffuse, fullDiffuse, noSpecular, opaque);
+    folds, runs, rayDepth, bothEyes, noAmbient, noDiffuse, fullDiffuse, noSpecular, opaque);
   key += lights ? *lights : "";
   key += '\0'; // where they end
 }

@@ -177,11 +177,12 @@ void SortedDraw::Take(Entry& e)
     e.LeftOut[eye + 1] = this->Triangles.GetNumberOfLeftOut(eye);
   }
   this->Triangles.TakeOrder(e.Order);
+  this->Triangles.TakeFolds(e.Folds);
   e.Lots[Covered] = this->Triangles.GetCovered();
   e.Lots[Calm] = this->Triangles.GetCalm();
   e.Lots[Plain] = this->Triangles.GetPlain();
   e.Reaches = this->Triangles.GetReaches();
-  e.Loaded = false;
+  e.Loaded = e.FoldsLoaded = false;
   e.HiddenIn = 0;
   e.TakePieces(this->Triangles.GetPieces());
   this->NumbersOf = this->NumbersOf == &e ? nullptr : this->NumbersOf;
@@ -257,6 +258,24 @@ void SortedDraw::LoadNumbers(vtkOpenGLRenderWindow* window)
   this->Numbers.Load(window, wanted ? wanted->Order : none);
 }
 
+void SortedDraw::SetFolds(vtkShaderProgram* program, vtkOpenGLRenderWindow* window)
+{
+  this->Bound = true;
+  const bool known = this->Chosen != SortedDraw::All && !this->Current->Folds.empty();
+  if (known)
+  {
+    this->Current->LoadFolds(window);
+  }
+  else
+  {
+    this->LoadNumbers(window); // a texture there has to be
+  }
+  BufferTexture& folds = known ? this->Current->FoldTexture : this->Numbers;
+  folds.Activate(program, "wfvKnownFolds");
+  program->SetUniformi("wfvFirstFold",
+    known ? static_cast<int>(this->Current->GetRun(this->Chosen, this->Eye).first) : -1);
+}
+
 void SortedDraw::SetParameters(vtkShaderProgram* program, vtkWindow* window)
 {
   auto* const context = static_cast<vtkOpenGLRenderWindow*>(window);
@@ -269,6 +288,10 @@ void SortedDraw::SetParameters(vtkShaderProgram* program, vtkWindow* window)
     const std::size_t from =
       this->Current->GetRun(Calm, this->Eye).first - this->Current->GetFirst(Calm);
     program->SetUniformi("wfvFirstReach", static_cast<int>(from));
+  }
+  if (program->IsUniformUsed("wfvKnownFolds"))
+  {
+    this->SetFolds(program, context);
   }
   if (!program->IsUniformUsed("wfvNumbers"))
   {
@@ -295,6 +318,7 @@ void SortedDraw::Finish()
   {
     this->Current->ReachTexture.Deactivate();
     this->Current->PieceTexture.Deactivate();
+    this->Current->FoldTexture.Deactivate();
   }
 }
 
@@ -305,6 +329,7 @@ void SortedDraw::ReleaseGraphicsResources(vtkWindow* window)
     entry.second->Indices->ReleaseGraphicsResources();
     entry.second->ReachTexture.ReleaseGraphicsResources(window);
     entry.second->PieceTexture.ReleaseGraphicsResources(window);
+    entry.second->FoldTexture.ReleaseGraphicsResources(window);
   }
   this->Entries.clear();
   this->Current = this->NumbersOf = nullptr;

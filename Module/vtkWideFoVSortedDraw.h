@@ -92,6 +92,7 @@ private:
   void Take(Entry& entry); // what was sorted last
   void Upload(Entry& entry);
   void LoadNumbers(vtkOpenGLRenderWindow* window);
+  void SetFolds(vtkShaderProgram* program, vtkOpenGLRenderWindow* window);
 
   // Leaves out what stands behind others, as soon as the scene says what does.
   void Hide(Entry& entry, vtkPolyData* data, vtkWideFoVStages* stages);

@@ -40,6 +40,19 @@ void SortedDraw::Entry::Load(vtkOpenGLRenderWindow* window)
   this->Loaded = true;
 }
 
+void SortedDraw::Entry::LoadFolds(vtkOpenGLRenderWindow* window)
+{
+  if (this->FoldsLoaded)
+  {
+    return;
+  }
+  std::vector<unsigned char> ordered(this->Order.size());
+  std::transform(this->Order.begin(), this->Order.end(), ordered.begin(),
+    [this](unsigned int triangle) { return this->Folds[triangle]; });
+  this->FoldTexture.Load(window, ordered.empty() ? this->Folds : ordered);
+  this->FoldsLoaded = true;
+}
+
 bool SortedDraw::Entry::TakeNaturalOrder()
 {
   if (!this->Order.empty())

@@ -46,13 +46,17 @@ struct SortedDraw::Entry
   std::vector<unsigned int> Reaches; // of the calm ones
   bool Loaded = false;               // those and the pieces
   std::vector<float> Pieces;         // with them, two places a piece: WFV_PIECE of their shader
+  std::vector<unsigned char> Folds;  // of all triangles in the mesh's order, or none
+  bool FoldsLoaded = false;          // as the order is
   bool Cuts = false;                 // some triangles are drawn in pieces
   BufferTexture ReachTexture;
   BufferTexture PieceTexture;
+  BufferTexture FoldTexture;
 
   void CountFrame(bool still, int eye);
   void TakePieces(const std::vector<CoverPiece>& pieces);
   void Load(vtkOpenGLRenderWindow* window);
+  void LoadFolds(vtkOpenGLRenderWindow* window);
 
   // Gives one whose order is that of the mesh, which is not kept, a list of it; false where it has
   // one.

@@ -66,7 +66,7 @@ void SortedDraw::Load(Entry& e, vtkPolyData* data)
 {
   this->Mesh.Update(data);
   this->NumbersOf = this->NumbersOf == &e ? nullptr : this->NumbersOf;
-  e.Loaded = false;
+  e.Loaded = e.FoldsLoaded = false;
   this->Upload(e);
 }
 

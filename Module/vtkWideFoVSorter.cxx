@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVSorter.h"
 
+#include "vtkWideFoVFoldWork.h"
 #include "vtkWideFoVHastyWork.h"
 #include "vtkWideFoVSortScene.h"
 #include "vtkWideFoVSortWork.h"
@@ -58,6 +59,19 @@ void Sorter::SortPoints(
   {
     this->CutCovers(scene);
   }
+  if (view.Folds && view.Measures)
+  {
+    this->FindFolds(scene, clusters);
+  }
+}
+
+template <typename Real>
+void Sorter::FindFolds(const Scene<Real>& scene, Clusters& clusters)
+{
+  this->Folds.resize(this->Kinds.size());
+  FoldWork<Real> work(
+    scene, clusters.GetNeighbours(), clusters.GetPlaces(), this->Kinds.data(), this->Folds.data());
+  vtkSMPTools::For(0, scene.All.GetNumberOfClusters(), Grain, work);
 }
 
 // Where samples are in doubt at the edges of plain triangles, those that cannot stay so for some
@@ -119,6 +133,7 @@ bool Sorter::SortWith(
   this->Kinds.resize(n);
   this->Reaches.resize(view.Calm ? n : 0);
   this->Pieces.clear();
+  this->Folds.clear();
   this->Eyes = view.GetNumberOfEyes();
   if (auto* singles = vtkFloatArray::SafeDownCast(points->GetData()))
   {
@@ -139,7 +154,7 @@ bool Sorter::SortWith(
 bool Sorter::Sort(
   Clusters& clusters, vtkPoints* points, const double toMap[16], const SortView& view)
 {
-  if (view.Plain)
+  if (view.Plain || view.Folds)
   {
     clusters.GetNeighbours(); // before anything else is kept, for to find them takes the most
   }

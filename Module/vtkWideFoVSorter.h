@@ -65,6 +65,9 @@ public:
   const std::vector<CoverPiece>& GetPieces() const { return this->Pieces; }
   static constexpr unsigned int PieceBits = 3u << 30;
 
+  // Of all triangles in the mesh's order, bits of sorting::Fold; empty where nothing is known.
+  void TakeFolds(std::vector<unsigned char>& folds) { this->Folds.swap(folds); }
+
   // Of clusters, those that nothing is drawn of.
   int GetNumberOfUnseen() const { return this->Unseen; }
 
@@ -96,6 +99,8 @@ private:
     const Scene<Real>& scene, Clusters& clusters, std::vector<EdgeDoubts::Lists>& doubts);
   template <typename Real>
   void CutCovers(const Scene<Real>& scene);
+  template <typename Real>
+  void FindFolds(const Scene<Real>& scene, Clusters& clusters);
   Lot AppendLot(int mask, int wanted);
   std::size_t AppendKind(int mask, int wanted);
   std::size_t AppendPieces(int from, int to);
@@ -104,6 +109,7 @@ private:
 
   std::vector<unsigned char> Kinds;  // one a triangle
   std::vector<unsigned char> Sides;  // one a triangle, while some may be plain
+  std::vector<unsigned char> Folds;  // one a triangle, or none
   std::vector<unsigned int> Reaches; // one a triangle; once all is sorted, a calm one
   std::vector<CoverPiece> Pieces;    // by their triangles
   std::vector<unsigned int> Order;

@@ -197,7 +197,7 @@ void vtkWideFoVStage::FinishTriangles(vtkWideFoVShaderBuilder::Request& request)
     this->Projection->Axis == wfv::Family::Meridian && this->Projection->StraightSeam;
   request.Runs = upright && !request.BothEyes ? this->Runs : 1;
   // how far edges are is asked of float32 alone
-  request.Whole = this->Whole && !request.Edges && !this->DebugView && this->HasWholeRays();
+  request.Whole = this->IsWhole() && !request.Edges && !this->DebugView;
   if ((!straight || (this->Stereo && this->Stereo->OwnRays)) && !this->Clipless &&
     !this->SurfaceDepth)
   {
@@ -272,11 +272,12 @@ bool vtkWideFoVStage::PostReplaceShaderValues(std::string& vertexShader,
   std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper,
   vtkProp* prop)
 {
-  const vtkWideFoVShaderBuilder::Request request = this->MakeRequest(mapper, prop);
+  vtkWideFoVShaderBuilder::Request request = this->MakeRequest(mapper, prop);
   const bool triangles = request.Kind == vtkWideFoVShaderBuilder::Primitive::Triangles;
   const bool sorts = triangles &&
     (vtkWideFoVPolyDataMapper::SafeDownCast(mapper) ||
       vtkWideFoVCompositeHelper::SafeDownCast(mapper));
+  request.Folds = sorts && request.Whole;
   using Texts = wfv::ShaderMemory::Texts;
   Texts texts{ vertexShader, geometryShader, fragmentShader };
   const Texts* const before =

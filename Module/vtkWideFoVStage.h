@@ -72,6 +72,9 @@ public:
     }
   }
 
+  // Whether triangles are.
+  bool IsWhole() const { return this->Whole && this->HasWholeRays(); }
+
   // Lines by the exact variant, as long as they are few: the technique "auto".
   void SetExactLines(bool exact)
   {

@@ -56,9 +56,10 @@ bool SortView::operator==(const SortView& o) const
 {
   return this->IsSamePlace(o) && this->Part.Low == o.Part.Low && this->Part.High == o.Part.High &&
     this->Pixels == o.Pixels && this->Bends == o.Bends && this->Plain == o.Plain &&
-    this->Calm == o.Calm && this->Rays == o.Rays && this->Cheap == o.Cheap &&
-    this->Culls == o.Culls && this->Rounding == o.Rounding && this->Samples == o.Samples &&
-    this->Reach == o.Reach && this->Tolerance == o.Tolerance && this->Moving == o.Moving;
+    this->Calm == o.Calm && this->Rays == o.Rays && this->Folds == o.Folds &&
+    this->Cheap == o.Cheap && this->Culls == o.Culls && this->Rounding == o.Rounding &&
+    this->Samples == o.Samples && this->Reach == o.Reach && this->Tolerance == o.Tolerance &&
+    this->Moving == o.Moving;
 }
 
 TriangleJudge::TriangleJudge(const SortView& view, int eye)

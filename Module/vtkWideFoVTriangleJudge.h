@@ -32,6 +32,7 @@ struct SortView
   bool Plain = false;                     // some may be drawn by the vertex stage alone
   bool Calm = false;                      // those that are easy to cover are told apart
   bool Rays = false;                      // all that is covered is drawn by the rays of pixels
+  bool Folds = false;                     // of covered ones is known where the mesh folds
   bool Measures = true;                   // edges of which the bends say too little
   bool Cheap = false;                     // none is covered: to draw what is empty costs little
   bool Culls = true;                      // leaves out what is not seen

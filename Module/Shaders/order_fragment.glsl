@@ -22,6 +22,16 @@ const float WFV_STEEP = 0.02;
 // A slope whose angle is as large as itself, and no division by 0.
 const float WFV_FLAT = 0.001;
 
+#if WFV_FOLDS
+// What is known of the triangle (vtkWideFoVFoldWork.h): bits of its edges, and one for a back.
+flat in int wfvFolds;
+const int WFV_FOLD_BACK = 8;
+
+// Window depth, steps of a buffer of 24 bits: rays are in double with it, so all that may put a back
+// before its front beside their fold is the rounding of both depths in float32, by some two steps each.
+const float WFV_BACK_YIELDS = 6.0 / 16777216.0;
+#endif
+
 // Sets the depth that tells what hides what: the pixel's own, but by the nearest edge that of a hair
 // inside it. Where a surface folds, what hits it beyond the edge, by rounding alone, meets the plane of
 // the face behind first, and just inside the faces are nearer to each other than a depth buffer can
@@ -47,5 +57,12 @@ void wfvOrder(float approach, vec3 e)
   float most = wfvFront == rise > 0.0 ? max(shares.y, hair / max(abs(slope), 1.0)) : shares.y;
   float nearer = max(min(hair, most) - inside, 0.0) * slope;
   bool known = min(sizes.x, min(sizes.y, sizes.z)) > 0.0 && approach != 0.0;
+#if WFV_FOLDS && WFV_DOUBLES
+  bool told = (wfvFolds & (isFirst ? 1 : isSecond ? 2 : 4)) != 0;
+  known = known && !told;
+#endif
   wfvDepth = wfvDepthInUnits(wfvRho - wfvRho * (known ? nearer : 0.0));
+#if WFV_FOLDS
+  wfvDepth += (wfvFolds & WFV_FOLD_BACK) != 0 ? WFV_BACK_YIELDS : 0.0;
+#endif
 }

@@ -84,6 +84,20 @@ float wfvReach; // pixels: how far the edges surely stay from their chords
 bool wfvBent;   // an edge bends by more than the tolerance
 int wfvEmitted;
 
+#if WFV_FOLDS
+flat out int wfvFolds; // order_fragment.glsl
+
+// Of every triangle that is drawn, and where this draw begins; -1: nothing is known.
+uniform usamplerBuffer wfvKnownFolds;
+uniform int wfvFirstFold;
+int wfvFoldsHere;
+
+void wfvReadFolds()
+{
+  wfvFoldsHere = wfvFirstFold < 0 ? 0 : int(texelFetch(wfvKnownFolds, wfvFirstFold + gl_PrimitiveIDIn).x);
+}
+#endif
+
 #if WFV_WARPED
 flat out vec2 wfvDepths; // warped_fragment.glsl
 vec2 wfvDepthsHere; // NDC depths at which the triangle may be
@@ -98,6 +112,9 @@ void wfvWriteFlat()
   wfvEdge1 = wfvE[1];
   wfvEdge2 = wfvE[2];
   wfvPlane = wfvT.xyz;
+#if WFV_FOLDS
+  wfvFolds = wfvFoldsHere;
+#endif
 #if WFV_OWN_RAYS || WFV_WARPED
   wfvAnchor = wfvA;
 #else

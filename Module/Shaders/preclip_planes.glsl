@@ -166,6 +166,9 @@ void wfvReadCorners()
   wfvChooseEye();
 #endif
   wfvEmitted = 0;
+#if WFV_FOLDS
+  wfvReadFolds();
+#endif
 #if WFV_RUNS > 1
   wfvMute = gl_InvocationID > 0;
 #endif
