@@ -11,6 +11,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
+#include <cstdlib>
 #include <functional>
 #include <random>
 #include <utility>
@@ -20,7 +21,13 @@ using namespace wfv::test;
 
 namespace
 {
-constexpr int RandomFolds = 2000;
+// Of each kind; the environment may ask for more of those that are known.
+int GetNumberOfFolds()
+{
+  const char* const wanted = std::getenv("WIDEFOV_TEST_FOLDS");
+  return wanted ? std::atoi(wanted) : 2000;
+}
+const int RandomFolds = GetNumberOfFolds();
 
 // Of these: needles whose tip, a hair inside, is behind the back all the same. It is not known of
 // an edge that it is no fold, and a depth buffer's steps are coarser than what lies between.
