@@ -266,7 +266,7 @@ void SortedDraw::SetFolds(vtkShaderProgram* program, vtkOpenGLRenderWindow* wind
   {
     this->Current->LoadFolds(window);
   }
-  else
+  else if (!this->Numbers.IsLoadedFor(window))
   {
     this->LoadNumbers(window); // a texture there has to be
   }

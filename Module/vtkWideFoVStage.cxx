@@ -29,6 +29,7 @@
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
+#include "vtkPolyData.h"
 #include "vtkOpenGLState.h"
 #include "vtkProperty.h"
 #include "vtkShaderProgram.h"
@@ -268,6 +269,17 @@ bool vtkWideFoVStage::PreReplaceShaderValues(std::string&, std::string& geometry
   return true;
 }
 
+namespace
+{
+// Of one that sorts triangles: meshes of few are drawn as they are. Blocks are not asked for.
+bool MaySort(vtkAbstractMapper* mapper)
+{
+  auto* const own = vtkWideFoVPolyDataMapper::SafeDownCast(mapper);
+  vtkPolyData* const mesh = own ? own->GetInput() : nullptr;
+  return !mesh || wfv::SortedDraw::IsWorthIt(mesh, false) || wfv::SortedDraw::IsWorthIt(mesh, true);
+}
+}
+
 bool vtkWideFoVStage::PostReplaceShaderValues(std::string& vertexShader,
   std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper,
   vtkProp* prop)
@@ -277,7 +289,7 @@ bool vtkWideFoVStage::PostReplaceShaderValues(std::string& vertexShader,
   const bool sorts = triangles &&
     (vtkWideFoVPolyDataMapper::SafeDownCast(mapper) ||
       vtkWideFoVCompositeHelper::SafeDownCast(mapper));
-  request.Folds = sorts && request.Whole;
+  request.Folds = sorts && request.Whole && MaySort(mapper);
   using Texts = wfv::ShaderMemory::Texts;
   Texts texts{ vertexShader, geometryShader, fragmentShader };
   const Texts* const before =
