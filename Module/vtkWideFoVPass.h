@@ -112,7 +112,8 @@ public:
    * Sort the triangles of large meshes one by one in every frame, even while the view or the data
    * change from each to the next (default off). That takes longer than it saves in some ten frames,
    * so a view is sorted in haste until it has been drawn as often. The picture is the same, and
-   * as exact, but for one thing: while the window asks for a frame a second or more by
+   * as exact, but for two things: beside the fold of a surface a pixel may, most rarely, show the
+   * face that is hidden by the other; and while the window asks for a frame a second or more by
    * vtkRenderWindow::SetDesiredUpdateRate, as an interactor does that moves, triangles are
    * drawn by their chords where these are within the tolerance of their edges, and beside an
    * outline a pixel may show a face that is hidden there.

@@ -46,6 +46,10 @@ public:
 
   // Whether there are so many cells that sorting them may be.
   static bool IsWorthIt(vtkPolyData* data, bool strips);
+  static bool IsWorthIt(vtkPolyData* data) // of either
+  {
+    return IsWorthIt(data, false) || IsWorthIt(data, true);
+  }
 
   // Sorts the triangles of `data` for this actor and frame where anything has changed: in haste,
   // and well once a view has been drawn so often that it pays. False where all of them are drawn as

@@ -59,7 +59,7 @@ void Sorter::SortPoints(
   {
     this->CutCovers(scene);
   }
-  if (view.Folds && view.Measures)
+  if (view.Folds)
   {
     this->FindFolds(scene, clusters);
   }
@@ -212,7 +212,7 @@ bool Sorter::SortInHaste(
     // nor pieces; and to look for empty triangles takes longer than to draw them by the vertex
     // stage
     SortView looks = view;
-    looks.Plain = looks.Measures = false;
+    looks.Plain = looks.Folds = looks.Measures = false;
     looks.Bends = view.Cheap ? nullptr : view.Bends;
     return this->Sort(clusters, points, toMap, looks);
   }

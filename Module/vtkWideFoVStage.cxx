@@ -29,8 +29,8 @@
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
-#include "vtkPolyData.h"
 #include "vtkOpenGLState.h"
+#include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkShaderProgram.h"
 #include "vtk_glew.h"
@@ -276,7 +276,7 @@ bool MaySort(vtkAbstractMapper* mapper)
 {
   auto* const own = vtkWideFoVPolyDataMapper::SafeDownCast(mapper);
   vtkPolyData* const mesh = own ? own->GetInput() : nullptr;
-  return !mesh || wfv::SortedDraw::IsWorthIt(mesh, false) || wfv::SortedDraw::IsWorthIt(mesh, true);
+  return !mesh || wfv::SortedDraw::IsWorthIt(mesh);
 }
 }
 

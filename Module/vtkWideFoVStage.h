@@ -72,7 +72,7 @@ public:
     }
   }
 
-  // Whether triangles are.
+  // Whether covered triangles are decided so, as the view and its samples are now.
   bool IsWhole() const { return this->Whole && this->HasWholeRays(); }
 
   // Lines by the exact variant, as long as they are few: the technique "auto".

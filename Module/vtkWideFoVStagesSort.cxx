@@ -74,8 +74,7 @@ void FindTriangles(vtkActor* actor, wfv::PropFacts& facts)
   auto* const mesh = mapper ? vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0)) : nullptr;
   const bool surface = actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
   facts.Surface = mesh && surface && mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0;
-  const bool many =
-    mesh && (wfv::SortedDraw::IsWorthIt(mesh, false) || wfv::SortedDraw::IsWorthIt(mesh, true));
+  const bool many = mesh && wfv::SortedDraw::IsWorthIt(mesh);
   facts.Sorts = facts.Surface && many && vtkWideFoVPolyDataMapper::SafeDownCast(mapper);
   facts.Few = facts.Surface && !many ? mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() : 0;
 }
