@@ -22,6 +22,11 @@ const float WFV_STEEP = 0.02;
 // A slope whose angle is as large as itself, and no division by 0.
 const float WFV_FLAT = 0.001;
 
+// Of each edge, found once a triangle: 1 over its length, 0 where it has none; and how the triangle's
+// plane rises from it on.
+flat in vec3 wfvEach;
+flat in vec3 wfvRises;
+
 #if WFV_FOLDS
 // What is known of the triangle (vtkWideFoVFoldWork.h): bits of its edges, and one for a back.
 flat in int wfvFolds;
@@ -38,25 +43,19 @@ const float WFV_BACK_YIELDS = 6.0 / 16777216.0;
 // tell; a hair inside they are in order. Not among chords, which are not where edges are.
 void wfvOrder(float approach, vec3 e)
 {
-  vec3 first = vec3(wfvEdge0);
-  vec3 second = vec3(wfvEdge1);
-  vec3 third = vec3(wfvEdge2);
-  vec3 sizes = vec3(wfvTaxiLength(first), wfvTaxiLength(second), wfvTaxiLength(third));
-  vec3 each = 1.0 / sizes;
-  vec3 away = e * each;
+  vec3 away = e * wfvEach;
   float inside = min(away.x, min(away.y, away.z));
   bool isFirst = inside == away.x;
   bool isSecond = inside == away.y;
-  vec3 edge = isFirst ? first : isSecond ? second : third;
   float between = away.x + away.y + away.z - max(away.x, max(away.y, away.z));
   vec2 shares = WFV_WIDE_HAIR.yz * vec2(fwidth(inside), between);
-  float rise = dot(wfvPlane, edge) * (isFirst ? each.x : isSecond ? each.y : each.z);
+  float rise = isFirst ? wfvRises.x : isSecond ? wfvRises.y : wfvRises.z;
   float slope = rise / (abs(approach) + abs(rise) * WFV_STEEP);
   float steep = max(abs(slope), WFV_FLAT);
   float hair = max(WFV_HAIR, min(WFV_WIDE_HAIR.x * atan(steep) / steep, shares.x));
   float most = wfvFront == rise > 0.0 ? max(shares.y, hair / max(abs(slope), 1.0)) : shares.y;
   float nearer = max(min(hair, most) - inside, 0.0) * slope;
-  bool known = min(sizes.x, min(sizes.y, sizes.z)) > 0.0 && approach != 0.0;
+  bool known = min(wfvEach.x, min(wfvEach.y, wfvEach.z)) > 0.0 && approach != 0.0;
 #if WFV_FOLDS && WFV_DOUBLES
   bool told = (wfvFolds & (isFirst ? 1 : isSecond ? 2 : 4)) != 0;
   known = known && !told;

@@ -84,6 +84,22 @@ float wfvReach; // pixels: how far the edges surely stay from their chords
 bool wfvBent;   // an edge bends by more than the tolerance
 int wfvEmitted;
 
+#if WFV_EXACT
+// order_fragment.glsl
+flat out vec3 wfvEach;
+flat out vec3 wfvRises;
+vec3 wfvEachHere;
+vec3 wfvRisesHere;
+#endif
+
+void wfvWriteRises()
+{
+#if WFV_EXACT
+  wfvEach = wfvEachHere;
+  wfvRises = wfvRisesHere;
+#endif
+}
+
 #if WFV_FOLDS
 flat out int wfvFolds; // order_fragment.glsl
 
@@ -112,6 +128,7 @@ void wfvWriteFlat()
   wfvEdge1 = wfvE[1];
   wfvEdge2 = wfvE[2];
   wfvPlane = wfvT.xyz;
+  wfvWriteRises();
 #if WFV_FOLDS
   wfvFolds = wfvFoldsHere;
 #endif

@@ -178,6 +178,19 @@ void wfvReadCorners()
   }
 }
 
+#if WFV_EXACT
+// For the order beside folds. Here, once a triangle: of each fragment it would take a sixth of its time.
+void wfvFindRises()
+{
+  for (int i = 0; i < 3; i++)
+  {
+    float size = wfvTaxiLength(wfvN[i]);
+    wfvEachHere[i] = size > 0.0 ? 1.0 / size : 0.0;
+    wfvRisesHere[i] = dot(wfvT.xyz, wfvN[i]) * wfvEachHere[i];
+  }
+}
+#endif
+
 // Of a triangle whose plane is known. Inside, edge functions are positive from either side; so is
 // the plane's.
 void wfvFacePlanes(vec3 lengths)
@@ -195,4 +208,7 @@ void wfvFacePlanes(vec3 lengths)
   {
     wfvN[i] = vec3(wfvE[i]);
   }
+#if WFV_EXACT
+  wfvFindRises();
+#endif
 }

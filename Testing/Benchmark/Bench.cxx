@@ -131,7 +131,7 @@ void MeasureErrors(BenchStage& stage, ErrorMeasure& measure, std::vector<Record>
 
 std::vector<Record> MeasureScene(const BenchScene& scene, const BenchOptions& o)
 {
-  PlanRequest request{ o.Size, o.Quick, o.Methods, o.Turn, o.Projection };
+  PlanRequest request{ o.Size, o.Quick, o.Methods, o.Turn, o.Projection, o.Tolerance };
   const std::vector<Run> plan =
     o.Table1 ? MakeTable1(request, scene.Camera) : MakePlan(request, scene.Camera);
   BenchStage stage(scene, plan);

@@ -30,6 +30,8 @@ void Declare(CLI::App& app, BenchOptions& o)
   group.Choices("--methods", o.Methods, MethodNames(), "methods");
   group.Choice("--projection", o.Projection, ProjectionNames(), {},
     "what the techniques draw, at its widest; the cubemap and the floor stay as they are");
+  group.Number("--tolerance", "PX", o.Tolerance, { 0.001, 1e6 },
+    "the only one of auto and tessellate, pixels; 0: several, two and one with --quick");
   group.Size("--size", o.Size, "pixels; with --quick or --table1 1024x512");
   group.Number("--turn", "DEGREES", o.Turn, { -180, 180 },
     "before each frame every camera turns about its up axis; no errors and no floor then; degrees");
@@ -39,11 +41,15 @@ void Declare(CLI::App& app, BenchOptions& o)
 }
 
 // The paper's table has its own.
-void CheckProjection(const BenchOptions& o)
+void CheckTable1(const BenchOptions& o)
 {
   if (o.Table1 && o.Projection != BenchOptions().Projection)
   {
     widefov::FailUsage("--projection and --table1 exclude each other; give one");
+  }
+  if (o.Table1 && o.Tolerance != 0)
+  {
+    widefov::FailUsage("--tolerance and --table1 exclude each other; give one");
   }
 }
 
@@ -89,7 +95,7 @@ std::optional<int> ParseBenchOptions(int argc, char** argv, BenchOptions& o)
   {
     widefov::FailUsage("--quick and --table1 exclude each other; give one");
   }
-  CheckProjection(o);
+  CheckTable1(o);
   CheckTurn(o);
   if (app.count("--size") == 0)
   {

@@ -48,6 +48,15 @@ void SetView(widefov::Options& o, const std::string& projection, double hfov)
   o.View.VerticalFov = planar ? flat : 0.5 * hfov;
 }
 
+std::vector<double> TolerancesOf(const PlanRequest& request, const std::vector<double>& few)
+{
+  if (request.Tolerance > 0)
+  {
+    return { request.Tolerance };
+  }
+  return request.Quick ? few : std::vector<double>{ 0.02, 0.05, UsualTolerance, 1 };
+}
+
 class Maker
 {
 public:
@@ -153,13 +162,9 @@ std::vector<Run> MakePlan(const PlanRequest& request, const widefov::Options& ca
 {
   Maker maker(request, camera);
   const double density = EqualDensity(request.Size[0]);
-  maker.Add("auto",
-    request.Quick ? std::vector<double>{ 0.02, UsualTolerance }
-                  : std::vector<double>{ 0.02, 0.05, UsualTolerance, 1 });
+  maker.Add("auto", TolerancesOf(request, { 0.02, UsualTolerance }));
   maker.Add("exact");
-  maker.Add("tessellate",
-    request.Quick ? std::vector<double>{ UsualTolerance }
-                  : std::vector<double>{ 0.02, 0.05, UsualTolerance, 1 });
+  maker.Add("tessellate", TolerancesOf(request, { UsualTolerance }));
   maker.Add("preclip");
   maker.Add("vertex");
   maker.Add("perspective");

@@ -20,6 +20,7 @@ struct PlanRequest
   std::vector<std::string> Methods;           // empty: all
   double Turn = 0;                            // degrees a frame; other than 0 there is no floor
   std::string Projection = "equirectangular"; // of the techniques, at its widest
+  double Tolerance = 0;                       // of auto and tessellate, pixels; 0: several
 };
 
 std::vector<std::string> MethodNames();

@@ -86,6 +86,17 @@ TEST(BenchPlan, FullHasEveryParameter)
   EXPECT_EQ(PlanOf(false, { "exact", "floor" }).size(), 2u);
 }
 
+TEST(BenchPlan, OneToleranceIsTheOnlyOne)
+{
+  PlanRequest request;
+  request.Methods = { "auto", "exact", "tessellate" };
+  request.Tolerance = 0.5;
+  const std::vector<BenchRun> plan = MakePlan(request, widefov::Options());
+  EXPECT_EQ(plan.size(), 3u);
+  EXPECT_EQ(Find(plan, "auto_0.5").Options.Tolerance, 0.5);
+  EXPECT_EQ(Find(plan, "tessellate_0.5").Options.Tolerance, 0.5);
+}
+
 TEST(BenchPlan, EqualDensityIsTheCircleOverPi)
 {
   EXPECT_EQ(EqualDensity(1024), 326);
