@@ -31,7 +31,7 @@ void Declare(CLI::App& app, BenchOptions& o)
   group.Choice("--projection", o.Projection, ProjectionNames(), {},
     "what the techniques draw, at its widest; the cubemap and the floor stay as they are");
   group.Number("--tolerance", "PX", o.Tolerance, { 0.001, 1e6 },
-    "the only one of auto and tessellate, pixels; 0: several, two and one with --quick");
+    "the only one of auto and tessellate, pixels; without it they have several");
   group.Size("--size", o.Size, "pixels; with --quick or --table1 1024x512");
   group.Number("--turn", "DEGREES", o.Turn, { -180, 180 },
     "before each frame every camera turns about its up axis; no errors and no floor then; degrees");

@@ -30,7 +30,8 @@ measure 2 NAME.json --size 1024x512 --methods exact,auto "$@"
 # software draws patches slowly: without the largest scenes
 measure 2 NAME-tessellate.json --size 1024x512 --methods tessellate \
   --scenes cornell,room,atrium,globe,vector-cloud "$@"
-measure 1 NAME-8192.json --size 8192x4096 --quick --methods exact,auto --tolerance 0.02 --scenes atrium "$@"
+measure 1 NAME-8192.json --size 8192x4096 --quick --methods exact,auto --tolerance 0.02 \
+  --scenes atrium "$@"
 measure 1 NAME-others.json --size 8192x4096 --quick --methods exact \
   --scenes cornell,room,globe,vector-cloud,winds,office,flow-large "$@"
 # all scenes in four million pixels: as wide, or a circle that touches the nearer borders
