@@ -17,8 +17,9 @@ namespace sorting
 // (order_fragment.glsl).
 enum Fold : unsigned char
 {
-  KnownFirst = 1, // the edge opposite to the first corner is known, and so on
-  FoldBack = 8,   // it lies behind one that it meets in a fold
+  KnownFirst = 1,   // the edge opposite to the first corner is known, and so on
+  FoldBack = 8,     // it lies behind one that it meets in a fold
+  BackAtFirst = 16, // which it meets in the edge opposite to the first corner, and so on
 };
 
 // Whichever way triangles are wound; where several meet in an edge, or one alone, nothing is known.
@@ -65,7 +66,7 @@ private:
       const int next = (j + 1) % 3;
       const int opposite = (j + 2) % 3;
       const vec3 beyond = this->PlaceBeyond(other, edge, static_cast<std::size_t>(corner + next));
-      folds |= LookAt(p[j], p[next], p[opposite], beyond, KnownFirst << opposite);
+      folds |= LookAt(p[j], p[next], p[opposite], beyond, opposite);
     }
     return static_cast<unsigned char>(folds);
   }
@@ -89,8 +90,9 @@ private:
 
   // An edge from p to q, what its triangle ends in and what the next one does. A fold is where both
   // lie to one side of the plane through the eye; the back is what the other one comes before.
-  static int LookAt(const vec3& p, const vec3& q, const vec3& own, const vec3& other, int known)
+  static int LookAt(const vec3& p, const vec3& q, const vec3& own, const vec3& other, int edge)
   {
+    const int known = KnownFirst << edge;
     const vec3 seen = glm::cross(p, q - p);
     const double side = glm::dot(seen, own);
     const double beyond = glm::dot(seen, other);
@@ -109,7 +111,7 @@ private:
     {
       return 0;
     }
-    return known | ((raised > 0) != (ahead > 0) ? FoldBack : 0);
+    return known | ((raised > 0) != (ahead > 0) ? FoldBack | BackAtFirst << edge : 0);
   }
 
   // Sines under which doubles say nothing of a side.

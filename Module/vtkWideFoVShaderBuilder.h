@@ -63,7 +63,7 @@ public:
     bool Calm = false;         // covered triangles are small, and nothing is torn where they are
     bool SurfaceDepth = false; // depth is the surface's, not interpolated along chords
     bool Whole = false;        // covered triangles are decided in double, where OpenGL has that
-    bool Folds = false;        // with it: of triangles that are sorted is known where they fold
+    bool Folds = false;        // of triangles that are sorted is known where they fold
     int Runs = 1;              // of the geometry stage, which share in covering a triangle
     bool RayDepth = false;     // with it, of triangles: where the pixel's ray meets it
     bool BothEyes = false; // triangles are drawn for both eyes at once, a layer each; or, by the

@@ -289,7 +289,8 @@ bool vtkWideFoVStage::PostReplaceShaderValues(std::string& vertexShader,
   const bool sorts = triangles &&
     (vtkWideFoVPolyDataMapper::SafeDownCast(mapper) ||
       vtkWideFoVCompositeHelper::SafeDownCast(mapper));
-  request.Folds = sorts && request.Whole && MaySort(mapper);
+  request.Folds =
+    sorts && this->KnowsFolds() && !request.Edges && !this->DebugView && MaySort(mapper);
   using Texts = wfv::ShaderMemory::Texts;
   Texts texts{ vertexShader, geometryShader, fragmentShader };
   const Texts* const before =

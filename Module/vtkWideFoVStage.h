@@ -72,6 +72,20 @@ public:
     }
   }
 
+  // Of sorted triangles that are covered is known which edges are folds, though rays are in
+  // float32: the technique "auto".
+  void SetFolds(bool folds)
+  {
+    if (folds != this->Folds)
+    {
+      this->Folds = folds;
+      this->SourceTime.Modified();
+    }
+  }
+
+  // Whether it is known, as the view and its samples are now.
+  bool KnowsFolds() const { return this->Folds || this->IsWhole(); }
+
   // Whether covered triangles are decided so, as the view and its samples are now.
   bool IsWhole() const { return this->Whole && this->HasWholeRays(); }
 
@@ -202,6 +216,7 @@ private:
   bool RayDepth = false;
   int Runs = 1;
   bool Whole = false;
+  bool Folds = false;
   int NumberOfDraws = 0;
   int NumberOfTessellateDraws = 0;
 };

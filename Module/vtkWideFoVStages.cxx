@@ -121,11 +121,7 @@ void vtkWideFoVStages::Begin(
     stage->SetView(renderer, camera, tolerance);
     stage->SetTextures(&this->Textures);
     stage->SetStages(this);
-    stage->SetClipless(technique == vtkWideFoVPass::VERTEX);
-    stage->SetByRays(
-      this->Technique == vtkWideFoVPass::TESSELLATE || this->Technique == vtkWideFoVPass::AUTO);
-    stage->SetWhole(this->IsExact() && stage != this->ExactInSingle);
-    stage->SetExactLines(this->Technique == vtkWideFoVPass::AUTO && (!stereo || stereo->Straight));
+    this->Instruct(stage);
     stage->ResetNumberOfDraws();
   }
   this->SetPart(renderer, this->Plain->GetTile());
@@ -133,6 +129,18 @@ void vtkWideFoVStages::Begin(
   this->Counts = wfv::FrameCounts();
   this->Programs.BeginFrame();
   this->NumberView(stereo);
+}
+
+// How a stage draws triangles and lines, by the technique, its tolerance and the eyes.
+void vtkWideFoVStages::Instruct(vtkWideFoVStage* stage)
+{
+  const bool automatic = this->Technique == vtkWideFoVPass::AUTO;
+  stage->SetClipless(this->Technique == vtkWideFoVPass::VERTEX);
+  stage->SetByRays(automatic || this->Technique == vtkWideFoVPass::TESSELLATE);
+  stage->SetWhole(this->IsExact() && stage != this->ExactInSingle);
+  stage->SetFolds(
+    automatic && !this->ByPixels && (stage == this->PreClip || stage == this->CalmAmong));
+  stage->SetExactLines(automatic && (!this->Stereo || this->Stereo->Straight));
 }
 
 void vtkWideFoVStages::SetDebugView(bool debugView)

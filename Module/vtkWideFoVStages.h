@@ -187,6 +187,7 @@ private:
   bool Hurries = false;
   bool Shares = false;
   std::array<vtkWideFoVStage*, 15> GetAll();
+  void Instruct(vtkWideFoVStage* stage);
   void SetEyes(vtkWideFoVCamera* camera, const wfv::StereoModel* stereo); // after SetPart
   double Reach = 0; // of the rays' beginnings from the middle between the eyes, scene units
 

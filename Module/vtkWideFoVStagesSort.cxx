@@ -226,7 +226,7 @@ bool vtkWideFoVStages::GetSortView(
   view.Moving = view.Plain && this->Hurries ? this->Tolerance : 0;
   view.Calm = opaque && !this->DebugView && (cut || exact);
   view.Rays = view.Calm && exact;
-  view.Folds = view.Rays && stage->IsWhole();
+  view.Folds = (view.Rays || view.Plain) && stage->KnowsFolds();
   return true;
 }
 

@@ -32,9 +32,22 @@ flat in vec3 wfvRises;
 flat in int wfvFolds;
 const int WFV_FOLD_BACK = 8;
 
-// Window depth, steps of a buffer of 24 bits: rays are in double with it, so all that may put a back
-// before its front beside their fold is the rounding of both depths in float32, by some two steps each.
+// Window depth, steps of a buffer of 24 bits: where rays are in double, all that may put a back before
+// its front beside their fold is the rounding of both depths in float32, by some two steps each.
 const float WFV_BACK_YIELDS = 6.0 / 16777216.0;
+
+#if !WFV_DOUBLES
+// Of the distance, by which a back lies farther away within WFV_HAIR of its fold, where a ray in float32
+// may be beyond it: that over a sine of 6e-4. Its front hides it there.
+const float WFV_BACK_AT_FOLD = 1e-3;
+const ivec3 WFV_BACK_AT = ivec3(16, 32, 64);
+
+bool wfvIsBackAtFold(vec3 away)
+{
+  bvec3 back = notEqual(ivec3(wfvFolds) & WFV_BACK_AT, ivec3(0));
+  return any(lessThan(mix(vec3(1.0), away, vec3(back)), vec3(WFV_HAIR)));
+}
+#endif
 #endif
 
 // Sets the depth that tells what hides what: the pixel's own, but by the nearest edge that of a hair
@@ -60,7 +73,11 @@ void wfvOrder(float approach, vec3 e)
   bool told = (wfvFolds & (isFirst ? 1 : isSecond ? 2 : 4)) != 0;
   known = known && !told;
 #endif
-  wfvDepth = wfvDepthInUnits(wfvRho - wfvRho * (known ? nearer : 0.0));
+  float moved = known ? nearer : 0.0;
+#if WFV_FOLDS && !WFV_DOUBLES
+  moved = wfvIsBackAtFold(away) ? -WFV_BACK_AT_FOLD : moved;
+#endif
+  wfvDepth = wfvDepthInUnits(wfvRho - wfvRho * moved);
 #if WFV_FOLDS
   wfvDepth += (wfvFolds & WFV_FOLD_BACK) != 0 ? WFV_BACK_YIELDS : 0.0;
 #endif

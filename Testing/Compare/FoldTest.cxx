@@ -57,6 +57,12 @@ Fold SharpFold(const Between& between)
   return { -1 / between(0.01, 0.1), 1 / between(0.01, 0.1), 1e-7 };
 }
 
+// The same, the front nearly in the plane of the rays.
+Fold SharpestFold(const Between& between)
+{
+  return { -1 / between(0.002, 0.02), 1 / between(0.01, 0.2), 2e-7 };
+}
+
 // Two faces that are nearly the same, so that a depth buffer tells them apart far from the edge.
 Fold FlatFold(const Between& between)
 {
@@ -95,30 +101,53 @@ void AddFold(vtkPolyData* mesh, const vec3& ray, const Fold& fold, bool frontFir
   mesh->GetPolys()->InsertNextCell(3, frontFirst ? back : front);
 }
 
-// A front that ends at the fold in a needle, which another front continues, and a back. The ray
-// passes between the two fronts, at the tip, within what float32 makes of a ray: a hair inside that
-// edge they are where no hair takes the back.
-void AddNeedle(vtkPolyData* mesh, const vec3& ray, bool frontFirst, const Between& between)
+// A fold, and where a ray passes it: inside its edge, where the needle is so wide but for what is
+// off.
+struct NeedleFold
+{
+  double Front;
+  double Back;
+  double Inside;
+  double Width;
+  double Off;
+};
+
+// The ray passes between the two fronts, at the tip, within what float32 makes of a ray: a hair
+// inside that edge they are where no hair takes the back.
+NeedleFold FlatNeedle(const Between& between)
+{
+  const double front = between(-1, 1);
+  const double inside = between(2e-6, 1e-5);
+  return { front, front + between(0.02, 0.1), inside, inside, between(-1e-7, 1e-7) };
+}
+
+// Beside the fold, beyond it by as much, with a front nearly in the plane of the rays.
+NeedleFold SteepNeedle(const Between& between)
+{
+  return { -1 / between(0.01, 0.02), 1 / between(0.1, 0.2), between(-2e-7, 2e-7),
+    between(3e-6, 1e-5), 0 };
+}
+
+// A front that ends at the fold in a needle, which another front continues, and a back.
+void AddNeedle(vtkPolyData* mesh, const vec3& ray, const NeedleFold& fold, bool frontFirst,
+  const Between& between)
 {
   const vec3 side = glm::cross(ray, vec3(between(-1, 1), between(-1, 1), between(-1, 1)));
   const vec3 along = glm::normalize(side);
   const vec3 out = glm::cross(ray, along); // beyond the fold
-  const double front = between(-1, 1);
-  const double back = front + between(0.02, 0.1);
   const double size = between(0.02, 0.06);
   const double thin = between(0.02, 0.06); // of the needle, times its length
-  const double inside = between(2e-6, 1e-5);
-  const double off = between(-1e-7, 1e-7); // of the edge between the fronts
   const auto put = [&](double far, double in, double slope) {
-    const vec3 p = ray + (inside - in) * out + (far - inside / thin) * along + in * slope * ray;
+    const vec3 p =
+      ray + (fold.Inside - in) * out + (far - fold.Width / thin) * along + in * slope * ray;
     return mesh->GetPoints()->InsertNextPoint(p.x, p.y, p.z);
   };
-  const vtkIdType tip = put(0, off, front);
-  const vtkIdType end = put(size, 0, front);
-  const vtkIdType beside = put(size, thin * size, front);
+  const vtkIdType tip = put(0, fold.Off, fold.Front);
+  const vtkIdType end = put(size, 0, fold.Front);
+  const vtkIdType beside = put(size, thin * size, fold.Front);
   const vtkIdType cells[][3] = { { tip, end, beside },
-    { tip, beside, put(0.5 * size, 2 * thin * size, front) },
-    { end, tip, put(0.5 * size, 2 * thin * size, back) } };
+    { tip, beside, put(0.5 * size, 2 * thin * size, fold.Front) },
+    { end, tip, put(0.5 * size, 2 * thin * size, fold.Back) } };
   for (int i = 0; i < 3; i++)
   {
     mesh->GetPolys()->InsertNextCell(3, cells[frontFirst ? i : 2 - i]);
@@ -190,10 +219,10 @@ protected:
     };
   }
 
-  static Add Needles()
+  static Add Needles(NeedleFold (*make)(const Between&))
   {
-    return [](vtkPolyData* mesh, const vec3& ray, int i, const Between& between) {
-      AddNeedle(mesh, ray, i % 3 != 0, between);
+    return [=](vtkPolyData* mesh, const vec3& ray, int i, const Between& between) {
+      AddNeedle(mesh, ray, make(between), i % 3 != 0, between);
     };
   }
 
@@ -254,7 +283,8 @@ TEST_P(FoldBeyondTheEdge, FrontHidesBackWhereTheyAreNearlyOneFace)
 
 TEST_P(FoldBeyondTheEdge, FrontHidesBackBesideANeedle)
 {
-  EXPECT_LE(Compare(this->GetParam(), vtkWideFoVPass::EXACT, 0.02, Needles()).UnexplainedPixels,
+  EXPECT_LE(
+    Compare(this->GetParam(), vtkWideFoVPass::EXACT, 0.02, Needles(FlatNeedle)).UnexplainedPixels,
     LostNeedles);
 }
 
@@ -267,9 +297,20 @@ TEST_P(FoldBeyondTheEdge, FrontHidesAThinBack)
 TEST_P(FoldBeyondTheEdge, FrontThatIsKnownHidesItsBack)
 {
   for (const Add& add : { Folds(SharpFold, true), Folds(FlatFold, true), Folds(FlatterFold, true),
-         Needles(), ThinBacks() })
+         Needles(FlatNeedle), ThinBacks() })
   {
     Check(this->GetParam(), vtkWideFoVPass::AUTO, 0.02, add);
+  }
+}
+
+// Where rays are in float32, too, of those that a sample is in doubt at: what is drawn plain is
+// told apart by its winding.
+TEST_P(FoldBeyondTheEdge, FrontThatIsKnownHidesItsBackWhateverRaysAreRoundedBy)
+{
+  for (const Add& add : { Folds(SharpFold, false), Folds(SharpestFold, false),
+         Folds(FlatFold, false), Needles(FlatNeedle), Needles(SteepNeedle) })
+  {
+    Check(this->GetParam(), vtkWideFoVPass::AUTO, 0.25, add);
   }
 }
 
