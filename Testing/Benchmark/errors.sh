@@ -39,5 +39,5 @@ for name in $projections; do
   [[ " $round " == *" $name "* ]] && echo "$name 2048x2048" || echo "$name 8192x512"
 done | xargs -P 2 -L 1 bash -c 'bash Utilities/with-display.sh build/bin/widefov-bench --frames 1 \
   --projection "$2" --size "$3" --output "output/errors/$2-stretched.json" --quick \
-  --methods exact $1' errors.sh "$*"
+  --methods exact,auto --tolerance 0.02 $1' errors.sh "$*"
 /usr/bin/python3 -B Testing/Benchmark/errors.py Documentation/benchmarks/errors.md output/errors/*.json
