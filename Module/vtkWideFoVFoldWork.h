@@ -17,9 +17,8 @@ namespace sorting
 // (order_fragment.glsl).
 enum Fold : unsigned char
 {
-  KnownFirst = 1,   // the edge opposite to the first corner is known, and so on
-  FoldBack = 8,     // it lies behind one that it meets in a fold
-  BackAtFirst = 16, // which it meets in the edge opposite to the first corner, and so on
+  KnownFirst = 1,  // the edge opposite to the first corner is known, and so on
+  BackAtFirst = 8, // there it lies behind one that it meets in a fold, and so on
 };
 
 // Whichever way triangles are wound; where several meet in an edge, or one alone, nothing is known.
@@ -111,7 +110,7 @@ private:
     {
       return 0;
     }
-    return known | ((raised > 0) != (ahead > 0) ? FoldBack | BackAtFirst << edge : 0);
+    return known | ((raised > 0) != (ahead > 0) ? BackAtFirst << edge : 0);
   }
 
   // Sines under which doubles say nothing of a side.

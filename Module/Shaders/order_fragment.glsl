@@ -28,9 +28,15 @@ flat in vec3 wfvEach;
 flat in vec3 wfvRises;
 
 #if WFV_FOLDS
-// What is known of the triangle (vtkWideFoVFoldWork.h): bits of its edges, and one for a back.
+// What is known of the triangle (vtkWideFoVFoldWork.h): bits of its edges, the latter three of
+// those at which it is the back of a fold.
 flat in int wfvFolds;
-const int WFV_FOLD_BACK = 8;
+const ivec3 WFV_BACK_AT = ivec3(8, 16, 32);
+
+bvec3 wfvBackAt()
+{
+  return notEqual(ivec3(wfvFolds) & WFV_BACK_AT, ivec3(0));
+}
 
 // Window depth, steps of a buffer of 24 bits: where rays are in double, all that may put a back before
 // its front beside their fold is the rounding of both depths in float32, by some two steps each.
@@ -40,12 +46,10 @@ const float WFV_BACK_YIELDS = 6.0 / 16777216.0;
 // Of the distance, by which a back lies farther away within WFV_HAIR of its fold, where a ray in float32
 // may be beyond it: that over a sine of 6e-4. Its front hides it there.
 const float WFV_BACK_AT_FOLD = 1e-3;
-const ivec3 WFV_BACK_AT = ivec3(16, 32, 64);
 
 bool wfvIsBackAtFold(vec3 away)
 {
-  bvec3 back = notEqual(ivec3(wfvFolds) & WFV_BACK_AT, ivec3(0));
-  return any(lessThan(mix(vec3(1.0), away, vec3(back)), vec3(WFV_HAIR)));
+  return any(lessThan(mix(vec3(1.0), away, vec3(wfvBackAt())), vec3(WFV_HAIR)));
 }
 #endif
 #endif
@@ -79,6 +83,6 @@ void wfvOrder(float approach, vec3 e)
 #endif
   wfvDepth = wfvDepthInUnits(wfvRho - wfvRho * moved);
 #if WFV_FOLDS
-  wfvDepth += (wfvFolds & WFV_FOLD_BACK) != 0 ? WFV_BACK_YIELDS : 0.0;
+  wfvDepth += any(wfvBackAt()) ? WFV_BACK_YIELDS : 0.0;
 #endif
 }

@@ -101,15 +101,14 @@ void AddFold(vtkPolyData* mesh, const vec3& ray, const Fold& fold, bool frontFir
   mesh->GetPolys()->InsertNextCell(3, frontFirst ? back : front);
 }
 
-// A fold, and where a ray passes it: inside its edge, where the needle is so wide but for what is
-// off.
+// A fold whose front ends in a needle: as a Fold, and where a ray passes.
 struct NeedleFold
 {
   double Front;
   double Back;
-  double Inside;
-  double Width;
-  double Off;
+  double Inside; // of the fold's edge, radians; below 0 beyond it
+  double Width;  // of the needle there, radians, if its tip is in place
+  double Off;    // of the tip from the fold's edge, radians
 };
 
 // The ray passes between the two fronts, at the tip, within what float32 makes of a ray: a hair
@@ -121,7 +120,8 @@ NeedleFold FlatNeedle(const Between& between)
   return { front, front + between(0.02, 0.1), inside, inside, between(-1e-7, 1e-7) };
 }
 
-// Beside the fold, beyond it by as much, with a front nearly in the plane of the rays.
+// The ray passes on either side of the fold, by what float32 makes of a ray, inside the needle,
+// which is nearly in the plane of the rays.
 NeedleFold SteepNeedle(const Between& between)
 {
   return { -1 / between(0.01, 0.02), 1 / between(0.1, 0.2), between(-2e-7, 2e-7),
