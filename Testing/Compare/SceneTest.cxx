@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The techniques auto and tessellate on scenes of the benchmark, small: whatever the
-// tolerance, no pixel shows what is seen farther away than that.
+// tolerance, no pixel shows what is seen farther away than that; auto below 0.05 pixels draws what
+// exact does, to the last bit.
 #include "Drawing.h"
+#include "DrawingTest.h"
+#include "Poses.h"
 #include "Stereo.h"
 #include "vtkWideFoVPass.h"
 
@@ -62,6 +65,20 @@ public:
     this->Caster.reset();
   }
 
+  // The scene in a projection at its widest; both techniques by the mapper that sorts.
+  reference::DrawnPicture DrawWidest(const std::string& projection, int technique, double tolerance)
+  {
+    const double fov = std::min(360.0, FindProjection(projection)->MaxHorizontalFov);
+    NamedPose pose;
+    pose.Eye = this->View.Eye;
+    Shot shot = MakeShot(projection, fov, pose);
+    shot.Options.Radii = this->View.Options.Radii;
+    this->Picture.SetTechnique(vtkWideFoVPass::AUTO);
+    this->Picture.SetPassTechnique(technique);
+    this->Picture.SetTolerance(tolerance);
+    return this->Picture.Draw(shot);
+  }
+
   // b: circles that explain a wrong pixel, pixels.
   reference::Metrics Measure(int technique, double tolerance, double b)
   {
@@ -99,6 +116,17 @@ private:
 class Scenes : public ::testing::TestWithParam<std::string>
 {
 };
+
+// Pixels whose cell or distance is not the same to the last bit.
+long CountDifferent(const reference::DrawnPicture& a, const reference::DrawnPicture& b)
+{
+  long different = 0;
+  for (std::size_t i = 0; i < a.Cell.size(); i++)
+  {
+    different += a.Cell[i] != b.Cell[i] || a.Distance[i] != b.Distance[i];
+  }
+  return different;
+}
 }
 
 TEST_P(Scenes, KeepTheTolerance)
@@ -139,6 +167,26 @@ TEST_P(Scenes, KeepTheToleranceInStereo)
         << Details(drawing.View, drawing.Picture.GetView(), m);
       EXPECT_GT(m.DomainPixels, 0);
     }
+  }
+}
+
+// So what is measured of `exact` in any size holds for `auto` at the finest tolerances.
+TEST_P(Scenes, AutoAtItsFinestIsExact)
+{
+  SceneDrawing drawing(this->GetParam());
+  for (const std::string& projection : WideNames())
+  {
+    const auto draw = [&](int technique, double tolerance) {
+      return drawing.DrawWidest(projection, technique, tolerance);
+    };
+    const reference::DrawnPicture exact = draw(vtkWideFoVPass::EXACT, SceneTolerances[1]);
+    const reference::DrawnPicture fine = draw(vtkWideFoVPass::AUTO, ByRays);
+    ASSERT_FALSE(exact.Cell.empty()) << projection;
+    ASSERT_EQ(exact.Cell.size(), fine.Cell.size()) << projection;
+    EXPECT_EQ(CountDifferent(exact, fine), 0) << projection;
+    // and the check can tell: above, rays are in float32
+    EXPECT_GT(CountDifferent(exact, draw(vtkWideFoVPass::AUTO, SceneTolerances[0])), 0)
+      << projection;
   }
 }
 
