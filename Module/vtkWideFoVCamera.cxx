@@ -81,6 +81,7 @@ void vtkWideFoVCamera::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "DepthMapping: " << this->GetDepthMapping() << "\n"
      << indent << "DirectionMap: " << (o.Map ? "set" : "(none)") << "\n"
      << indent << "AutomaticClipRadii: " << this->AutomaticClipRadii << "\n"
+     << indent << "ExactPerspective: " << this->ExactPerspective << "\n"
      << indent << "StereoModel: " << this->GetStereoModel() << "\n"
      << indent << "InterpupillaryDistance: " << o.Stereo.InterpupillaryDistance << "\n"
      << indent << "PoleFade: " << o.Stereo.PoleFade[0] << ", " << o.Stereo.PoleFade[1] << "\n"
@@ -101,6 +102,7 @@ void vtkWideFoVCamera::CopyView(const vtkWideFoVCamera* source)
   this->Internal->Options = source->Internal->Options;
   this->Definition = source->Definition;
   this->AutomaticClipRadii = source->AutomaticClipRadii;
+  this->ExactPerspective = source->ExactPerspective;
   this->Modified();
 }
 

@@ -44,9 +44,9 @@ public:
 
   ///@{
   /**
-   * The projection, by name (default "equirectangular"). An unknown name is refused
-   * with an error that lists the known ones. Fields of view outside the range of the
-   * new projection are clamped to it.
+   * The projection, by name (default "equirectangular"). An unknown name is refused with an error
+   * that lists the known ones. Fields of view outside the range of the new projection are clamped
+   * to it.
    */
   virtual void SetProjection(const char* name);
   virtual const char* GetProjection();
@@ -82,9 +82,8 @@ public:
 
   ///@{
   /**
-   * Fields of view in degrees, above 0 (defaults 360 and 180), clamped with a warning
-   * to the range of the projection. A round projection (azimuthal) uses the
-   * horizontal one alone.
+   * Fields of view in degrees, above 0 (defaults 360 and 180), clamped with a warning to the range
+   * of the projection. A round projection (azimuthal) uses the horizontal one alone.
    */
   virtual void SetHorizontalFieldOfView(double degrees);
   virtual double GetHorizontalFieldOfView();
@@ -99,9 +98,9 @@ public:
 
   ///@{
   /**
-   * How far the axis of the projection is raised from the direction of view towards
-   * view up, in degrees (default 0; 90 puts the zenith at the centre of a dome
-   * picture and the direction of view at its bottom). Clamped to [-180, 180].
+   * How far the axis of the projection is raised from the direction of view towards view up, in
+   * degrees (default 0; 90 puts the zenith at the centre of a dome picture and the direction of
+   * view at its bottom). Clamped to [-180, 180].
    */
   virtual void SetTilt(double degrees);
   virtual double GetTilt();
@@ -109,10 +108,10 @@ public:
 
   ///@{
   /**
-   * Lens polynomial of a fisheye: r = c1 t + c2 t^2 + .. + c5 t^5, t in radians from
-   * the axis, r = 1 at the rim of the picture. It must grow everywhere up to half the
-   * field of view; otherwise it is refused with an error and the old one stays.
-   * ClearLens() (the default) means the ideal lens, r = t / (fov/2).
+   * Lens polynomial of a fisheye: r = c1 t + c2 t^2 + .. + c5 t^5, t in radians from the axis, r =
+   * 1 at the rim of the picture. It must grow everywhere up to half the field of view; otherwise
+   * it is refused with an error and the old one stays. ClearLens() (the default) means the ideal
+   * lens, r = t / (fov/2).
    */
   virtual bool SetLens(double c1, double c2, double c3, double c4, double c5);
   virtual void ClearLens();
@@ -120,21 +119,21 @@ public:
   ///@}
 
   /**
-   * What the projection "direction-map" shows: the direction of each pixel, as a picture of
-   * at least 2 x 2 pixels of three numbers (the active scalars; view coordinates: x right,
-   * y up, z behind; unit vectors, or 0, 0, 0 for a pixel that shows nothing). The camera
-   * keeps no reference to it. The ray of a picture of the same size is the given one at
-   * each pixel's centre; between centres, and at other sizes, directions are interpolated
-   * within what hangs together. Anything else is refused with an error, and the old map
-   * stays. nullptr (the default): no pixel shows anything.
+   * What the projection "direction-map" shows: the direction of each pixel, as a picture of at
+   * least 2 x 2 pixels of three numbers (the active scalars; view coordinates: x right, y up, z
+   * behind; unit vectors, or 0, 0, 0 for a pixel that shows nothing). The camera keeps no
+   * reference to it. The ray of a picture of the same size is the given one at each pixel's
+   * centre; between centres, and at other sizes, directions are interpolated within what hangs
+   * together. Anything else is refused with an error, and the old map stays. nullptr (the
+   * default): no pixel shows anything.
    */
   virtual bool SetDirectionMap(vtkImageData* directions);
   virtual bool HasDirectionMap();
 
   ///@{
   /**
-   * Radii of the near and far clip spheres, scene units, 0 < near < far (anything
-   * else is refused with an error). Setting them switches AutomaticClipRadii off.
+   * Radii of the near and far clip spheres, scene units, 0 < near < far (anything else is refused
+   * with an error). Setting them switches AutomaticClipRadii off.
    */
   virtual void SetClipRadii(double nearRadius, double farRadius);
   virtual void GetClipRadii(double radii[2]);
@@ -144,8 +143,7 @@ public:
 
   ///@{
   /**
-   * Derive the clip spheres from the bounds of the visible props before each frame
-   * (default on).
+   * Derive the clip spheres from the bounds of the visible props before each frame (default on).
    */
   vtkSetMacro(AutomaticClipRadii, vtkTypeBool);
   vtkGetMacro(AutomaticClipRadii, vtkTypeBool);
@@ -153,16 +151,15 @@ public:
   ///@}
 
   /**
-   * Set the clip radii so that the bounds (xmin, xmax, .., zmax; world) lie between
-   * them. Uninitialized bounds change nothing.
+   * Set the clip radii so that the bounds (xmin, xmax, .., zmax; world) lie between them.
+   * Uninitialized bounds change nothing.
    */
   virtual void ResetClipRadii(const double bounds[6]);
 
   /**
-   * How depth grows with the distance rho from the eye, from the near to the far sphere.
-   * All of them grow, so that whatever of VTK compares, clears or reads depth goes on
-   * working; reversing the comparison itself is not possible in the stock passes, which
-   * set it themselves.
+   * How depth grows with the distance rho from the eye, from the near to the far sphere. All of
+   * them grow, so that whatever of VTK compares, clears or reads depth goes on working; reversing
+   * the comparison itself is not possible in the stock passes, which set it themselves.
    */
   enum DepthMappings
   {
@@ -173,8 +170,8 @@ public:
 
   ///@{
   /**
-   * The depth mapping (default LINEAR). With the projection "perspective" depth is stock
-   * VTK's. The mappings other than LINEAR write depth in the fragment stage.
+   * The depth mapping (default LINEAR). With the projection "perspective" it is stock VTK's.
+   * The mappings other than LINEAR write depth in the fragment stage.
    */
   virtual void SetDepthMapping(int mapping);
   virtual int GetDepthMapping();
@@ -185,10 +182,10 @@ public:
 
   ///@{
   /**
-   * The stereo model, by name (default "mono": both eyes see the same). What differs between
-   * the eyes of a window in stereo mode, whatever its stereo type: "omnidirectional" (eyes on a
-   * circle, that turn with every column of the picture), "warped" (the picture with its depth
-   * is an object between the eyes), both for wide projections, and "offaxis", for the projection
+   * The stereo model, by name (default "mono": both eyes see the same). What differs between the
+   * eyes of a window in stereo mode, whatever its stereo type: "omnidirectional" (eyes on a
+   * circle, that turn with every column of the picture), "warped" (the picture with its depth is
+   * an object between the eyes), both for wide projections, and "offaxis", for the projection
    * "perspective". An unknown name is refused with an error that lists the known ones. With a
    * projection that it is not made for, a model does nothing.
    */
@@ -214,9 +211,8 @@ public:
   ///@{
   /**
    * Omnidirectional: latitudes in degrees, 0 to 90, between which the eyes' distance shrinks
-   * smoothly to nothing, for there a circle's two eyes turn about (default: off, full
-   * distance everywhere). The second is at least the first; anything else is refused with an
-   * error.
+   * smoothly to nothing, for there a circle's two eyes turn about (default: off, full distance
+   * everywhere). The second is at least the first; anything else is refused with an error.
    */
   virtual void SetPoleFade(double start, double end);
   virtual void ClearPoleFade() { this->SetPoleFade(0, 0); }
@@ -226,9 +222,9 @@ public:
   ///@{
   /**
    * Warped: the distance between the eyes (NDC, default 0.5, clamped to [0, 10]), the distance of
-   * the viewer from the plane of zero parallax (NDC, default 5) and that plane (NDC depth,
-   * default -0.8, clamped to [-1, 1]). The viewer is in front of the whole cube: a distance not
-   * above 1 + offset is refused with an error.
+   * the viewer from the plane of zero parallax (NDC, default 5) and that plane (NDC depth, default
+   * -0.8, clamped to [-1, 1]). The viewer is in front of the whole cube: a distance not above 1 +
+   * offset is refused with an error.
    */
   virtual void SetWarpedStereo(double iod, double distance, double offset);
   virtual void GetWarpedStereo(double values[3]);
@@ -240,9 +236,9 @@ public:
 
   ///@{
   /**
-   * Off-axis: the parallax of what is infinitely far away, as a fraction of the picture's
-   * width (default 0.03, clamped to [0, 0.5]), and the distance that has none, scene units,
-   * above 0 (default 10; anything else is refused with an error).
+   * Off-axis: the parallax of what is infinitely far away, as a fraction of the picture's width
+   * (default 0.03, clamped to [0, 0.5]), and the distance that has none, scene units, above 0
+   * (default 10; anything else is refused with an error).
    */
   virtual void SetSeparation(double fraction);
   virtual double GetSeparation();
@@ -254,10 +250,10 @@ public:
   /**
    * Comfort of the off-axis model. Parallax of a point at this distance ahead (above 0), per cent
    * of the picture's width, positive behind the screen; distances between which content belongs
-   * (half the convergence and a hundred times it); the angle in degrees under which a parallax
-   * is seen on a screen of this width from this distance; the largest separation with which no
-   * eyes have to diverge on a screen of this width (both in the same unit; people's eyes are
-   * 0.065 m apart). Arguments that are not above 0 give 0.
+   * (half the convergence and a hundred times it); the angle in degrees under which a parallax is
+   * seen on a screen of this width from this distance; the largest separation with which no eyes
+   * have to diverge on a screen of this width (both in the same unit; people's eyes are 0.065 m
+   * apart). Arguments that are not above 0 give 0.
    */
   double GetParallax(double distance);
   void GetDepthBudget(double range[2]);
@@ -274,11 +270,44 @@ public:
   bool ConvergeOnDepth(vtkRenderer* renderer);
 
   /**
-   * Which eye the camera is now: -1 the left, 1 the right, 0 neither, where the window that
-   * last drew with it is not in stereo mode.
+   * Which eye the camera is now: -1 the left, 1 the right, 0 neither, where the window that last
+   * drew with it is not in stereo mode.
    */
   int GetCurrentEye();
   bool HasMirroredEyes(); ///< the two differ by their side alone
+
+  /// How far the eyes of the stereo model are from the camera's position, scene units: 0 where
+  /// they are there.
+  virtual double GetEyeReach();
+
+  ///@{
+  /**
+   * Whether the techniques draw the projection "perspective" as they do all others (default off:
+   * stock VTK draws it). Where its corners are more than 80 degrees from its axis, the axis is not
+   * in the middle, or there is a stereo model, stock VTK does all the same.
+   */
+  vtkSetMacro(ExactPerspective, vtkTypeBool);
+  vtkGetMacro(ExactPerspective, vtkTypeBool);
+  ///@}
+
+  /// True unless the projection is a "perspective" for which stock VTK serves.
+  bool IsWide();
+
+  ///@{
+  /**
+   * World coordinates to NDC (x, y, depth in [-1, 1]) and back, in a viewport of the given aspect
+   * (width / height). The return value tells whether the point is in the picture (WorldToNDC), or
+   * the map has a direction there (NDCToWorld).
+   */
+  bool WorldToNDC(const double world[3], double aspect, double ndc[3]);
+  bool NDCToWorld(const double ndc[3], double aspect, double world[3]);
+  ///@}
+
+  /**
+   * The ray through a point of the picture: where it starts and its unit direction, in world
+   * coordinates. False where the map has no direction.
+   */
+  bool NDCToRay(const double ndc[2], double aspect, double origin[3], double direction[3]);
 
 #ifndef __VTK_WRAP__
   /**
@@ -286,42 +315,13 @@ public:
    * wide projections, whose rays begin where NDCToRay says.
    */
   void GetPerspectiveEye(double aspect, float eye[3]);
-#endif
-
-  /// How far the eyes of the stereo model are from the camera's position, scene units: 0 where
-  /// they are there.
-  virtual double GetEyeReach();
-
-  /// True unless the projection is "perspective", for which stock VTK serves.
-  bool IsWide();
-
-  ///@{
-  /**
-   * World coordinates to NDC (x, y, depth in [-1, 1]) and back, in a viewport of the
-   * given aspect (width / height). The return value tells whether the point is in the
-   * picture (WorldToNDC), or the map has a direction there (NDCToWorld).
-   */
-  bool WorldToNDC(const double world[3], double aspect, double ndc[3]);
-  bool NDCToWorld(const double ndc[3], double aspect, double world[3]);
-  ///@}
-
-  /**
-   * The ray through a point of the picture: where it starts and its unit direction,
-   * in world coordinates. False where the map has no direction.
-   */
-  bool NDCToRay(const double ndc[2], double aspect, double origin[3], double direction[3]);
-
-#ifndef __VTK_WRAP__
   void SetDirectionMap(const std::shared_ptr<const wfv::DirectionMap>& map);
   /**
-   * The view as two functions, in view coordinates (see Projections/Projection.h).
-   * Valid until the camera is changed or another aspect is asked for.
+   * The view as two functions, in view coordinates (see Projections/Projection.h). Valid until the
+   * camera is changed or another aspect is asked for.
    */
   const wfv::View& GetView(double aspect);
-  const wfv::Projection& GetProjectionDefinition()
-  {
-    return *this->Definition;
-  }
+  const wfv::Projection& GetProjectionDefinition(); // as it was set
 #endif
 
   /// Before a frame is drawn: updates the automatic clip spheres from the visible props.
@@ -349,8 +349,8 @@ protected:
   ~vtkWideFoVCamera() override;
 
   /**
-   * A camera with this one's view. VTK's screenshots draw with a new instance that
-   * only vtkCamera's own, non-virtual copy functions fill.
+   * A camera with this one's view. VTK's screenshots draw with a new instance that only
+   * vtkCamera's own, non-virtual copy functions fill.
    */
   vtkObjectBase* NewInstanceInternal() const override;
 
@@ -358,10 +358,7 @@ protected:
   void ComputeProjectionTransform(double aspect, double nearz, double farz) override;
 
   // Where distances are measured from, world.
-  virtual void GetViewpoint(double world[3])
-  {
-    this->GetPosition(world);
-  }
+  virtual void GetViewpoint(double world[3]);
 
 #ifndef __VTK_WRAP__
   // Takes the options over, or refuses them with an error where `model` says why.
@@ -386,10 +383,13 @@ protected:
 #endif
 
   vtkTypeBool AutomaticClipRadii = 1;
+  vtkTypeBool ExactPerspective = 0;
 
 private:
   vtkWideFoVCamera(const vtkWideFoVCamera&) = delete;
   void operator=(const vtkWideFoVCamera&) = delete;
+
+  const wfv::Projection& GetDrawnProjection();
 
   struct Internals;
   std::unique_ptr<Internals> Internal;

@@ -21,9 +21,26 @@
 #include <cmath>
 #include <limits>
 
+const wfv::Projection& vtkWideFoVCamera::GetProjectionDefinition()
+{
+  return *this->Definition;
+}
+
+const wfv::Projection& vtkWideFoVCamera::GetDrawnProjection()
+{
+  const bool framed = this->ExactPerspective && this->Definition->Axis == wfv::Family::Planar &&
+    !this->GetFittingModel() && wfv::FitsFrame(this->Internal->Options);
+  return framed ? wfv::FramedPerspective() : *this->Definition;
+}
+
 bool vtkWideFoVCamera::IsWide()
 {
-  return this->Definition->Axis != wfv::Family::Planar;
+  return this->GetDrawnProjection().Axis != wfv::Family::Planar;
+}
+
+void vtkWideFoVCamera::GetViewpoint(double world[3])
+{
+  this->GetPosition(world);
 }
 
 bool vtkWideFoVCamera::SetDirectionMap(vtkImageData* directions)
@@ -85,7 +102,7 @@ const wfv::View& vtkWideFoVCamera::GetView(double aspect)
     {
       options.Lens.fill(0);
     }
-    in.Cache.emplace(*this->Definition, options);
+    in.Cache.emplace(this->GetDrawnProjection(), options);
     in.CacheAspect = aspect;
     in.CacheEye = eye;
     in.CacheTime = this->GetMTime();

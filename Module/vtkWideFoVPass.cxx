@@ -157,6 +157,16 @@ void vtkWideFoVPass::FindRelaxation(vtkRenderer* renderer)
   this->Relaxation = std::clamp(this->Relaxation + change, 0, MostRelaxed);
 }
 
+bool vtkWideFoVPass::IsExact()
+{
+  return IsExactTechnique(this->Technique, this->Tolerance);
+}
+
+bool vtkWideFoVPass::IsExactTechnique(int technique, double tolerance)
+{
+  return technique == EXACT || (technique == AUTO && !vtkWideFoVStages::AllowsChords(tolerance));
+}
+
 void vtkWideFoVPass::Render(const vtkRenderState* s)
 {
   Internals& in = *this->Internal;

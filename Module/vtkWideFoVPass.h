@@ -7,7 +7,8 @@
  * projection to the shaders of every prop (polydata, composite data, glyphs):
  * behind the vertex stage where the prop meets no discontinuity of the projection,
  * in a geometry stage (the pre-clip) where it does. With any other camera, or with
- * the projection "perspective", the picture is that of stock VTK, to the pixel.
+ * the projection "perspective", the picture is that of stock VTK, to the pixel, unless the
+ * camera's ExactPerspective is on.
  *
  * Changing the projection rebuilds shader text and compiles a variant the first time
  * it is needed; changing a field of view, the tilt or the lens sets uniforms only.
@@ -70,6 +71,13 @@ public:
   vtkSetClampMacro(Tolerance, double, 0.001, 1e6);
   vtkGetMacro(Tolerance, double);
   ///@}
+
+  /**
+   * True where every triangle is drawn by the ray of each pixel: EXACT, and AUTO under 0.05 pixels.
+   * Who asks for that of a perspective as well sets vtkWideFoVCamera::SetExactPerspective.
+   */
+  bool IsExact();
+  static bool IsExactTechnique(int technique, double tolerance);
 
   ///@{
   /**

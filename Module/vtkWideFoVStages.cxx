@@ -25,11 +25,6 @@
 
 namespace
 {
-// Pixels: under this a chord stands for no edge. The rasterizer snaps the ends of a chord by
-// up to 1/128 of a pixel, and the lens between the two is as thin as that; and who asks for
-// so little asks for exact depth and attributes too. Everything is covered.
-constexpr double LeastTolerance = 0.05;
-
 // Runs of the geometry stage for each of few triangles: more make tighter shapes, but each run, and
 // each border between two columns of pixels, takes time as well.
 constexpr int RunsOfFew = 3;
@@ -179,8 +174,7 @@ bool vtkWideFoVStages::IsFine(vtkProp* prop, const double bounds[6], wfv::PropFa
 
 bool vtkWideFoVStages::IsExact() const
 {
-  return this->Technique == vtkWideFoVPass::EXACT ||
-    (this->Technique == vtkWideFoVPass::AUTO && !this->AllowsChords());
+  return vtkWideFoVPass::IsExactTechnique(this->Technique, this->Tolerance);
 }
 
 // Few triangles that take up many pixels each: by the ball round the prop, as it is seen.
@@ -209,11 +203,6 @@ bool vtkWideFoVStages::IsFat(vtkProp* prop, const double* bounds, const wfv::Pro
   double toMap[16];
   this->GetToMap(actor, toMap);
   return mesh && wfv::IsFat(mesh, toMap);
-}
-
-bool vtkWideFoVStages::AllowsChords() const
-{
-  return this->Tolerance >= LeastTolerance;
 }
 
 double vtkWideFoVStages::GetPointReach(const wfv::PropFacts& facts) const

@@ -28,6 +28,12 @@ class vtkWideFoVStages
 public:
   vtkWideFoVStages();
 
+  // Pixels: under this a chord stands for no edge. The rasterizer snaps the ends of a chord by
+  // up to 1/128 of a pixel, and the lens between the two is as thin as that; and who asks for
+  // so little asks for exact depth and attributes too. Everything is covered.
+  static constexpr double LeastTolerance = 0.05;
+  static bool AllowsChords(double tolerance) { return tolerance >= LeastTolerance; }
+
   // Before the props of a frame. technique: vtkWideFoVPass::Techniques; one that this
   // OpenGL cannot becomes AUTO, with a warning.
   void Begin(vtkRenderer* renderer, vtkWideFoVCamera* camera, int technique, double tolerance);
@@ -172,8 +178,7 @@ private:
   const wfv::Projection* Projection = nullptr;
   bool ByPixels = false; // the stereo model leaves chords no edge to stand for
   const wfv::StereoModel* Stereo = nullptr;
-  bool AllowsChords() const; // the tolerance does
-  bool IsExact() const;      // every triangle is covered
+  bool IsExact() const; // every triangle is covered
   bool IsFat(vtkProp* prop, const double* bounds, const wfv::PropFacts& facts) const;
   bool IsCoarse(const double* bounds, const wfv::PropFacts& facts) const;
   wfv::WfvView View;

@@ -220,7 +220,7 @@ bool vtkWideFoVStages::GetSortView(
   // what shines through is mixed in its own order, and would be twice where it is drawn both ways
   const bool opaque = view.Bends && !actor->HasTranslucentPolygonalGeometry();
   view.Plain = opaque && view.Samples.AreKnown() && this->Technique == vtkWideFoVPass::AUTO &&
-    (cut || (own && this->AllowsChords()));
+    (cut || (own && AllowsChords(this->Tolerance)));
   view.Cheap = stage == this->Plain || stage == this->PlainAlone || stage == this->FarPlainAlone;
   view.Tolerance = this->Tolerance;
   view.Moving = view.Plain && this->Hurries ? this->Tolerance : 0;

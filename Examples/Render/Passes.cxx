@@ -62,6 +62,11 @@ vtkSmartPointer<vtkPanoramicProjectionPass> MakeCubeMapPass(const Options& o)
   return pass;
 }
 
+bool AsksForExact(const Options& o)
+{
+  return vtkWideFoVPass::IsExactTechnique(PassTechnique(o.Technique), o.Tolerance);
+}
+
 void SetUpWidePass(vtkWideFoVPass* pass, const Options& o)
 {
   pass->SetTechnique(PassTechnique(o.Technique));

@@ -127,6 +127,22 @@ std::string CheckOptions(const Projection& p, const ViewOptions& o)
 
 namespace
 {
+// Angle from the axis of a perspective to the corners of its picture, radians.
+double CornerAngle(const vec2& halfFov)
+{
+  return std::atan(glm::length(glm::tan(halfFov)));
+}
+}
+
+bool FitsFrame(const ViewOptions& o)
+{
+  const vec2 half = 0.5 * glm::radians(vec2(o.HorizontalFov, o.VerticalFov));
+  const double most = 0.5 * glm::radians(FramedPerspective().MaxHorizontalFov);
+  return o.Center == vec2(0) && CornerAngle(half) <= most;
+}
+
+namespace
+{
 // NDC per unit of the raw map.
 vec2 Scale(const Projection& p, const ViewOptions& o, const WfvView& v)
 {
@@ -134,6 +150,10 @@ vec2 Scale(const Projection& p, const ViewOptions& o, const WfvView& v)
   {
     case Family::Azimuthal:
     {
+      if (p.Framed)
+      {
+        return 1.0 / glm::tan(v.halfFov);
+      }
       // theta = fov/2 has r = 1, or r as the lens says; a circle stays a circle
       const double rim = HasLens(o.Lens) ? 1 : p.Map(vec2(0, v.maxAngle), v).x;
       return vec2(std::min(1.0, 1 / o.Aspect) / rim, std::min(1.0, o.Aspect) / rim);
@@ -171,7 +191,7 @@ View::View(const Projection& projection, const ViewOptions& o)
   v.radii = vec2(o.Radii[0], o.Radii[1]);
   v.lens = vec4(o.Lens[0], o.Lens[1], o.Lens[2], o.Lens[3]);
   v.lens5 = o.Lens[4];
-  v.maxAngle = v.halfFov.x;
+  v.maxAngle = projection.Framed ? CornerAngle(v.halfFov) : v.halfFov.x;
   v.depthMapping = static_cast<int>(o.Mapping);
   v.scale = vec2(1, 1);
   v.scale = Scale(projection, o, v);

@@ -20,6 +20,8 @@
 
 namespace wfv
 {
+struct ViewOptions;
+
 // Where the two angles of a map are measured.
 enum class Family
 {
@@ -45,6 +47,7 @@ struct Projection
   bool StraightSeam = true;    // the seam is drawn as a straight line
   bool UnboundedPoles = false; // a pole is stretched to a segment of the border
   bool FlatRim = false;        // a round map whose radius has no slope at 90 degrees
+  bool Framed = false;         // a round map seen in the rectangle of both fields of view
   std::string Glsl;            // source text of its files
   vec2 (*Map)(vec2 angles, WfvView view) = nullptr;
   vec2 (*Project)(vec3 direction, WfvView view) = nullptr;
@@ -60,6 +63,14 @@ WFV_EXPORT const Projection& SampledProjection();
 
 // All of them: the formulas, then the sampled one.
 WFV_EXPORT std::vector<const Projection*> AllProjections();
+
+// The perspective as a round map, framed by its fields of view: what the techniques draw of it
+// (vtkWideFoVCamera::SetExactPerspective). No list has it; its name is the perspective's.
+WFV_EXPORT const Projection& FramedPerspective();
+
+// True where the frame lies in the round map: its corners within 80 degrees of the axis, which is
+// in the middle.
+WFV_EXPORT bool FitsFrame(const ViewOptions& options);
 
 // The projection of that name, of all, or nullptr.
 WFV_EXPORT const Projection* FindProjection(const std::string& name);

@@ -149,12 +149,10 @@ namespace wfv
 {
 namespace
 {
-// Largest field of view of the perspective, degrees: beyond it a pixel's tangent
-// leaves what float32 can tell apart.
+// Largest field of view of the perspective, degrees: beyond, float32 tells no tangents apart.
 constexpr double MaxPerspective = 179;
 
-// Twice the latitude at which Mercator's map of the whole circle is a square, degrees:
-// atan(sinh(pi)), where web maps end.
+// Twice the latitude where Mercator's map is a square and web maps end, degrees: atan(sinh(pi)).
 constexpr double MaxMercator = 170.1022575596132;
 
 // Largest fields of view of maps that reach infinity, degrees: as the files say.
@@ -371,6 +369,17 @@ const Projection& SampledProjection()
     return p;
   }();
   return sampled;
+}
+
+const Projection& FramedPerspective()
+{
+  static const Projection framed = [] {
+    Projection p = Gnomonic(WFV_PROJECTION(
+      gnomonic, "perspective", "Perspective", "straight-lines", gnomonic_glsl, azimuthal_glsl));
+    p.Framed = true;
+    return p;
+  }();
+  return framed;
 }
 
 const char* CommonGlsl()

@@ -195,11 +195,13 @@ void vtkPVWideFoVView::SetDepthMapping(int mapping)
 void vtkPVWideFoVView::SetTechnique(int technique)
 {
   this->Internal->Pass->SetTechnique(technique);
+  this->UpdateCamera();
 }
 
 void vtkPVWideFoVView::SetTolerance(double pixels)
 {
   this->Internal->Pass->SetTolerance(pixels);
+  this->UpdateCamera();
 }
 
 void vtkPVWideFoVView::SetActiveCamera(vtkCamera* camera)
@@ -226,6 +228,7 @@ void vtkPVWideFoVView::UpdateCamera()
   camera->SetTilt(in.Tilt);
   camera->SetDirectionMap(in.DirectionMap);
   camera->SetDepthMapping(in.DepthMapping);
+  camera->SetExactPerspective(in.Pass->IsExact());
   std::array<double, 5> lens;
   camera->GetLens(lens.data());
   if (in.Lens == std::array<double, 5>{} && lens != in.Lens)

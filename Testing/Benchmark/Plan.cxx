@@ -74,6 +74,11 @@ public:
   void SetWide(widefov::Options& o) const
   {
     const Projection& p = *FindProjection(this->Request.Projection);
+    if (p.Axis == Family::Planar)
+    {
+      SetView(o, p.Name, PerspectiveFov);
+      return;
+    }
     o.Projection = p.Name;
     o.View.HorizontalFov = p.MaxHorizontalFov;
     o.View.VerticalFov = p.MaxVerticalFov;
@@ -145,10 +150,7 @@ std::vector<std::string> ProjectionNames()
   std::vector<std::string> names;
   for (const Projection& p : Projections())
   {
-    if (p.Axis != Family::Planar)
-    {
-      names.push_back(p.Name);
-    }
+    names.push_back(p.Name);
   }
   return names;
 }

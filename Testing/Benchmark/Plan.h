@@ -25,7 +25,7 @@ struct PlanRequest
 
 std::vector<std::string> MethodNames();
 
-// All but the perspective, which is a method.
+// What the methods draw, at its widest; of the perspective, as the method of that name does.
 std::vector<std::string> ProjectionNames();
 
 // Pixels a cube face needs so that its centre is as dense as an equirectangular picture

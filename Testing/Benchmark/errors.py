@@ -122,7 +122,9 @@ def main():
     whole = collect(r for r in records if pixels_of(r) >= MOST)
     with open(page, encoding="utf-8") as file:
         text = file.read()
-    tables = [("errors", 2, strict_errors, found), ("limits", 1, largest_errors, found)]
+    # a projection that was drawn at the finest tolerance alone has no row among all of them
+    coarse = {name: of for name, of in found.items() if not set(of) <= set(STRICT)}
+    tables = [("errors", 2, strict_errors, found), ("limits", 1, largest_errors, coarse)]
     tables += [("wide", 2, strict_errors, whole), ("stretched", 2, strict_errors, stretched)]
     for mark, keys, write, of in tables:
         if of:

@@ -54,11 +54,8 @@ const std::vector<double> Fovs{ 60, 120, 180, 270, 360 };
 double WidestFov(const Projection& p)
 {
   constexpr double Reasonable = 240;
-  constexpr double Planar = 120;
   const bool squeezes = p.MaxHorizontalFov < 360 || p.Name == "azimuthal-equal-area";
-  return p.Axis == Family::Planar ? Planar
-    : squeezes                    ? std::min(p.MaxHorizontalFov, Reasonable)
-                                  : p.MaxHorizontalFov;
+  return squeezes ? std::min(WidestDrawn(p), Reasonable) : WidestDrawn(p);
 }
 
 // Pixels that none of the 48 points of the tolerance explains, nor those of a finer one down to

@@ -184,6 +184,7 @@ reference::DrawnPicture Drawing::Draw(const Shot& s)
   Internals& in = *this->Internal;
   in.Window->SetSize(s.Width, s.Height);
   PlaceCamera(in.Camera, s);
+  in.Camera->SetExactPerspective(in.Pass->IsExact());
   SetEye(in.Window, s.Options.Stereo.Eye);
   in.Window->Render();
   in.LastView.reset(new View(in.Camera->GetView(double(s.Width) / s.Height)));

@@ -92,6 +92,12 @@ Shot MakeShot(const std::string& projection, double fov, const NamedPose& pose)
   return s;
 }
 
+double WidestDrawn(const Projection& p)
+{
+  constexpr double Planar = 120;
+  return p.Axis == Family::Planar ? Planar : p.MaxHorizontalFov;
+}
+
 std::vector<double> FovsOf(const Projection& p, const std::vector<double>& fovs)
 {
   // the families' first ones stand for the others at what is not the widest

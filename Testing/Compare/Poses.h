@@ -38,6 +38,10 @@ std::vector<NamedPose> WallPoses(int n);
 // that came later share their families' shaders: their widest alone, to spare time.
 std::vector<double> FovsOf(const Projection& projection, const std::vector<double>& fovs);
 
+// The largest field of view that the techniques draw, degrees: of the perspective's, which is 179,
+// a common one.
+double WidestDrawn(const Projection& projection);
+
 // A shot of a projection from a pose: size and vertical field of view by the projection.
 Shot MakeShot(const std::string& projection, double fov, const NamedPose& pose);
 }

@@ -68,7 +68,7 @@ public:
   // The scene in a projection at its widest; both techniques by the mapper that sorts.
   reference::DrawnPicture DrawWidest(const std::string& projection, int technique, double tolerance)
   {
-    const double fov = std::min(360.0, FindProjection(projection)->MaxHorizontalFov);
+    const double fov = WidestDrawn(*FindProjection(projection));
     NamedPose pose;
     pose.Eye = this->View.Eye;
     Shot shot = MakeShot(projection, fov, pose);
@@ -174,7 +174,7 @@ TEST_P(Scenes, KeepTheToleranceInStereo)
 TEST_P(Scenes, AutoAtItsFinestIsExact)
 {
   SceneDrawing drawing(this->GetParam());
-  for (const std::string& projection : WideNames())
+  for (const std::string& projection : ProjectionNames())
   {
     const auto draw = [&](int technique, double tolerance) {
       return drawing.DrawWidest(projection, technique, tolerance);

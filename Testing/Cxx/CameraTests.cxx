@@ -68,6 +68,30 @@ TEST(Camera, ClampsToTheRangeOfANewProjection)
   EXPECT_FALSE(c.Object->IsWide());
 }
 
+TEST(Camera, ExactPerspectiveIsWideWhereItCanBe)
+{
+  Camera c;
+  c.Object->SetProjectionToPerspective();
+  c.Object->SetHorizontalFieldOfView(120);
+  c.Object->SetVerticalFieldOfView(90);
+  EXPECT_FALSE(c.Object->IsWide());
+  c.Object->SetExactPerspective(1);
+  EXPECT_TRUE(c.Object->IsWide());
+  EXPECT_STREQ(c.Object->GetProjection(), "perspective");
+  vtkNew<vtkWideFoVCamera> copy;
+  copy->DeepCopy(c.Object);
+  EXPECT_TRUE(copy->IsWide());
+  c.Object->SetHorizontalFieldOfView(165);
+  EXPECT_FALSE(c.Object->IsWide());
+  c.Object->SetHorizontalFieldOfView(120);
+  c.Object->SetStereoModelToOffAxis();
+  EXPECT_FALSE(c.Object->IsWide());
+  c.Object->SetStereoModelToMono();
+  EXPECT_TRUE(c.Object->IsWide());
+  c.Object->SetExactPerspective(0);
+  EXPECT_FALSE(c.Object->IsWide());
+}
+
 TEST(Camera, RefusesALensThatIsNotMonotone)
 {
   Camera c;

@@ -98,6 +98,7 @@ std::vector<unsigned char> HitCounter::Count(
   in.Pass->SetTolerance(tolerance);
   in.Window->SetSize(shot.Width, shot.Height);
   test::PlaceCamera(in.Camera, shot);
+  in.Camera->SetExactPerspective(in.Pass->IsExact());
   in.Window->Render();
   vtkNew<vtkUnsignedCharArray> pixels;
   in.Window->GetPixelData(0, 0, shot.Width - 1, shot.Height - 1, 0, pixels);

@@ -49,12 +49,14 @@ COLORS = [
     ("--scene sphere --points-as-spheres --representation points --point-size 9", ROUNDED),
     ("--scene globe --projection perspective --hfov 100 --vfov 60", ROUNDED),
     ("--scene flow --projection perspective --hfov 60 --vfov 100 --tilt 20", ROUNDED),
+    ("--scene flow --technique exact --projection perspective --hfov 60 --vfov 100 --tilt 20", EXACT),
 ]
 
 CHANNELS = [
     ("--scene globe --technique exact", EXACT),
     ("--scene cornell --technique exact --projection azimuthal-equidistant", EXACT),
     ("--scene cornell --projection perspective --hfov 100 --vfov 60", ROUNDED),
+    ("--scene cornell --tolerance 0.02 --projection perspective --hfov 100 --vfov 60", EXACT),
 ]
 
 STEREO = [
