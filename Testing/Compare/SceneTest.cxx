@@ -5,6 +5,7 @@
 #include "Drawing.h"
 #include "DrawingTest.h"
 #include "Poses.h"
+#include "SampledShot.h"
 #include "Stereo.h"
 #include "vtkWideFoVPass.h"
 
@@ -188,6 +189,24 @@ TEST_P(Scenes, AutoAtItsFinestIsExact)
     EXPECT_GT(CountDifferent(exact, draw(vtkWideFoVPass::AUTO, SceneTolerances[0])), 0)
       << projection;
   }
+}
+
+// On a display that only a file of its directions describes: faces of a cube, a round one that
+// leaves pixels over, an oval.
+TEST_P(Scenes, DirectionMapsAreExact)
+{
+  SceneDrawing drawing(this->GetParam());
+  const bool round = this->GetParam() == "vector-cloud";
+  drawing.View.Height *= round ? 2 : 1;
+  UseMapOf(this->GetParam() == "atrium" ? "equi-angular-cubemap"
+      : round                           ? "azimuthal-equidistant"
+                                        : "hammer",
+    drawing.View);
+  const reference::Metrics m = drawing.Measure(vtkWideFoVPass::AUTO, ByRays, ByRays);
+  std::cout << Row(drawing.View, this->GetParam(), m) << std::endl;
+  EXPECT_EQ(m.UnexplainedPixels, 0) << Details(drawing.View, drawing.Picture.GetView(), m);
+  EXPECT_LE(m.MaxDepthRel, reference::DepthRel);
+  EXPECT_GT(m.DomainPixels, 0);
 }
 
 // The check can tell: chords at a tolerance of 1 pixel show what nobody sees.
