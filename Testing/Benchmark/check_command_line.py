@@ -46,7 +46,7 @@ BENCH = [
     ("--tolerance 0.5 --table1 --output {out}/x.json", USAGE, "--table1", {}),
     ("--quick --table1 --output {out}/x.json", USAGE, "--table1", {}),
     ("--projection bent --output {out}/x.json", USAGE, "bent", {}),
-    ("--projection perspective --output {out}/x.json", USAGE, "perspective", {}),
+    ("--projection direction-map --output {out}/x.json", USAGE, "direction-map", {}),
     ("--projection hammer --table1 --output {out}/x.json", USAGE, "--table1", {}),
     ("--scenes room --size 100000x50 --output {out}/x.json", FAILED, "limit", {}),
     ("--scenes office --data {out} --output {out}/x.json", FAILED, "office", {}),
