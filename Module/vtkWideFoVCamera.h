@@ -170,7 +170,7 @@ public:
 
   ///@{
   /**
-   * The depth mapping (default LINEAR). With the projection "perspective" it is stock VTK's.
+   * The depth mapping (default LINEAR). Of a perspective that stock VTK draws it is stock VTK's.
    * The mappings other than LINEAR write depth in the fragment stage.
    */
   virtual void SetDepthMapping(int mapping);
@@ -366,6 +366,7 @@ protected:
 
   // The stereo model, where the projection is one that it is made for; else nullptr.
   virtual const wfv::StereoModel* GetFittingModel();
+  virtual const wfv::Projection& GetDrawnProjection(); // framed, where ExactPerspective holds
 
   // Of a perspective: half its width and height at distance 1, and where its axis is, NDC.
   void SetFrustum(const double half[2], const double center[2]);
@@ -388,8 +389,6 @@ protected:
 private:
   vtkWideFoVCamera(const vtkWideFoVCamera&) = delete;
   void operator=(const vtkWideFoVCamera&) = delete;
-
-  const wfv::Projection& GetDrawnProjection();
 
   struct Internals;
   std::unique_ptr<Internals> Internal;

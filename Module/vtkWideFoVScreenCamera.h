@@ -77,6 +77,11 @@ protected:
   void CopyView(const vtkWideFoVCamera* source) override;
   void ComputeViewTransform() override;
 #ifndef __VTK_WRAP__
+  // Stock VTK draws screens, where the head is straight before one too.
+  const wfv::Projection& GetDrawnProjection() override
+  {
+    return this->GetProjectionDefinition();
+  }
   const wfv::StereoModel* GetFittingModel() override
   {
     return nullptr;

@@ -3,6 +3,7 @@
 #include "vtkCommand.h"
 #include "vtkTestErrorObserver.h"
 #include "vtkWideFoVCamera.h"
+#include "vtkWideFoVScreenCamera.h"
 
 #include <gtest/gtest.h>
 
@@ -88,6 +89,9 @@ TEST(Camera, ExactPerspectiveIsWideWhereItCanBe)
   EXPECT_FALSE(c.Object->IsWide());
   c.Object->SetStereoModelToMono();
   EXPECT_TRUE(c.Object->IsWide());
+  vtkNew<vtkWideFoVScreenCamera> screen; // its head is straight before it
+  screen->SetExactPerspective(1);
+  EXPECT_FALSE(screen->IsWide());
   c.Object->SetExactPerspective(0);
   EXPECT_FALSE(c.Object->IsWide());
 }
