@@ -21,6 +21,8 @@ flat in WFV_EDGE wfvEdge2;
 flat in vec3 wfvPlane;
 #if WFV_OWN_RAYS || WFV_WARPED
 flat in vec3 wfvAnchor;
+#elif WFV_DOUBLES
+flat in double wfvOfPoints;
 #else
 flat in vec3 wfvToward;
 flat in vec2 wfvMeets;
@@ -60,6 +62,7 @@ vec2 wfvSample = vec2(0.0); // looked at, pixels from the centre
 
 // order_fragment.glsl
 void wfvOrder(float approach, vec3 e);
+bool wfvYieldsBehind();
 
 // chord_fragment.glsl
 vec3 wfvChordReach();
@@ -188,24 +191,34 @@ float wfvMeet(vec3 direction, float approach)
 // The same, from the known direction on: of a surface seen nearly edge-on the terms of a product
 // with the whole direction would cancel, and what they are rounded by would decide its distance.
 #if WFV_DOUBLES
-float wfvOfPlane; // the edges' planes add up to the triangle's
+double wfvOfPlane; // the edges' planes add up to the triangle's
 
 float wfvApproach(vec3 direction)
 {
-  return wfvOfPlane;
+  return float(wfvOfPlane);
+}
+
+double wfvWholeDistance()
+{
+  return wfvOfPoints / wfvOfPlane;
+}
+
+// Distance at which a ray meets the plane.
+float wfvMeet(vec3 direction, float approach)
+{
+  return float(wfvWholeDistance());
 }
 #else
 float wfvApproach(vec3 direction)
 {
   return wfvMeets.x + dot(wfvPlane, direction - wfvToward);
 }
-#endif
 
-// Distance at which a ray meets the plane.
 float wfvMeet(vec3 direction, float approach)
 {
   return wfvMeets.y / approach;
 }
+#endif
 #endif
 
 #if WFV_EXACT
@@ -322,7 +335,7 @@ WfvRay wfvLook(out vec3 e)
   WfvWholeRay whole = wfvWholeRayAt();
   dvec3 edges = wfvEdgesAt(whole.direction);
   e = vec3(edges);
-  wfvOfPlane = float(edges.x + edges.y + edges.z);
+  wfvOfPlane = edges.x + edges.y + edges.z;
   return WfvRay(vec3(whole.direction), whole.inside);
 #else
   WfvRay ray = wfvSurfaceRay(vec2(0.0));
@@ -367,5 +380,5 @@ void wfvPrepare()
 #if WFV_EXACT
   wfvOrder(approach, e);
 #endif
-  wfvDepth += wfvFront ? 0.0 : WFV_BEHIND;
+  wfvDepth += !wfvFront && wfvYieldsBehind() ? WFV_BEHIND : 0.0;
 }

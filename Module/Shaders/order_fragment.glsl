@@ -31,6 +31,7 @@ flat in vec3 wfvRises;
 // What is known of the triangle (vtkWideFoVFoldWork.h): bits of its edges, the latter three of
 // those at which it is the back of a fold.
 flat in int wfvFolds;
+const int WFV_KNOWN = 1 | 2 | 4;
 const ivec3 WFV_BACK_AT = ivec3(8, 16, 32);
 
 bvec3 wfvBackAt()
@@ -38,9 +39,11 @@ bvec3 wfvBackAt()
   return notEqual(ivec3(wfvFolds) & WFV_BACK_AT, ivec3(0));
 }
 
-// Window depth, steps of a buffer of 24 bits: where rays are in double, all that may put a back before
-// its front beside their fold is the rounding of both depths in float32, by some two steps each.
-const float WFV_BACK_YIELDS = 6.0 / 16777216.0;
+// Window depth, by which a back yields, steps of a buffer of 24 bits. Where rays are in double, what may put a
+// back before its front beside their fold is the rounding of both depths alone. That of one double never puts the
+// farther before the nearer, but may make them one: a step. A mapping that is computed in float32 rounds both by
+// some two steps, and a front that is wound as a back has WFV_BEHIND.
+const float WFV_BACK_YIELDS = (WFV_DOUBLES != 0 && WFV_DEPTH_MAPPING(wfvView) == WFV_DEPTH_LINEAR ? 1.0 : 6.0) / 16777216.0;
 
 #if !WFV_DOUBLES
 // Of the distance, by which a back lies farther away within WFV_HAIR of its fold, where a ray in float32
@@ -52,6 +55,25 @@ bool wfvIsBackAtFold(vec3 away)
   return any(lessThan(mix(vec3(1.0), away, vec3(wfvBackAt())), vec3(WFV_HAIR)));
 }
 #endif
+#endif
+
+// Whether winding has to tell what is behind: not where edges have told it.
+bool wfvYieldsBehind()
+{
+#if WFV_FOLDS && WFV_DOUBLES
+  return (wfvFolds & WFV_KNOWN) == 0;
+#else
+  return true;
+#endif
+}
+
+#if WFV_DOUBLES
+float wfvDepthOfWhole(double rho)
+{
+  return WFV_DEPTH_MAPPING(wfvView) == WFV_DEPTH_LINEAR
+    ? float(double(wfvUnitDepth.x) * rho + double(wfvUnitDepth.y))
+    : wfvDepthInUnits(float(rho));
+}
 #endif
 
 // Sets the depth that tells what hides what: the pixel's own, but by the nearest edge that of a hair
@@ -81,7 +103,11 @@ void wfvOrder(float approach, vec3 e)
 #if WFV_FOLDS && !WFV_DOUBLES
   moved = wfvIsBackAtFold(away) ? -WFV_BACK_AT_FOLD : moved;
 #endif
+#if WFV_DOUBLES
+  wfvDepth = wfvDepthOfWhole(wfvWholeDistance() * (1.0 - double(moved)));
+#else
   wfvDepth = wfvDepthInUnits(wfvRho - wfvRho * moved);
+#endif
 #if WFV_FOLDS
   wfvDepth += any(wfvBackAt()) ? WFV_BACK_YIELDS : 0.0;
 #endif

@@ -24,8 +24,10 @@ layout(triangle_strip, max_vertices = 14) out;
 #endif
 
 #if WFV_WHOLE && defined(GL_ARB_gpu_shader_fp64)
+#define WFV_DOUBLES 1
 #define WFV_EDGE dvec3
 #else
+#define WFV_DOUBLES 0
 #define WFV_EDGE vec3
 #endif
 flat out WFV_EDGE wfvEdge0;  // planes through the eye and the edge opposite to corner i
@@ -34,6 +36,8 @@ flat out WFV_EDGE wfvEdge2;
 flat out vec3 wfvPlane;  // normal of the triangle, away from the eye
 #if WFV_OWN_RAYS || WFV_WARPED
 flat out vec3 wfvAnchor; // a point of its plane
+#elif WFV_DOUBLES
+flat out double wfvOfPoints; // the plane times any of its points
 #else
 flat out vec3 wfvToward; // a direction near it, or 0
 flat out vec2 wfvMeets;  // the plane times that direction, and times any of its points
@@ -74,8 +78,12 @@ vec3 wfvN[3];
 WFV_EDGE wfvE[3]; // the same, for the fragment stage
 vec4 wfvT; // the plane, and dot(xyz, p) of its points: below 0 where seen from its front
 vec3 wfvA;
+#if WFV_DOUBLES
+double wfvM; // as wfvOfPoints
+#else
 vec3 wfvD; // as wfvToward, wfvMeets
 vec2 wfvM;
+#endif
 vec3 wfvS;
 vec3 wfvSpans[3]; // as wfvSpan0, ..
 vec2 wfvC[3]; // corners in the picture
@@ -119,6 +127,19 @@ flat out vec2 wfvDepths; // warped_fragment.glsl
 vec2 wfvDepthsHere; // NDC depths at which the triangle may be
 #endif
 
+void wfvWritePlane()
+{
+  wfvPlane = wfvT.xyz;
+#if WFV_OWN_RAYS || WFV_WARPED
+  wfvAnchor = wfvA;
+#elif WFV_DOUBLES
+  wfvOfPoints = wfvM;
+#else
+  wfvToward = wfvD;
+  wfvMeets = wfvM;
+#endif
+}
+
 void wfvWriteFlat()
 {
 #if WFV_BOTH_EYES
@@ -127,16 +148,10 @@ void wfvWriteFlat()
   wfvEdge0 = wfvE[0];
   wfvEdge1 = wfvE[1];
   wfvEdge2 = wfvE[2];
-  wfvPlane = wfvT.xyz;
+  wfvWritePlane();
   wfvWriteRises();
 #if WFV_FOLDS
   wfvFolds = wfvFoldsHere;
-#endif
-#if WFV_OWN_RAYS || WFV_WARPED
-  wfvAnchor = wfvA;
-#else
-  wfvToward = wfvD;
-  wfvMeets = wfvM;
 #endif
 #if WFV_WARPED
   wfvDepths = wfvDepthsHere;

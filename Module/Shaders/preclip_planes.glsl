@@ -103,7 +103,7 @@ WFV_EDGE wfvEdgePlane(int i, int j)
   return ordered ? seen : -seen;
 }
 
-// The triangle's own plane; w is 0 where it is seen edge-on. Sets wfvD and wfvM.
+// The triangle's own plane; w is 0 where it is seen edge-on. Sets wfvM, and wfvD for rays in float32.
 vec4 wfvTrianglePlane(vec3 lengths)
 {
   dvec3 p = wfvWhole(0);
@@ -112,8 +112,12 @@ vec4 wfvTrianglePlane(vec3 lengths)
   dvec3 normal = cross(q - p, r - p);
   double w = dot(normal, p);
   bool edgeOn = abs(w) <= WFV_EDGE_ON * length(p) * length(q) * length(r);
+#if WFV_DOUBLES
+  wfvM = w;
+#else
   wfvD = wfvTowardOf(lengths);
   wfvM = vec2(float(dot(wfvTiltWhole(normal), dvec3(wfvD))), float(w));
+#endif
   return vec4(wfvTilt(vec3(normal), wfvView), edgeOn ? 0.0 : float(w));
 }
 #else
