@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVCamera.h"
 
+#include "Projections/SightPyramid.h"
 #include "vtkWideFoVCameraInternals.h"
 
 #include "vtkMath.h"
@@ -58,6 +59,19 @@ void DistanceToBounds(const double p[3], const double b[6], double& nearest, dou
   }
   nearest = std::sqrt(near2);
   farthest = std::sqrt(far2);
+}
+
+// Of a box, view coordinates.
+wfv::BoxCorners CornersOf(const double bounds[6], vtkMatrix4x4* toView)
+{
+  wfv::BoxCorners corners;
+  for (int i = 0; i < 8; i++)
+  {
+    double p[4] = { bounds[i & 1 ? 1 : 0], bounds[i & 2 ? 3 : 2], bounds[i & 4 ? 5 : 4], 1 };
+    toView->MultiplyPoint(p, p);
+    corners[i] = wfv::vec3(p[0], p[1], p[2]);
+  }
+  return corners;
 }
 }
 
@@ -331,6 +345,12 @@ void vtkWideFoVCamera::ResetClipRadii(const double bounds[6])
   }
   // seen from a point of the eyes' circle it is that much nearer, or farther
   const double reach = this->GetEyeReach();
+  if (reach == 0)
+  {
+    farthest = wfv::FarthestSeen(this->GetDrawnProjection(), this->Internal->Options,
+      CornersOf(bounds, this->GetModelViewTransformMatrix()))
+                 .value_or(farthest);
+  }
   const double f = (farthest + reach) * (1 + ClipMargin);
   const double n = std::max((nearest - reach) * (1 - ClipMargin), NearOverFar * f);
   std::array<double, 2>& radii = this->Internal->Options.Radii;

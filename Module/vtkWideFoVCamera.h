@@ -151,8 +151,8 @@ public:
   ///@}
 
   /**
-   * Set the clip radii so that the bounds (xmin, xmax, .., zmax; world) lie between them.
-   * Uninitialized bounds change nothing.
+   * Set the clip radii so that what the view may show of the bounds (xmin, xmax, .., zmax; world)
+   * lies between them. Uninitialized bounds change nothing.
    */
   virtual void ResetClipRadii(const double bounds[6]);
 

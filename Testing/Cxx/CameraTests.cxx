@@ -145,6 +145,34 @@ TEST(Camera, RefusesClipSpheresOutOfOrder)
   EXPECT_FALSE(c.Object->GetAutomaticClipRadii());
 }
 
+TEST(Camera, ClipSpheresLeaveOutWhatIsBehind)
+{
+  Camera c;
+  c.Object->SetPosition(0, 0, 0);
+  c.Object->SetFocalPoint(1, 0, 0);
+  const double bounds[6] = { -50, 4, -2, 2, -2, 2 };
+  const double all = std::sqrt(2500.0 + 4 + 4);
+  const double ahead = std::sqrt(16.0 + 4 + 4);
+  const double room = 2e-3; // relative, that the camera leaves, and more
+  c.Object->SetProjectionToEquirectangular();
+  c.Object->ResetClipRadii(bounds);
+  EXPECT_NEAR(c.Object->GetFarClipRadius(), all, room * all);
+  c.Object->SetProjectionToAzimuthalEquidistant();
+  c.Object->SetFieldOfView(90);
+  c.Object->ResetClipRadii(bounds);
+  EXPECT_NEAR(c.Object->GetFarClipRadius(), ahead, room * ahead);
+  c.Object->SetProjectionToPerspective();
+  c.Object->SetExactPerspective(1);
+  c.Object->SetFieldOfView(120);
+  c.Object->ResetClipRadii(bounds);
+  EXPECT_NEAR(c.Object->GetFarClipRadius(), ahead, room * ahead);
+  // nothing of them is seen: they count as they are
+  c.Object->SetFocalPoint(0, 1, 0);
+  const double aside[6] = { -4, -2, -1, 0, -1, 1 };
+  c.Object->ResetClipRadii(aside);
+  EXPECT_NEAR(c.Object->GetFarClipRadius(), std::sqrt(18.0), room * std::sqrt(18.0));
+}
+
 TEST(Camera, TiltRaisesTheAxis)
 {
   Camera c;
