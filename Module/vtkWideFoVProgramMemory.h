@@ -22,6 +22,7 @@ struct ProgramUses
   bool FrontCulled = false;
   bool PointSize = false;
   bool Pixels = false;
+  bool FineDepth = false;
 };
 
 // Uniforms stay in a program, so what is the same for a whole frame is set once, however many

@@ -76,7 +76,9 @@ Known KnownOf(const Request& r)
 }
 
 // For the few planes that float32 is too coarse for; without it they are as good as it is.
-const char* const Doubles = "#extension GL_ARB_gpu_shader_fp64 : enable\n";
+// (Images: for an order as fine, fine_depth.glsl.)
+const char* const Doubles = "#extension GL_ARB_gpu_shader_fp64 : enable\n"
+                            "#extension GL_ARB_shader_image_load_store : enable\n";
 
 // For gl_SampleMask; without it a covered pixel is covered whole.
 const char* const SampleMasks = "#extension GL_ARB_sample_shading : enable\n";
@@ -175,7 +177,7 @@ std::string CoverFragment(
   return std::string(r.BothEyes ? "flat in float wfvEye; // that the fragment is for\n" : "") +
     ray_fragment_glsl + (r.Whole ? WholeSource(*r.Projection) : "") + cover_fragment_glsl +
     (Warped(r) ? warped_fragment_glsl : "") + chord_fragment_glsl + order_fragment_glsl +
-    (r.Edges || r.DebugView ? edge_distance_glsl : "") +
+    (r.Whole ? fine_depth_glsl : "") + (r.Edges || r.DebugView ? edge_distance_glsl : "") +
     CornerInputs(varyings, { "wfvB.x", "wfvB.y", "wfvB.z" }, KnownOf(r));
 }
 
@@ -278,11 +280,9 @@ void FinishFragment(Request r, const std::vector<Varying>& varyings, std::string
     before = "  wfvPrepareDepth(" + PlaceOf(r, fragment) + ".xyz);\n" + RewriteDepth(fragment);
   }
   const std::string border = BorderSource(r);
-  if (!border.empty())
-  {
-    declarations += border;
-    after += "  if (wfvOutsideDomain()) { discard; }\n";
-  }
+  declarations += border;
+  after += border.empty() ? "" : "  if (wfvOutsideDomain()) { discard; }\n";
+  after += covers && r.Whole ? "  if (wfvIsBehind(gl_FragDepth)) { discard; }\n" : "";
   declarations += DebugSource(r);
   FoldMaterial(r.Surface, fragment);
   RewriteLights(r.Headlights, r.Lights, fragment);

@@ -79,6 +79,7 @@ wfv::ProgramUses FindUses(vtkShaderProgram* program)
   uses.FrontCulled = program->IsUniformUsed("wfvFrontCulled");
   uses.PointSize = program->IsUniformUsed("wfvPointSize");
   uses.Pixels = program->IsUniformUsed("wfvPixels");
+  uses.FineDepth = program->IsUniformUsed("wfvNearestKnown");
   return uses;
 }
 }
@@ -139,6 +140,10 @@ bool vtkWideFoVStage::SetShaderParameters(
   if (known.Uses.Samples)
   {
     SetSampleParameters(program);
+  }
+  if (known.Uses.FineDepth)
+  {
+    this->Stages->Fine.SetParameters(program, prop, viewport);
   }
   this->SetPropParameters(program, mapper, prop, known.Uses);
   this->NumberOfDraws++;

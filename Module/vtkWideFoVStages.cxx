@@ -121,6 +121,7 @@ void vtkWideFoVStages::Begin(
   }
   this->SetPart(renderer, this->Plain->GetTile());
   this->SetEyes(camera, stereo);
+  this->Fine.Begin(renderer);
   this->Counts = wfv::FrameCounts();
   this->Programs.BeginFrame();
   this->NumberView(stereo);

@@ -5,6 +5,7 @@
 
 #include "vtkWideFoVBufferScale.h"
 #include "vtkWideFoVDirectionTextures.h"
+#include "vtkWideFoVFineDepth.h"
 #include "vtkWideFoVFrameCounts.h"
 #include "vtkWideFoVHiddenScene.h"
 #include "vtkWideFoVMeshScale.h"
@@ -39,11 +40,16 @@ public:
   void Begin(vtkRenderer* renderer, vtkWideFoVCamera* camera, int technique, double tolerance);
 
   // After them.
-  void End() { this->Textures.Unbind(); }
+  void End()
+  {
+    this->Textures.Unbind();
+    this->Fine.End();
+  }
 
   void ReleaseGraphicsResources(vtkWindow* window)
   {
     this->Textures.ReleaseGraphicsResources(window);
+    this->Fine.ReleaseGraphicsResources(window);
     this->Programs.ForgetAll();
   }
 
@@ -86,6 +92,9 @@ public:
 
   // Where the frame is seen from.
   wfv::WorldEye Eye;
+
+  // What of it has been drawn.
+  wfv::FineDepth Fine;
 
   // What stands before what.
   wfv::HiddenScene Hidden;

@@ -68,12 +68,7 @@ bool wfvYieldsBehind()
 }
 
 #if WFV_DOUBLES
-float wfvDepthOfWhole(double rho)
-{
-  return WFV_DEPTH_MAPPING(wfvView) == WFV_DEPTH_LINEAR
-    ? float(double(wfvUnitDepth.x) * rho + double(wfvUnitDepth.y))
-    : wfvDepthInUnits(float(rho));
-}
+double wfvFineDepth; // linear window depth here, not rounded; nothing yields
 #endif
 
 // Sets the depth that tells what hides what: the pixel's own, but by the nearest edge that of a hair
@@ -104,7 +99,10 @@ void wfvOrder(float approach, vec3 e)
   moved = wfvIsBackAtFold(away) ? -WFV_BACK_AT_FOLD : moved;
 #endif
 #if WFV_DOUBLES
-  wfvDepth = wfvDepthOfWhole(wfvWholeDistance() * (1.0 - double(moved)));
+  double rho = wfvWholeDistance() * (1.0 - double(moved));
+  wfvFineDepth = double(wfvUnitDepth.x) * rho + double(wfvUnitDepth.y);
+  wfvDepth = WFV_DEPTH_MAPPING(wfvView) == WFV_DEPTH_LINEAR ? float(wfvFineDepth)
+                                                            : wfvDepthInUnits(float(rho));
 #else
   wfvDepth = wfvDepthInUnits(wfvRho - wfvRho * moved);
 #endif
