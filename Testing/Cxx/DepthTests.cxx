@@ -93,6 +93,36 @@ long Different(const std::vector<float>& a, const std::vector<float>& b)
 }
 }
 
+// Without peeling they are blended as they come, the nearer one first. Beside them something
+// opaque, for which the nearest is kept.
+TEST(Depth, TranslucentSheetsHideNothing)
+{
+  std::vector<unsigned char> middles;
+  for (int technique : { vtkWideFoVPass::PRECLIP, vtkWideFoVPass::EXACT })
+  {
+    WideFoVTestWindow test("hammer", 64, 32);
+    test.Pass()->SetTechnique(technique);
+    test.Renderer->AddActor(MakeTestRoom());
+    for (double distance : { 0.25, 0.5 })
+    {
+      vtkNew<vtkPlaneSource> sheet;
+      sheet->SetResolution(20, 20);
+      sheet->SetCenter(0, 0, -distance);
+      auto actor = MakeTestActor(sheet, 4 * distance - 1, 0.5, 2 - 4 * distance);
+      actor->GetProperty()->SetOpacity(0.5);
+      test.Renderer->AddActor(actor);
+    }
+    test.Window->Render();
+    const TestPixels pixels(test.Window);
+    middles.insert(middles.end(), pixels.At(32, 16), pixels.At(32, 16) + 3);
+  }
+  for (int i = 0; i < 3; i++)
+  {
+    EXPECT_NEAR(middles[i], middles[3 + i], 1); // of 255: colours are rounded
+    EXPECT_GT(middles[i], 20);
+  }
+}
+
 TEST(Depth, ThePictureIsTheSameInEveryMappingAndInTheDebugView)
 {
   for (const char* projection : WideProjections)
