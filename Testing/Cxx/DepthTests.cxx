@@ -6,13 +6,19 @@
 
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
+#include "vtkCameraPass.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
+#include "vtkLightsPass.h"
+#include "vtkOpaquePass.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkRenderPassCollection.h"
+#include "vtkSequencePass.h"
 #include "vtkSphereSource.h"
+#include "vtkTranslucentPass.h"
 #include "vtkWideFoVDataPass.h"
 
 #include <gtest/gtest.h>
@@ -91,9 +97,22 @@ long Different(const std::vector<float>& a, const std::vector<float>& b)
   }
   return n;
 }
+
+vtkSmartPointer<vtkRenderPass> MakePassesThatBlend()
+{
+  vtkNew<vtkRenderPassCollection> passes;
+  passes->AddItem(vtkNew<vtkLightsPass>());
+  passes->AddItem(vtkNew<vtkOpaquePass>());
+  passes->AddItem(vtkNew<vtkTranslucentPass>());
+  vtkNew<vtkSequencePass> sequence;
+  sequence->SetPasses(passes);
+  auto camera = vtkSmartPointer<vtkCameraPass>::New();
+  camera->SetDelegatePass(sequence);
+  return camera;
+}
 }
 
-// Without peeling they are blended as they come, the nearer one first. Beside them something
+// By these passes alone they are blended as they come, the nearer one first. Behind them something
 // opaque, for which the nearest is kept.
 TEST(Depth, TranslucentSheetsHideNothing)
 {
@@ -102,6 +121,7 @@ TEST(Depth, TranslucentSheetsHideNothing)
   {
     WideFoVTestWindow test("hammer", 64, 32);
     test.Pass()->SetTechnique(technique);
+    test.Pass()->SetDelegatePass(MakePassesThatBlend());
     test.Renderer->AddActor(MakeTestRoom());
     for (double distance : { 0.25, 0.5 })
     {
