@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVFineDepth.h"
 
-#include "vtkWideFoVDriver.h"
 #include "vtkWideFoVGl.h"
 
 #include "vtkActor.h"
@@ -34,6 +33,16 @@ bool NearestIsSeen()
     !glIsEnabled(GL_STENCIL_TEST);
 }
 
+// OpenGL 4.4 clears textures, 4.2 has images. Not asked by extensions: the loader of VTK 9.4 and
+// later has the functions of the version alone.
+bool HasImages()
+{
+  int version[2] = { 0, 0 };
+  glGetIntegerv(GL_MAJOR_VERSION, &version[0]);
+  glGetIntegerv(GL_MINOR_VERSION, &version[1]);
+  return version[0] > 4 || (version[0] == 4 && version[1] >= 4);
+}
+
 bool IsOpaque(vtkProp* prop)
 {
   auto* const actor = vtkActor::SafeDownCast(prop);
@@ -62,7 +71,7 @@ bool FineDepth::Prepare(const int viewport[4])
   {
     return true;
   }
-  if (!HasExtension("GL_ARB_clear_texture") || viewport[2] <= 0 || viewport[3] <= 0)
+  if (!HasImages() || viewport[2] <= 0 || viewport[3] <= 0)
   {
     return false;
   }
