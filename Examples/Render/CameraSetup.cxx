@@ -72,7 +72,7 @@ void SetView(vtkWideFoVCamera* camera, const Options& o)
   camera->SetVerticalFieldOfView(v.VerticalFov);
   camera->SetTilt(v.Tilt);
   camera->SetDepthMapping(static_cast<int>(v.Mapping));
-  camera->SetExactPerspective(AsksForExact(o));
+  camera->SetExactPerspective(DrawsPerspective(o));
   if (v.Lens != wfv::ViewOptions().Lens)
   {
     camera->SetLens(v.Lens[0], v.Lens[1], v.Lens[2], v.Lens[3], v.Lens[4]);

@@ -226,12 +226,14 @@ void CheckDrawing(Options& o)
     : o.Depth == "reversed"         ? wfv::DepthMapping::Reversed
                                     : wfv::DepthMapping::Linear;
   const bool wide = wfv::FindProjection(o.Projection)->Axis != wfv::Family::Planar;
-  const bool stock = o.Technique == Technique::CubeMap || !wide;
+  const bool drawn = wide ||
+    (o.ExactPerspective && wfv::FitsFrame(o.View) && o.Stereo == "mono" && o.Screens.empty());
+  const bool stock = o.Technique == Technique::CubeMap || !drawn;
   if (stock && (o.DebugView || o.Overlay || o.Depth != "linear"))
   {
-    FailUsage("--debug-view, --overlay and --depth are for wide projections drawn by this module, "
-              "not for " +
-      std::string(wide ? "--technique cubemap" : "perspective") + "; leave them out");
+    FailUsage("--debug-view, --overlay and --depth are for what this module draws, not for " +
+      std::string(wide ? "--technique cubemap" : "a perspective that stock VTK draws") +
+      "; leave them out");
   }
 }
 

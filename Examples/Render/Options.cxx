@@ -65,6 +65,8 @@ void DeclareDrawing(CLI::App& app, Options& o)
   group.Integer("--cubemap-resolution", o.CubeMapResolution, 1, 16384, "pixels a cube face");
   group.Number("--tolerance", "PX", o.Tolerance, { 0.001, 1e6 },
     "largest distance between a drawn edge and its true curve, pixels");
+  group.Flag("--exact-perspective", o.ExactPerspective,
+    "the technique draws the perspective too, which is stock VTK's unless the technique is exact");
   group.Integer("--samples", o.Samples, 0, 64, "multisampling; 0 or 1 is off");
   group.Choice("--depth", o.Depth, { "linear", "log", "reversed" }, {}, "depth mapping");
   group.Flag("--debug-view", o.DebugView, "primitives coloured by what happened to them");

@@ -57,6 +57,7 @@ struct Options
   std::string TechniqueName = "auto";
   int CubeMapResolution = 300;
   double Tolerance = 0.25; // pixels
+  bool ExactPerspective = false;
   int Samples = 4;
   std::string Depth = "linear";
   bool DebugView = false;

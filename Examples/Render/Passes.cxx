@@ -62,9 +62,10 @@ vtkSmartPointer<vtkPanoramicProjectionPass> MakeCubeMapPass(const Options& o)
   return pass;
 }
 
-bool AsksForExact(const Options& o)
+bool DrawsPerspective(const Options& o)
 {
-  return vtkWideFoVPass::IsExactTechnique(PassTechnique(o.Technique), o.Tolerance);
+  return o.ExactPerspective ||
+    vtkWideFoVPass::IsExactTechnique(PassTechnique(o.Technique), o.Tolerance);
 }
 
 void SetUpWidePass(vtkWideFoVPass* pass, const Options& o)

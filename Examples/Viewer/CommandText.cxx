@@ -125,6 +125,7 @@ std::string DrawingText(const Options& o)
     text += " --cubemap-resolution " + std::to_string(o.CubeMapResolution);
   }
   text += o.HasClip ? " --clip " + Exactly(o.View.Radii[0]) + "," + Exactly(o.View.Radii[1]) : "";
+  text += o.ExactPerspective ? " --exact-perspective" : "";
   text += o.DebugView ? " --debug-view" : "";
   return text + StereoText(o) + " --background " + Exactly(o.Background);
 }

@@ -40,6 +40,7 @@ COMMAND_LINE = [
     usage("good.vtk --depth cubic", "cubic"),
     usage("good.vtk --depth log --technique cubemap", "cubemap"),
     usage("good.vtk --debug-view --projection perspective --vfov 60", "perspective"),
+    usage("good.vtk --debug-view --exact-perspective --projection perspective --hfov 170", "stock VTK"),
     usage("good.vtk --size 64", "--size"),
     usage("good.vtk --size 0x32", "--size"),
     usage("good.vtk --size -64x32", "--size"),

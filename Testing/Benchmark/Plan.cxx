@@ -67,6 +67,7 @@ public:
     this->Camera.Size = request.Size;
     this->Camera.Samples = 0;
     this->Camera.Tolerance = UsualTolerance;
+    this->Camera.ExactPerspective = true;
     SetView(this->Camera, "equirectangular", 360);
   }
 
@@ -100,6 +101,7 @@ public:
     }
     if (method == "perspective" || method == "stereo-offaxis")
     {
+      run.Options.ExactPerspective = false; // stock VTK's
       SetView(run.Options, "perspective", PerspectiveFov);
     }
     if (IsStereo(method))

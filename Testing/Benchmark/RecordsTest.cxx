@@ -110,6 +110,20 @@ TEST(BenchPlan, PerspectiveHasSquarePixels)
   EXPECT_NEAR(std::tan(o.View.VerticalFov * WFV_PI / 360) * 2, std::tan(WFV_PI / 3), 1e-12);
 }
 
+// What is measured of a technique is its own; stock VTK's perspective is a method of its own.
+TEST(BenchPlan, TechniquesDrawThePerspectiveThemselves)
+{
+  PlanRequest request;
+  request.Projection = "perspective";
+  request.Size = { { 1024, 512 } };
+  const std::vector<BenchRun> plan = MakePlan(request, widefov::Options());
+  for (const char* name : { "exact", "auto_0.25", "auto_1", "tessellate_0.25", "vertex" })
+  {
+    EXPECT_TRUE(Find(plan, name).Options.ExactPerspective) << name;
+  }
+  EXPECT_FALSE(Find(plan, "perspective").Options.ExactPerspective);
+}
+
 TEST(BenchPlan, Table1HasThePapersRows)
 {
   PlanRequest request;

@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# The errors of every scene in every wide projection, at its widest, under every tolerance, and in
-# the perspective of 120 degrees under the finest, where the techniques draw it: writes the tables of
-# Documentation/benchmarks/errors.md, from JSON files in output/errors.
+# The errors of every scene in every projection, at its widest, the perspective at 120 degrees, under
+# every tolerance: writes the tables of Documentation/benchmarks/errors.md, from JSON files in output/errors.
 #
 #   bash Testing/Benchmark/errors.sh [--data FOLDER]
 #
@@ -22,18 +21,14 @@ projections="${PROJECTIONS:-$(bash Utilities/with-display.sh build/bin/widefov-r
   grep -v -e direction-map)}"
 round="azimuthal-equidistant azimuthal-equal-area stereographic orthographic gnomonic"
 
-wide="$(xargs -n 1 <<< "$projections" | grep -v -x perspective || true)"
-flat="$(xargs -n 1 <<< "$projections" | grep -x perspective || true)"
-
 # measure PROJECTIONS PROCESSES FILE [OPTION...]: NAME stands for a projection
 measure() {
   xargs -n 1 <<< "$1" | xargs -P "$2" -I NAME bash Utilities/with-display.sh \
     build/bin/widefov-bench --frames 1 --projection NAME --output "output/errors/$3" "${@:4}"
 }
-measure "$wide" 2 NAME.json --size 1024x512 --methods exact,auto "$@"
-measure "$flat" 1 NAME.json --size 1024x512 --methods exact,auto --tolerance 0.02 "$@"
+measure "$projections" 2 NAME.json --size 1024x512 --methods exact,auto "$@"
 # software draws patches slowly: without the largest scenes
-measure "$wide" 2 NAME-tessellate.json --size 1024x512 --methods tessellate \
+measure "$projections" 2 NAME-tessellate.json --size 1024x512 --methods tessellate \
   --scenes cornell,room,atrium,globe,vector-cloud "$@"
 measure "$projections" 1 NAME-8192.json --size 8192x4096 --quick --methods exact,auto --tolerance 0.02 "$@"
 # all scenes in four million pixels: as wide, or a circle that touches the nearer borders

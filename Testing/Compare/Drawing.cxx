@@ -32,6 +32,7 @@ struct Drawing::Internals
   vtkNew<vtkWideFoVPolyDataMapper> WideMapper; // tessellates, and sorts triangles
   vtkNew<vtkActor> Actor;
   std::unique_ptr<View> LastView;
+  bool DrawsPerspective = false;
 };
 
 Drawing::Drawing()
@@ -114,6 +115,11 @@ void Drawing::SetSortWhileMoving(bool sort)
   this->Internal->Pass->SetSortWhileMoving(sort);
 }
 
+void Drawing::SetDrawsPerspective(bool draws)
+{
+  this->Internal->DrawsPerspective = draws;
+}
+
 void Drawing::SetUpdateRate(double rate)
 {
   this->Internal->Window->SetDesiredUpdateRate(rate);
@@ -184,7 +190,7 @@ reference::DrawnPicture Drawing::Draw(const Shot& s)
   Internals& in = *this->Internal;
   in.Window->SetSize(s.Width, s.Height);
   PlaceCamera(in.Camera, s);
-  in.Camera->SetExactPerspective(in.Pass->IsExact());
+  in.Camera->SetExactPerspective(in.DrawsPerspective || in.Pass->IsExact());
   SetEye(in.Window, s.Options.Stereo.Eye);
   in.Window->Render();
   in.LastView.reset(new View(in.Camera->GetView(double(s.Width) / s.Height)));
