@@ -15,8 +15,8 @@ namespace widefov
 // VTK's own pass over six cube faces: --technique cubemap.
 vtkSmartPointer<vtkPanoramicProjectionPass> MakeCubeMapPass(const Options& options);
 
-// Whether the technique draws a perspective too: where that is asked for, or every triangle is to be
-// drawn by the ray of each pixel.
+// Whether the technique draws a perspective too: where that is asked for, or every triangle is to
+// be drawn by the ray of each pixel.
 bool DrawsPerspective(const Options& options);
 
 // Technique and tolerance; the technique is not cubemap.

@@ -78,7 +78,8 @@ public:
   // has been drawn many times.
   void SetSortWhileMoving(bool sort);
 
-  // Whether every technique draws the perspective (no): else it is stock VTK's, unless all is exact.
+  // Whether every technique draws the perspective (no): else it is stock VTK's, unless all is
+  // exact.
   void SetDrawsPerspective(bool draws);
 
   // Frames a second that the window asks for, as an interactor does that moves: in haste chords
