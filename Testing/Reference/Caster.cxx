@@ -20,6 +20,9 @@ namespace
 constexpr int CurvePieces = 128;
 constexpr int FinePieces = 32;
 
+// Pixels along the side of a tile, whose rays are cast together.
+constexpr int TileSize = 8;
+
 // Steps of the bisection for the end of a volume: the last digit of its depth.
 constexpr int BorderSteps = 50;
 
@@ -137,18 +140,60 @@ Hit Caster::Cast(vec2 ndc) const
   return hit;
 }
 
+std::vector<Hit> Caster::CastTogether(const std::vector<ViewRay>& rays) const
+{
+  std::vector<Hit> hits;
+  for (const ViewRay& ray : rays)
+  {
+    hits.push_back(this->Cast(ray.Origin, ray.Direction));
+  }
+  return hits;
+}
+
+void Caster::RenderTile(HitPicture& picture, int left, int top) const
+{
+  const StereoModel* const model = this->TheView.GetStereoModel();
+  const bool straight = !model || model->Straight;
+  std::vector<ViewRay> rays;
+  std::vector<Hit*> hits;
+  for (int j = top; j < std::min(top + TileSize, picture.Height); ++j)
+  {
+    for (int i = left; i < std::min(left + TileSize, picture.Width); ++i)
+    {
+      const vec2 ndc = PixelToNdc(i + 0.5, j + 0.5, picture.Width, picture.Height);
+      Hit& hit = picture.Hits[std::size_t(j) * picture.Width + i];
+      if (!straight)
+      {
+        hit = this->Cast(ndc);
+      }
+      else if (const ViewRay ray = this->TheView.Ray(ndc); ray.Inside)
+      {
+        rays.push_back(ray);
+        hits.push_back(&hit);
+      }
+    }
+  }
+  const std::vector<Hit> cast = this->CastTogether(rays);
+  for (std::size_t n = 0; n < hits.size(); ++n)
+  {
+    *hits[n] = cast[n];
+    hits[n]->InDomain = true;
+  }
+}
+
 HitPicture Caster::Render(int width, int height) const
 {
   HitPicture picture;
   picture.Width = width;
   picture.Height = height;
   picture.Hits.resize(std::size_t(width) * height);
-  vtkSMPTools::For(0, height, 1, [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType j = begin; j < end; ++j)
+  const int rows = (height + TileSize - 1) / TileSize;
+  vtkSMPTools::For(0, rows, 1, [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType row = begin; row < end; ++row)
     {
-      for (int i = 0; i < width; ++i)
+      for (int left = 0; left < width; left += TileSize)
       {
-        picture.Hits[j * width + i] = this->Cast(PixelToNdc(i + 0.5, j + 0.5, width, height));
+        this->RenderTile(picture, left, int(row) * TileSize);
       }
     }
   });

@@ -55,6 +55,9 @@ public:
   // the view makes of it.
   Hit Cast(vec2 ndc) const;
 
+  // Cast for each of these, which are neighbours. Sets all of a hit but InDomain.
+  virtual std::vector<Hit> CastTogether(const std::vector<ViewRay>& rays) const;
+
   // The first hit on the way from one point to another, at most the distance between them;
   // clip spheres do not count. Needed where a stereo model bends rays.
   virtual Hit CastSegment(const vec3&, const vec3&) const { return {}; }
@@ -62,7 +65,7 @@ public:
   // Whether Cast(ndc) hits this cell (-1: nothing).
   virtual bool Sees(vec2 ndc, vtkIdType cell) const { return this->Cast(ndc).Cell == cell; }
 
-  // All pixel centres, in parallel over rows.
+  // All pixel centres, in parallel over rows of tiles: each has what Cast says of it.
   HitPicture Render(int width, int height) const;
 
   const View& GetView() const { return this->TheView; }
@@ -76,6 +79,9 @@ protected:
 private:
   // Between two depths, in so many straight pieces.
   Hit CastCurve(vec2 ndc, double near, double far, int pieces) const;
+
+  // Those of a tile of the picture, whose upper left pixel is (left, top).
+  void RenderTile(HitPicture& picture, int left, int top) const;
 
   // The first hit on the way along these places.
   Hit CastPoints(const std::vector<vec3>& places) const;

@@ -25,24 +25,63 @@ Hit RayCaster::Cast(const vec3& origin, const vec3& direction) const
   return this->Nearest(origin, direction, radii.x, radii.y);
 }
 
+struct RayCaster::Search
+{
+  const RayCaster& Caster;
+  vec3 Origin;
+  vec3 Direction;
+  double Least;
+  double Most;
+  Hit Best;
+
+  // The distance beyond which nothing matters.
+  double operator()(std::size_t triangle)
+  {
+    const RayTriangleHit hit = this->Caster.Intersect(this->Origin, this->Direction, triangle);
+    const vtkIdType id = vtkIdType(triangle);
+    const bool nearer = hit.Distance < this->Best.Distance ||
+      (hit.Distance == this->Best.Distance && id < this->Best.Triangle);
+    if (hit.Found && hit.Distance >= this->Least && hit.Distance <= this->Most && nearer)
+    {
+      this->Best.Cell = this->Caster.Soup.CellIds[triangle];
+      this->Best.Triangle = id;
+      this->Best.Distance = hit.Distance;
+      this->Best.Barycentrics = hit.Barycentrics;
+    }
+    return std::min(this->Best.Distance, this->Most);
+  }
+};
+
 Hit RayCaster::Nearest(const vec3& origin, const vec3& direction, double least, double most) const
 {
-  Hit best;
-  this->Candidates.Visit(origin, direction, [&](std::size_t triangle) {
-    const RayTriangleHit hit = this->Intersect(origin, direction, triangle);
-    const vtkIdType id = vtkIdType(triangle);
-    const bool nearer =
-      hit.Distance < best.Distance || (hit.Distance == best.Distance && id < best.Triangle);
-    if (hit.Found && hit.Distance >= least && hit.Distance <= most && nearer)
-    {
-      best.Cell = this->Soup.CellIds[triangle];
-      best.Triangle = id;
-      best.Distance = hit.Distance;
-      best.Barycentrics = hit.Barycentrics;
-    }
-    return std::min(best.Distance, most);
-  });
-  return best;
+  Search search{ *this, origin, direction, least, most, {} };
+  this->Candidates.Visit(origin, direction, search);
+  return search.Best;
+}
+
+std::vector<Hit> RayCaster::CastTogether(const std::vector<ViewRay>& rays) const
+{
+  std::vector<vec3> directions;
+  bool together = !rays.empty();
+  for (const ViewRay& ray : rays)
+  {
+    directions.push_back(ray.Direction);
+    together = together && ray.Origin == rays.front().Origin;
+  }
+  if (!together)
+  {
+    return Caster::CastTogether(rays);
+  }
+  const auto parts = this->Candidates.Ahead(BoxRays(rays.front().Origin, directions));
+  const vec2 radii = this->TheView.GetParameters().radii;
+  std::vector<Hit> hits;
+  for (const ViewRay& ray : rays)
+  {
+    Search search{ *this, ray.Origin, ray.Direction, radii.x, radii.y, {} };
+    this->Candidates.Visit(parts, ray.Origin, ray.Direction, search);
+    hits.push_back(search.Best);
+  }
+  return hits;
 }
 
 RayTriangleHit RayCaster::Intersect(

@@ -28,6 +28,7 @@ public:
   // Of two hits at the same distance, the one of the lower triangle.
   Hit Cast(const vec3& origin, const vec3& direction) const override;
   using Caster::Cast;
+  std::vector<Hit> CastTogether(const std::vector<ViewRay>& rays) const override;
   Hit CastSegment(const vec3& from, const vec3& to) const override;
 
   // Without looking at the others where the cell's own triangles are missed already: far
@@ -42,6 +43,9 @@ private:
 
   // Of the hits between two distances.
   Hit Nearest(const vec3& origin, const vec3& direction, double least, double most) const;
+
+  // What asks of a triangle, for a visit to candidates, and keeps the nearest.
+  struct Search;
   TriangleSoup Soup;
   TriangleTree Candidates; // of Soup
 };

@@ -21,6 +21,9 @@ constexpr int Slots = 16;
 // From this depth on nodes are halved, so that a path has at most that many and 32 nodes.
 constexpr int MostUneven = 64;
 
+// Parts that are kept for rays that are asked together: each of them looks at all.
+constexpr std::size_t MostParts = 256;
+
 double Area(const Box& b)
 {
   const vec3 s = b.High - b.Low;
@@ -73,6 +76,60 @@ BoxRay::BoxRay(const vec3& origin, const vec3& direction)
   {
     this->Along[i] = std::abs(direction[i]) < LeastDirection;
   }
+}
+
+BoxRays::BoxRays(const vec3& origin, const std::vector<vec3>& directions)
+  : Origin(origin)
+  , Directions{ { directions.front(), directions.front() } }
+{
+  for (const vec3& d : directions)
+  {
+    this->Directions[0] = glm::min(this->Directions[0], d);
+    this->Directions[1] = glm::max(this->Directions[1], d);
+  }
+  this->Inverses = { { 1.0 / this->Directions[0], 1.0 / this->Directions[1] } };
+  for (int i = 0; i < 3; ++i)
+  {
+    this->Free[i] =
+      this->Directions[0][i]<LeastDirection&& this->Directions[1][i]> - LeastDirection;
+  }
+}
+
+bool BoxRays::MayEnter(const Box& box) const
+{
+  double begin = 0;
+  double end = Box::Infinity;
+  for (int i = 0; i < 3; ++i)
+  {
+    if (!this->Free[i])
+    {
+      const double low = box.Low[i] - this->Origin[i];
+      const double high = box.High[i] - this->Origin[i];
+      const double all[4] = { low * this->Inverses[0][i], low * this->Inverses[1][i],
+        high * this->Inverses[0][i], high * this->Inverses[1][i] };
+      begin = std::max(begin, std::min(std::min(all[0], all[1]), std::min(all[2], all[3])));
+      end = std::min(end, std::max(std::max(all[0], all[1]), std::max(all[2], all[3])));
+    }
+  }
+  return begin <= end * (1 + ShareRounding) && begin < Box::Infinity;
+}
+
+double BoxRays::Nearest(const Box& box) const
+{
+  double least = 0;
+  double size = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double low = box.Low[i] - this->Origin[i];
+    const double high = box.High[i] - this->Origin[i];
+    const double all[4] = { low * this->Directions[0][i], low * this->Directions[1][i],
+      high * this->Directions[0][i], high * this->Directions[1][i] };
+    const double first = std::min(std::min(all[0], all[1]), std::min(all[2], all[3]));
+    const double last = std::max(std::max(all[0], all[1]), std::max(all[2], all[3]));
+    least += first;
+    size += std::max(std::abs(first), std::abs(last));
+  }
+  return least - NearestRounding * size;
 }
 
 // Cuts nodes in two where the areas of the halves' boxes, times their triangles, are least.
@@ -212,6 +269,46 @@ TriangleTree::TriangleTree(const TriangleSoup& soup)
   : Soup(soup)
 {
   Builder(*this).Run();
+  this->Boxes.reserve(this->Order.size());
+  for (const std::uint32_t triangle : this->Order)
+  {
+    this->Boxes.push_back(Box::OfTriangle(soup, triangle));
+  }
+}
+
+std::vector<TriangleTree::Part> TriangleTree::Ahead(const BoxRays& rays) const
+{
+  const auto farther = [](const Part& a, const Part& b) { return a.Nearest > b.Nearest; };
+  std::vector<Part> leaves;
+  std::vector<Part> open; // a heap, the nearest in front
+  const auto add = [&](std::uint32_t n) {
+    const Node& node = this->Nodes[n];
+    if (rays.MayEnter(node.Bounds))
+    {
+      std::vector<Part>& to = node.Count > 0 ? leaves : open;
+      to.push_back({ rays.Nearest(node.Bounds), n });
+      if (node.Count == 0)
+      {
+        std::push_heap(open.begin(), open.end(), farther);
+      }
+    }
+  };
+  if (!this->Nodes.empty())
+  {
+    add(0);
+  }
+  while (!open.empty() && open.size() + leaves.size() < MostParts)
+  {
+    std::pop_heap(open.begin(), open.end(), farther);
+    const std::uint32_t first = this->Nodes[open.back().Node].First;
+    open.pop_back();
+    add(first);
+    add(first + 1);
+  }
+  leaves.insert(leaves.end(), open.begin(), open.end());
+  std::sort(leaves.begin(), leaves.end(),
+    [](const Part& a, const Part& b) { return a.Nearest < b.Nearest; });
+  return leaves;
 }
 }
 }

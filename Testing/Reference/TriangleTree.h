@@ -97,6 +97,28 @@ inline double BoxRay::Nearest(const Box& box) const
   return least - NearestRounding * size;
 }
 
+// Neighbouring rays from one place, asked together. Of each factor of what a BoxRay computes the
+// least and the largest are taken: rounding keeps products and sums in their order, so a box that
+// one of the rays meets these may meet, and is no nearer to it.
+class BoxRays
+{
+public:
+  // At least one direction.
+  BoxRays(const vec3& origin, const std::vector<vec3>& directions);
+
+  // False: none of the rays meets the box.
+  bool MayEnter(const Box& box) const;
+
+  // At most BoxRay::Nearest of each ray.
+  double Nearest(const Box& box) const;
+
+private:
+  vec3 Origin;
+  std::array<vec3, 2> Directions; // least and largest
+  std::array<vec3, 2> Inverses;   // 1 / Directions, the largest and the least
+  std::array<bool, 3> Free;       // some of the directions may not leave the slab of this axis
+};
+
 class TriangleTree
 {
 public:
@@ -106,6 +128,21 @@ public:
   // rather first. It returns the distance beyond which triangles do not matter any more.
   template <typename Visitor>
   void Visit(const vec3& origin, const vec3& direction, Visitor&& visit) const;
+
+  // A part of the tree, and a distance at most that of all in it.
+  struct Part
+  {
+    double Nearest;
+    std::uint32_t Node;
+  };
+
+  // All that any of the rays may meet, the nearest first.
+  std::vector<Part> Ahead(const BoxRays& rays) const;
+
+  // As Visit without, by a ray that is one of those that the parts are ahead of.
+  template <typename Visitor>
+  void Visit(const std::vector<Part>& parts, const vec3& origin, const vec3& direction,
+    Visitor&& visit) const;
 
 private:
   // Two children at First and First + 1, or Count > 0 triangles from Order[First] on.
@@ -122,10 +159,15 @@ private:
   };
   void Push(Stack& stack, const BoxRay& ray, const Node& parent) const;
 
+  // Below a node, if the ray meets it.
+  template <typename Visitor>
+  void VisitNode(std::uint32_t root, const BoxRay& ray, double& limit, Visitor&& visit) const;
+
   struct Builder;
   const TriangleSoup& Soup;
   std::vector<Node> Nodes;
   std::vector<std::uint32_t> Order;
+  std::vector<Box> Boxes; // of the triangles in their order
 };
 
 // The nearer child is looked at first.
@@ -145,14 +187,13 @@ inline void TriangleTree::Push(Stack& stack, const BoxRay& ray, const Node& pare
 }
 
 template <typename Visitor>
-void TriangleTree::Visit(const vec3& origin, const vec3& direction, Visitor&& visit) const
+void TriangleTree::VisitNode(
+  std::uint32_t root, const BoxRay& ray, double& limit, Visitor&& visit) const
 {
-  const BoxRay ray(origin, direction);
-  double limit = Box::Infinity;
   Stack stack;
-  if (!this->Nodes.empty() && ray.Enter(this->Nodes[0].Bounds) < Box::Infinity)
+  if (ray.Enter(this->Nodes[root].Bounds) < Box::Infinity)
   {
-    stack.Nodes[stack.Size++] = 0;
+    stack.Nodes[stack.Size++] = root;
   }
   while (stack.Size > 0)
   {
@@ -163,16 +204,41 @@ void TriangleTree::Visit(const vec3& origin, const vec3& direction, Visitor&& vi
     }
     for (std::uint32_t i = node.First; i < node.First + node.Count; ++i)
     {
-      const std::size_t triangle = this->Order[i];
-      if (ray.Enter(Box::OfTriangle(this->Soup, triangle)) < Box::Infinity)
+      if (ray.Enter(this->Boxes[i]) < Box::Infinity)
       {
-        limit = visit(triangle);
+        limit = visit(std::size_t(this->Order[i]));
       }
     }
     if (node.Count == 0)
     {
       this->Push(stack, ray, node);
     }
+  }
+}
+
+template <typename Visitor>
+void TriangleTree::Visit(const vec3& origin, const vec3& direction, Visitor&& visit) const
+{
+  double limit = Box::Infinity;
+  if (!this->Nodes.empty())
+  {
+    this->VisitNode(0, BoxRay(origin, direction), limit, visit);
+  }
+}
+
+template <typename Visitor>
+void TriangleTree::Visit(
+  const std::vector<Part>& parts, const vec3& origin, const vec3& direction, Visitor&& visit) const
+{
+  const BoxRay ray(origin, direction);
+  double limit = Box::Infinity;
+  for (const Part& part : parts)
+  {
+    if (part.Nearest > limit)
+    {
+      return;
+    }
+    this->VisitNode(part.Node, ray, limit, visit);
   }
 }
 }

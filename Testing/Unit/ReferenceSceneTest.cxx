@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The reference with scenes of several polydata, and its shorter ways to the same answers.
 #include "Metrics.h"
+#include "Stereo/Stereo.h"
 #include "Views.h"
 
 #include <gtest/gtest.h>
@@ -103,6 +104,58 @@ TEST(ReferenceScene, SeesIsCast)
     }
   }
   EXPECT_GT(yes, 200);
+}
+
+namespace
+{
+// Every map at its widest, and of one the stereo models whose rays begin in different places or are
+// none.
+std::vector<View> ManyViews()
+{
+  std::vector<View> views;
+  ViewOptions o;
+  o.Radii = { { 0.01, 20 } };
+  for (const Projection& projection : Projections())
+  {
+    o.HorizontalFov = projection.MaxHorizontalFov;
+    o.VerticalFov = projection.MaxVerticalFov;
+    views.emplace_back(projection, o);
+  }
+  o.Stereo.Eye = Eye::Left;
+  o.Stereo.InterpupillaryDistance = 0.2;
+  for (const char* const model : { "omnidirectional", "warped" })
+  {
+    o.Stereo.Model = FindStereoModel(model);
+    views.emplace_back(*FindProjection("equirectangular"), o);
+  }
+  return views;
+}
+}
+
+// Rays that are cast together say what each says alone: at seams, poles and rims, and in pictures
+// that no number of tiles fills.
+TEST(ReferenceScene, PicturesHaveWhatEachPixelCasts)
+{
+  for (const View& view : ManyViews())
+  {
+    const RayCaster caster(TwoBalls(), view);
+    const HitPicture picture = caster.Render(Width - 1, Height - 1);
+    long hits = 0;
+    for (std::size_t n = 0; n < picture.Hits.size(); ++n)
+    {
+      const double i = double(n % picture.Width);
+      const double j = double(n / picture.Width);
+      const Hit one = caster.Cast(PixelToNdc(i + 0.5, j + 0.5, picture.Width, picture.Height));
+      const Hit& other = picture.Hits[n];
+      ASSERT_EQ(other.Triangle, one.Triangle) << view.GetProjection().Name << " " << i << " " << j;
+      ASSERT_EQ(other.Cell, one.Cell);
+      ASSERT_EQ(other.Distance, one.Distance);
+      ASSERT_EQ(other.Barycentrics, one.Barycentrics);
+      ASSERT_EQ(other.InDomain, one.InDomain);
+      hits += one.Cell >= 0;
+    }
+    EXPECT_GT(hits, 0) << view.GetProjection().Name;
+  }
 }
 
 TEST(ReferenceScene, DrawnCellsAreNumberedThrough)

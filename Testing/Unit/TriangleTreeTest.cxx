@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The hierarchy of boxes against asking every triangle: the same triangles wherever a limit
-// does not leave them out, none that a ray truly meets is lost, and boxes without a volume,
+// does not leave them out, by one ray or by several together, none that a ray truly meets is lost,
+// and boxes without a volume,
 // of denormal or of endless size are met as others are.
 #include "RayTriangle.h"
 #include "TriangleTree.h"
@@ -10,6 +11,7 @@
 
 #include <random>
 #include <set>
+#include <utility>
 
 using namespace wfv;
 using namespace wfv::reference;
@@ -57,14 +59,30 @@ private:
   std::mt19937 Engine{ 1 };
 };
 
+// What a visit without a limit is told.
+struct Found
+{
+  std::set<std::size_t>& Triangles;
+  double operator()(std::size_t triangle)
+  {
+    EXPECT_TRUE(this->Triangles.insert(triangle).second) << "twice";
+    return Box::Infinity;
+  }
+};
+
 std::set<std::size_t> Visited(const TriangleTree& tree, const vec3& o, const vec3& d)
 {
   std::set<std::size_t> found;
-  tree.Visit(o, d, [&](std::size_t triangle) {
-    EXPECT_TRUE(found.insert(triangle).second) << "twice";
-    return Box::Infinity;
-  });
+  tree.Visit(o, d, Found{ found });
   return found;
+}
+
+// A direction and others beside it, nearer and farther.
+std::vector<vec3> Beside(const vec3& d, int n)
+{
+  const double spread = std::pow(10.0, -4.0 * (n % 4));
+  const vec3 side = spread * vec3(d.y + 0.1, d.z - 0.2, d.x + 0.3);
+  return { d, d + side, d - 0.7 * side, d + 0.5 * vec3(side.z, -side.y, side.x) };
 }
 
 std::set<std::size_t> OneByOne(const TriangleSoup& soup, const vec3& o, const vec3& d)
@@ -99,10 +117,23 @@ std::vector<vec3> Directions()
   return all;
 }
 
+void ExpectAllVisitedTogether(const TriangleTree& tree, const TriangleSoup& soup, const vec3& o,
+  const std::vector<vec3>& directions)
+{
+  const auto parts = tree.Ahead(BoxRays(o, directions));
+  for (const vec3& d : directions)
+  {
+    std::set<std::size_t> found;
+    tree.Visit(parts, o, d, Found{ found });
+    ASSERT_EQ(found, OneByOne(soup, o, d)) << test::Text(o) << " " << test::Text(d);
+  }
+}
+
 void ExpectAllVisited(const TriangleSoup& soup, const std::vector<vec3>& origins)
 {
   const TriangleTree tree(soup);
   std::size_t visited = 0;
+  int number = 0;
   for (const vec3& o : origins)
   {
     for (const vec3& d : Directions())
@@ -110,6 +141,7 @@ void ExpectAllVisited(const TriangleSoup& soup, const std::vector<vec3>& origins
       const std::set<std::size_t> found = Visited(tree, o, d);
       ASSERT_EQ(found, OneByOne(soup, o, d)) << test::Text(o) << " " << test::Text(d);
       visited += found.size();
+      ExpectAllVisitedTogether(tree, soup, o, Beside(d, number++));
     }
   }
   EXPECT_GT(visited, 100u);
@@ -196,12 +228,16 @@ TEST(TriangleTree, NearestIsThatOfAll)
   {
     const vec3 o = soup.Points[asked % soup.Points.size()];
     double nearest = Box::Infinity;
-    tree.Visit(o, d, [&](std::size_t n) {
+    const auto ask = [&](std::size_t n) {
       const RayTriangleHit hit = HitOf(soup, n, o, d);
       nearest = hit.Found ? std::min(nearest, hit.Distance) : nearest;
       ++asked;
       return nearest;
-    });
+    };
+    tree.Visit(o, d, ask);
+    const double alone = std::exchange(nearest, Box::Infinity);
+    tree.Visit(tree.Ahead(BoxRays(o, Beside(d, int(asked % 4)))), o, d, ask);
+    ASSERT_EQ(nearest, alone) << test::Text(d);
     double expected = Box::Infinity;
     for (const std::size_t n : OneByOne(soup, o, d))
     {
