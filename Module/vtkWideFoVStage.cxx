@@ -212,9 +212,7 @@ bool vtkWideFoVStage::HasWholeRays() const
 {
   const bool exact = this->Variant == vtkWideFoVShaderBuilder::Variant::Exact || this->Calm;
   const bool moved = this->Stereo && (this->Stereo->OwnRays || !this->Stereo->Straight);
-  const wfv::Family family = this->Projection->Axis;
-  return exact && !moved && !this->Multisample && family != wfv::Family::Sampled &&
-    family != wfv::Family::Planar;
+  return exact && !moved && !this->Multisample && this->Projection->Axis != wfv::Family::Planar;
 }
 
 vtkWideFoVShaderBuilder::Request vtkWideFoVStage::MakeRequest(

@@ -38,8 +38,10 @@ const std::string& WholeSource(const Projection& projection)
   std::string& source = made[projection.Name];
   if (source.empty())
   {
+    const bool sampled = projection.Axis == Family::Sampled;
     source = std::string("#ifdef GL_ARB_gpu_shader_fp64\n") + whole_math_glsl +
-      ToWhole(CommonGlsl()) + ToWhole(projection.Glsl) + "#endif\n";
+      ToWhole(CommonGlsl()) + (sampled ? whole_directions_glsl : "") + ToWhole(projection.Glsl) +
+      "#endif\n";
   }
   return source;
 }

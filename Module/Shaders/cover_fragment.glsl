@@ -121,6 +121,9 @@ WfvWholeRay wfvWholeRayAt()
   v.lens = dvec4(wfvView.lens);
   v.lens5 = double(wfvView.lens5);
   v.maxAngle = double(wfvView.maxAngle);
+#if WFV_SAMPLED
+  v.tables = dvec4(wfvView.tables);
+#endif
   dvec2 perPixel = dvec2(wfvPixelToMap.zw) + dvec2(wfvPixelToMapLow);
   return wfvWholeRayOfMap(dvec2(gl_FragCoord.xy - wfvPixelToMap.xy) * perPixel, v);
 }
