@@ -129,9 +129,12 @@ void MeasureErrors(BenchStage& stage, ErrorMeasure& measure, std::vector<Record>
   }
 }
 
-std::vector<Record> MeasureScene(const BenchScene& scene, const BenchOptions& o)
+using MapPointer = std::shared_ptr<const DirectionMap>;
+
+std::vector<Record> MeasureScene(
+  const BenchScene& scene, const BenchOptions& o, const MapPointer& map)
 {
-  PlanRequest request{ o.Size, o.Quick, o.Methods, o.Turn, o.Projection, o.Tolerance };
+  PlanRequest request{ o.Size, o.Quick, o.Methods, o.Turn, o.Projection, o.Tolerance, map };
   const std::vector<Run> plan =
     o.Table1 ? MakeTable1(request, scene.Camera) : MakePlan(request, scene.Camera);
   BenchStage stage(scene, plan);
@@ -170,6 +173,7 @@ Json RunBenchmark(const BenchOptions& o)
   const widefov::DisplayConnection display;
   Json json = { { "environment", DescribeEnvironment() }, { "records", Json::array() } };
   Json skipped = Json::array();
+  const MapPointer map = o.Sampled ? MakeDirectionMap(o.Projection, o.Size) : nullptr;
   std::vector<Record> records;
   for (const std::string& name : ScenesOf(o))
   {
@@ -188,7 +192,7 @@ Json RunBenchmark(const BenchOptions& o)
       skipped.push_back({ { "scene", name }, { "reason", failure.what() } });
       continue;
     }
-    const std::vector<Record> measured = MeasureScene(scene, o);
+    const std::vector<Record> measured = MeasureScene(scene, o, map);
     records.insert(records.end(), measured.begin(), measured.end());
   }
   for (const Record& record : records)

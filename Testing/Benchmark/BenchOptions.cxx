@@ -30,6 +30,8 @@ void Declare(CLI::App& app, BenchOptions& o)
   group.Choices("--methods", o.Methods, MethodNames(), "methods");
   group.Choice("--projection", o.Projection, ProjectionNames(), {},
     "what the techniques draw, at its widest; the cubemap and the floor stay as they are");
+  group.Flag("--as-direction-map", o.Sampled,
+    "the directions of that projection, one a pixel, as a direction map in its stead");
   group.Number("--tolerance", "PX", o.Tolerance, { 0.001, 1e6 },
     "the only one of auto and tessellate, pixels; without it they have several");
   group.Size("--size", o.Size, "pixels; with --quick or --table1 1024x512");
@@ -46,6 +48,10 @@ void CheckTable1(const BenchOptions& o)
   if (o.Table1 && o.Projection != BenchOptions().Projection)
   {
     widefov::FailUsage("--projection and --table1 exclude each other; give one");
+  }
+  if (o.Table1 && o.Sampled)
+  {
+    widefov::FailUsage("--as-direction-map and --table1 exclude each other; give one");
   }
   if (o.Table1 && o.Tolerance != 0)
   {

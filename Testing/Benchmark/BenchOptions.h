@@ -21,6 +21,7 @@ struct BenchOptions
   bool Quick = false;
   bool Table1 = false;                        // the table of the paper instead
   std::string Projection = "equirectangular"; // of the techniques
+  bool Sampled = false;                       // that as a direction map
   double Tolerance = 0;                       // of auto and tessellate, pixels; 0: several
   double Turn = 0;                            // degrees that cameras turn before each frame
   int Frames = 0;   // timed frames a run; 0: as many as fit the time, at least three

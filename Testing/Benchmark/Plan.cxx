@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Plan.h"
 
+#include "SampledView.h"
 #include "Stereo/Stereo.h"
 
 #include <algorithm>
@@ -57,6 +58,19 @@ std::vector<double> TolerancesOf(const PlanRequest& request, const std::vector<d
   return request.Quick ? few : std::vector<double>{ 0.02, 0.05, UsualTolerance, 1 };
 }
 
+// A projection at its widest.
+void SetWidest(widefov::Options& o, const Projection& p)
+{
+  if (p.Axis == Family::Planar)
+  {
+    SetView(o, p.Name, PerspectiveFov);
+    return;
+  }
+  o.Projection = p.Name;
+  o.View.HorizontalFov = p.MaxHorizontalFov;
+  o.View.VerticalFov = p.MaxVerticalFov;
+}
+
 class Maker
 {
 public:
@@ -74,20 +88,17 @@ public:
   // What a technique shows.
   void SetWide(widefov::Options& o) const
   {
-    const Projection& p = *FindProjection(this->Request.Projection);
-    if (p.Axis == Family::Planar)
+    SetWidest(o, *FindProjection(this->Request.Projection));
+    if (this->Request.Map)
     {
-      SetView(o, p.Name, PerspectiveFov);
-      return;
+      SetWidest(o, SampledProjection());
+      o.View.Map = this->Request.Map;
     }
-    o.Projection = p.Name;
-    o.View.HorizontalFov = p.MaxHorizontalFov;
-    o.View.VerticalFov = p.MaxVerticalFov;
   }
 
   Run Make(const std::string& method, std::optional<double> parameter = std::nullopt) const
   {
-    Run run{ method, parameter, this->Camera, this->Request.Turn };
+    Run run{ method, parameter, this->Camera, this->Request.Turn, {} };
     run.Options.TechniqueName = method;
     run.Options.Technique = TechniqueOf(method);
     if (method == "cubemap")
@@ -102,8 +113,10 @@ public:
     if (method == "perspective" || method == "stereo-offaxis")
     {
       run.Options.ExactPerspective = false; // stock VTK's
+      run.Options.View.Map = nullptr;
       SetView(run.Options, "perspective", PerspectiveFov);
     }
+    run.DirectionsOf = run.Options.View.Map ? this->Request.Projection : "";
     if (IsStereo(method))
     {
       run.Options.Stereo = method.substr(method.find('-') + 1);
@@ -155,6 +168,17 @@ std::vector<std::string> ProjectionNames()
     names.push_back(p.Name);
   }
   return names;
+}
+
+std::shared_ptr<const DirectionMap> MakeDirectionMap(
+  const std::string& projection, const std::array<int, 2>& size)
+{
+  const Projection& p = *FindProjection(projection);
+  widefov::Options o;
+  o.Size = size;
+  o.View.Aspect = double(size[0]) / size[1];
+  SetWidest(o, p);
+  return reference::SampleView(View(p, o.View), size[0], size[1]);
 }
 
 int EqualDensity(int width)

@@ -6,6 +6,7 @@
 #include "Record.h"
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -21,9 +22,14 @@ struct PlanRequest
   double Turn = 0;                            // degrees a frame; other than 0 there is no floor
   std::string Projection = "equirectangular"; // of the techniques, at its widest
   double Tolerance = 0;                       // of auto and tessellate, pixels; 0: several
+  std::shared_ptr<const DirectionMap> Map;    // of that projection, drawn in its stead
 };
 
 std::vector<std::string> MethodNames();
+
+// What the techniques show of a projection, at its widest, as a direction map.
+std::shared_ptr<const DirectionMap> MakeDirectionMap(
+  const std::string& projection, const std::array<int, 2>& size);
 
 // What the methods draw, at its widest; of the perspective, as the method of that name does.
 std::vector<std::string> ProjectionNames();

@@ -87,6 +87,10 @@ Json ToJson(const Record& r)
     { "covered", r.Covered ? Json(*r.Covered) : Json(nullptr) },
     { "fragments", r.Fragments ? Json(*r.Fragments) : Json(nullptr) },
     { "error", Figures(r.Error) } };
+  if (!r.Run.DirectionsOf.empty())
+  {
+    json["directions_of"] = r.Run.DirectionsOf;
+  }
   if (r.Run.Turn != 0)
   {
     json["turn"] = r.Run.Turn;

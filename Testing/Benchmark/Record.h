@@ -27,6 +27,7 @@ struct Run
   std::optional<double> Parameter; // tolerance in pixels, or pixels a cube face
   widefov::Options Options;        // projection, size, technique, camera
   double Turn = 0;                 // degrees that the camera turns before each frame
+  std::string DirectionsOf;        // the projection that a direction map is of
 };
 
 struct ErrorFigures

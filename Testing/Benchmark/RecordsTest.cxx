@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Plans, records and ratios of widefov-bench, as the contract has them.
+#include "DirectionMap.h"
 #include "Plan.h"
 #include "Summary.h"
 
@@ -49,6 +50,27 @@ const BenchRun& Find(const std::vector<BenchRun>& plan, const std::string& name)
   }
   throw std::runtime_error("no run " + name);
 }
+}
+
+// The techniques alone draw it; what they are compared with stays as it is.
+TEST(BenchPlan, DirectionMapStandsForTheProjection)
+{
+  PlanRequest request;
+  request.Quick = true;
+  request.Size = { { 64, 32 } };
+  request.Projection = "hammer";
+  request.Map = MakeDirectionMap(request.Projection, request.Size);
+  EXPECT_EQ(request.Map->GetWidth(), 64);
+  EXPECT_EQ(request.Map->GetHeight(), 32);
+  for (const BenchRun& run : MakePlan(request, widefov::Options()))
+  {
+    const bool draws = run.Method == "auto" || run.Method == "exact" || run.Method == "preclip" ||
+      run.Method == "vertex" || run.Method == "tessellate";
+    EXPECT_EQ(run.Options.Projection == "direction-map", draws) << run.Method;
+    EXPECT_EQ(run.Options.View.Map == request.Map, draws) << run.Method;
+    EXPECT_EQ(MakeRecord(run, 1, 1).Run.DirectionsOf, draws ? "hammer" : "") << run.Method;
+    EXPECT_EQ(ToJson(MakeRecord(run, 1, 1)).contains("directions_of"), draws) << run.Method;
+  }
 }
 
 TEST(BenchPlan, QuickHasEveryMethodOfOneEyeAndOneCubeMap)

@@ -47,6 +47,7 @@ BENCH = [
     ("--quick --table1 --output {out}/x.json", USAGE, "--table1", {}),
     ("--projection bent --output {out}/x.json", USAGE, "bent", {}),
     ("--projection direction-map --output {out}/x.json", USAGE, "direction-map", {}),
+    ("--as-direction-map --table1 --output {out}/x.json", USAGE, "--table1", {}),
     ("--projection hammer --table1 --output {out}/x.json", USAGE, "--table1", {}),
     ("--scenes room --size 100000x50 --output {out}/x.json", FAILED, "limit", {}),
     ("--scenes office --data {out} --output {out}/x.json", FAILED, "office", {}),

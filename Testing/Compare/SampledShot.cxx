@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SampledShot.h"
 
-#include "SampledMap.h"
+#include "SampledView.h"
 
 namespace wfv
 {
@@ -15,7 +15,7 @@ void UseMapOf(const std::string& projection, Shot& shot)
   o.VerticalFov = p.MaxVerticalFov;
   o.Aspect = double(shot.Width) / shot.Height;
   shot.Projection = SampledProjection().Name;
-  shot.Options.Map = SampleView(View(p, o), shot.Width, shot.Height);
+  shot.Options.Map = reference::SampleView(View(p, o), shot.Width, shot.Height);
 }
 }
 }

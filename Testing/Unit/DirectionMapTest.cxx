@@ -2,6 +2,7 @@
 // Direction maps made from views whose formulas are known, with seams, tears and holes.
 #include "DirectionMap.h"
 #include "SampledMap.h"
+#include "SampledView.h"
 #include "Views.h"
 
 #include <gtest/gtest.h>
@@ -66,7 +67,7 @@ TEST(DirectionMap, RaysOfPixelsAreTheFiles)
   for (const MapCase& c : Cases)
   {
     const View formula = FormulaOf(c);
-    const auto map = SampleView(formula, c.Width, c.Height);
+    const auto map = reference::SampleView(formula, c.Width, c.Height);
     const View sampled = SampledOf(map);
     for (int y = 0; y < c.Height; y++)
     {
@@ -91,7 +92,7 @@ TEST(DirectionMap, ForwardFindsTheRayAgain)
   for (const MapCase& c : Cases)
   {
     const View formula = FormulaOf(c);
-    const auto map = SampleView(formula, c.Width, c.Height);
+    const auto map = reference::SampleView(formula, c.Width, c.Height);
     const View sampled = SampledOf(map);
     int lost = 0;
     for (int i = 0; i < 4000; i++)
@@ -120,7 +121,7 @@ TEST(DirectionMap, CapsBoundAllThatIsSeenOfThem)
 {
   for (const MapCase& c : Cases)
   {
-    const auto map = SampleView(FormulaOf(c), c.Width, c.Height);
+    const auto map = reference::SampleView(FormulaOf(c), c.Width, c.Height);
     const View sampled = SampledOf(map);
     for (const vec3& centre : RandomDirections(200))
     {

@@ -7,24 +7,6 @@ namespace wfv
 {
 namespace test
 {
-std::shared_ptr<const DirectionMap> SampleView(const View& view, int width, int height)
-{
-  std::vector<float> directions;
-  for (int y = 0; y < height; y++)
-  {
-    for (int x = 0; x < width; x++)
-    {
-      const vec2 ndc(2 * (x + 0.5) / width - 1, 2 * (y + 0.5) / height - 1);
-      const ViewRay ray = view.Ray(ndc);
-      for (int i = 0; i < 3; i++)
-      {
-        directions.push_back(ray.Inside ? static_cast<float>(ray.Direction[i]) : 0.f);
-      }
-    }
-  }
-  return std::make_shared<const DirectionMap>(width, height, directions);
-}
-
 bool Boxes::Hold(const vec2& ndc) const
 {
   const auto in = [&](const vec4& r) {
