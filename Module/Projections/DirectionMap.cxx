@@ -200,6 +200,7 @@ DirectionMap::DirectionMap(int width, int height, const std::vector<float>& dire
   this->MarkPixels();
   this->ChooseCells();
   this->BoundCells();
+  this->BendCells();
   this->PlantSeeds();
 }
 

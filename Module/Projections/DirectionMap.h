@@ -48,7 +48,8 @@ public:
 
   // The tables, rows from the bottom: width x height; 12 cells wide, two rectangles a cell,
   // all levels one above the other; 12 cells wide, two seeds a texel, negative where there
-  // are no more.
+  // are no more. Where a cell has one rectangle the y of the other may say how even it is:
+  // WfvPlaces::bend.
   const std::vector<Texel>& GetDirections() const { return this->Directions; }
   const std::vector<Texel>& GetCellBounds() const { return this->CellBounds; }
   const std::vector<Texel>& GetSeeds() const { return this->Seeds; }
@@ -62,6 +63,7 @@ private:
   void MarkPixels();
   void ChooseCells();
   void BoundCells();
+  void BendCells();
   void PlantSeeds();
 
   unsigned long Serial;

@@ -204,6 +204,8 @@ struct WfvPlaces
   vec4 first;
   vec4 second;
   bool calm; // of a cell: all its pixels are
+  float bend; // of a single rectangle: steps of pixels in it change from one to the next by no larger
+              // part of them, and no two of its places see one direction; 1 or more: not known
 };
 
 WFV_FN WfvPlaces wfvNoPlaces()
@@ -212,6 +214,7 @@ WFV_FN WfvPlaces wfvNoPlaces()
   none.first = vec4(1e9, 1e9, -1e9, -1e9);
   none.second = none.first;
   none.calm = true;
+  none.bend = 1.0;
   return none;
 }
 
@@ -251,6 +254,7 @@ WFV_FN WfvPlaces wfvWithPlaces(WfvPlaces places, WfvPlaces more)
 {
   WfvPlaces result = wfvWithPlace(wfvWithPlace(places, more.first), more.second);
   result.calm = places.calm && more.calm;
+  result.bend = 1.0;
   return result;
 }
 
@@ -271,6 +275,26 @@ WFV_FN WfvPlaces wfvApart(WfvPlaces places)
 // (DirectionMap.cxx), so a straight edge of n pixels bends by no more than an eighth of this
 // times n squared; twice that.
 const float WFV_CLOSE_BEND = 0.25 * 0.05;
+
+// Pixels that an edge reaches beyond its ends, for the kinks between pixels.
+const float WFV_EDGE_KINKS = 2.0;
+
+// Pixels of an edge times the bend (WfvPlaces) of where it lies: up to this nothing is known of more.
+const float WFV_EDGE_REACH = 0.5;
+
+// Of the bend times the length squared: so far a straight edge lies beside its chord. Its curvature is
+// at most twice the bend, and a circle is a little more than a parabola.
+const float WFV_EDGE_SIDE = 0.3;
+
+// Pixels: not known.
+const float WFV_ASTRAY = 1e9;
+
+// Pixels of the map that the picture of a straight edge may lie beside its chord, which is so long.
+WFV_FN float wfvBesideChord(float chord, float bend)
+{
+  float reach = chord + WFV_EDGE_KINKS;
+  return bend * reach <= WFV_EDGE_REACH ? WFV_EDGE_SIDE * bend * reach * reach : WFV_ASTRAY;
+}
 
 // What is added to the left side of the first rectangle in the table where a cell is calm.
 const float WFV_CALM_CELL = 16.0;
@@ -295,6 +319,7 @@ WFV_FN WfvPlaces wfvCapPlaces(vec3 centre, float angle, WfvView v)
     places.second = wfvCellTexel(v, column + 1, row);
     places.calm = places.first.x > 0.5 * WFV_CALM_CELL && places.first.x < 2.0 * WFV_CALM_CELL;
     places.first.x = places.calm ? places.first.x - WFV_CALM_CELL : places.first.x;
+    places.bend = places.second.x <= places.second.z ? 1.0 : places.second.y;
   }
   return places;
 }

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Covers a triangle for direction maps, of which nothing is known but their tables: the
-// caps round its parts (wfvCapPlaces), in one rectangle or two.
+// Covers a triangle for direction maps, of which nothing is known but their tables: what lies round
+// its corners where the map is one even piece, else the caps round its parts (wfvCapPlaces), in one
+// rectangle or two.
 
-// Parts along an edge of a triangle that is larger than a cell.
-const int WFV_PARTS = 4;
+// Parts along an edge of a triangle that is larger than a cell, at the most.
+const int WFV_PARTS = 16;
 
 // The largest chord for which the angle over it is at most so many chords.
 const float WFV_CAP_CHORD = 1.0;
 const float WFV_CAP_ANGLE = 1.05;
 
-vec3 wfvPartCorner(int i, int j)
+// The corner i, j of so many parts along an edge.
+vec3 wfvPartCorner(int i, int j, float parts)
 {
-  float a = float(i) / float(WFV_PARTS);
-  float b = float(j) / float(WFV_PARTS);
+  float a = float(i) / parts;
+  float b = float(j) / parts;
   vec3 p = (1.0 - a - b) * wfvP[0] + a * wfvP[1] + b * wfvP[2];
   return p / max(length(p), 1e-30);
 }
@@ -30,32 +32,83 @@ WfvPlaces wfvPart(vec3 a, vec3 b, vec3 c)
   return wfvCapPlaces(centre, angle, wfvView);
 }
 
-// Pixels of the direction map: larger rectangles are taken as they are.
-const float WFV_CLOSE_PIXELS = 24.0;
-
-// The rectangle of a cell or, where it is small and calm, what lies round three corners.
-vec4 wfvClose(WfvPlaces cell, vec3 a, vec3 b, vec3 c)
+// With one more part. The bend is the larger one: parts that are one piece each are one together,
+// for each shares corners, which no other place sees, with the next.
+WfvPlaces wfvWithPart(WfvPlaces places, WfvPlaces part)
 {
-  vec4 r = cell.first;
-  vec2 low = wfvPixelOfNdc(r.xy, wfvView);
-  vec2 high = wfvPixelOfNdc(r.zw, wfvView);
-  vec2 middle = 0.5 * (low + high);
-  if (WFV_OWN_RAYS == 1 || !cell.calm || !(max(high.x - low.x, high.y - low.y) < WFV_CLOSE_PIXELS))
+  WfvPlaces all = wfvWithPlaces(places, part);
+  all.bend = max(places.bend, part.bend);
+  return all;
+}
+
+// The parts of a triangle.
+WfvPlaces wfvParts(int parts)
+{
+  WfvPlaces places = wfvNoPlaces();
+  places.bend = 0.0;
+  float count = float(parts);
+  for (int i = 0; i < parts; i++)
   {
-    return r;
+    for (int j = 0; j < parts - i; j++)
+    {
+      vec3 right = wfvPartCorner(i + 1, j, count);
+      vec3 up = wfvPartCorner(i, j + 1, count);
+      places = wfvWithPart(places, wfvPart(wfvPartCorner(i, j, count), right, up));
+      if (i + j + 2 <= parts)
+      {
+        places = wfvWithPart(places, wfvPart(wfvPartCorner(i + 1, j + 1, count), right, up));
+      }
+    }
   }
-  vec3 p = wfvFindFrom(middle, a, wfvView);
-  vec3 q = wfvFindFrom(middle, b, wfvView);
-  vec3 s = wfvFindFrom(middle, c, wfvView);
-  if (!(max(p.z, max(q.z, s.z)) < WFV_SEARCH_REST))
+  return places;
+}
+
+// The place of a direction that one rectangle shows, pixels of the direction map; z: by how many it is
+// missed.
+vec3 wfvPlaceOf(vec3 d)
+{
+  WfvPlaces cap = wfvCapPlaces(d, WFV_ANGLE_PAD, wfvView);
+  vec3 found = vec3(0.0, 0.0, 1e9);
+  if (cap.bend < 1.0)
   {
-    return r;
+    vec2 low = wfvPixelOfNdc(cap.first.xy, wfvView);
+    vec2 high = wfvPixelOfNdc(cap.first.zw, wfvView);
+    found = wfvFindFrom(0.5 * (low + high), d, wfvView);
+    bool inside = all(greaterThanEqual(found.xy, low)) && all(lessThanEqual(found.xy, high));
+    found.z = inside ? found.z : 1e9;
   }
-  vec2 least = min(p.xy, min(q.xy, s.xy));
-  vec2 most = max(p.xy, max(q.xy, s.xy));
-  float grow = WFV_CLOSE_BEND * dot(most - least, most - least) + WFV_SEARCH_REST;
-  return vec4(max(r.xy, wfvNdcOfPixel(least - grow, wfvView)),
-    min(r.zw, wfvNdcOfPixel(most + grow, wfvView)));
+  return found;
+}
+
+// Pixels of the tile, from its centre.
+vec2 wfvPixelOfPlace(vec2 place)
+{
+  return 0.5 * wfvViewport.zw * (wfvNdcOfPixel(place, wfvView) * wfvTile.xy + wfvTile.zw);
+}
+
+// Covers a triangle that is one piece by what lies round its corners; false where that is not found.
+bool wfvCoverClose(float bend, vec3 a, vec3 b, vec3 c, bool front)
+{
+  if (WFV_OWN_RAYS == 1 || !(bend < 1.0))
+  {
+    return false;
+  }
+  vec3 p = wfvPlaceOf(a);
+  vec3 q = wfvPlaceOf(b);
+  vec3 s = wfvPlaceOf(c);
+  vec2 size = max(p.xy, max(q.xy, s.xy)) - min(p.xy, min(q.xy, s.xy));
+  float beside = wfvBesideChord(length(size), bend);
+  if (!(max(p.z, max(q.z, s.z)) < WFV_SEARCH_REST && beside < WFV_ASTRAY))
+  {
+    return false;
+  }
+  vec2 texel = wfvViewport.zw * wfvTile.xy / wfvView.tables.xy; // pixels
+  float grow = beside + WFV_SEARCH_REST;
+  wfvC[0] = wfvPixelOfPlace(p.xy);
+  wfvC[1] = wfvPixelOfPlace(q.xy);
+  wfvC[2] = wfvPixelOfPlace(s.xy);
+  wfvEmitShape(wfvShapeRound(vec3(grow * max(texel.x, texel.y) + WFV_TIGHT_PAD), front));
+  return true;
 }
 
 // Padded, and clipped to the window.
@@ -65,41 +118,17 @@ vec4 wfvGrown(vec4 r)
   return vec4(max(r.xy - pad, vec2(-1.0)), min(r.zw + pad, vec2(1.0)));
 }
 
-// The parts of a triangle that is larger than a cell.
-WfvPlaces wfvParts()
-{
-  WfvPlaces places = wfvNoPlaces();
-  for (int i = 0; i < WFV_PARTS; i++)
-  {
-    for (int j = 0; j < WFV_PARTS - i; j++)
-    {
-      vec3 right = wfvPartCorner(i + 1, j);
-      vec3 up = wfvPartCorner(i, j + 1);
-      places = wfvWithPlaces(places, wfvPart(wfvPartCorner(i, j), right, up));
-      if (i + j + 2 <= WFV_PARTS)
-      {
-        places = wfvWithPlaces(places, wfvPart(wfvPartCorner(i + 1, j + 1), right, up));
-      }
-    }
-  }
-  return places;
-}
-
 void wfvCover(bool front)
 {
-  vec3 a = wfvPartCorner(0, 0);
-  vec3 b = wfvPartCorner(WFV_PARTS, 0);
-  vec3 c = wfvPartCorner(0, WFV_PARTS);
+  vec3 a = wfvPartCorner(0, 0, 1.0);
+  vec3 b = wfvPartCorner(1, 0, 1.0);
+  vec3 c = wfvPartCorner(0, 1, 1.0);
   float longest = max(length(b - c), max(length(c - a), length(a - b)));
-  WfvPlaces places = wfvNoPlaces();
-  if (longest * wfvView.tables.z > WFV_CAP_SHARE * 0.5 * WFV_PI)
+  float cells = longest * wfvView.tables.z / (WFV_CAP_SHARE * 0.5 * WFV_PI);
+  WfvPlaces places = wfvParts(int(clamp(ceil(cells), 1.0, float(WFV_PARTS))));
+  if (wfvCoverClose(places.bend, a, b, c, front))
   {
-    places = wfvParts();
-  }
-  else
-  {
-    places = wfvPart(a, b, c);
-    places.first = wfvClose(places, a, b, c);
+    return;
   }
   places.first = wfvGrown(places.first);
   places.second = wfvGrown(places.second);

@@ -62,13 +62,9 @@ void wfvShapeAlong(vec2 from, vec2 way, vec2 third, vec2 grow, bool front)
 // grow: pixels to move the side opposite to corner i out by. The sides next to the largest angle
 // move alike: what bulges from one of them may lie beyond the line of the other. A needle's would
 // meet far beyond its ends, and it takes the rectangle along its longest side, as everything does
-// that is smaller so. Returns the number of corners.
-int wfvTightShape(vec3 grow, bool front)
+// that is smaller so. Of the places wfvC; returns the number of corners.
+int wfvShapeRound(vec3 grow, bool front)
 {
-  for (int i = 0; i < 3; i++)
-  {
-    wfvC[i] = wfvPixel(wfvP[i]);
-  }
   float most = max(grow.x, max(grow.y, grow.z));
   if (wfvBetweenCentres(min(wfvC[0], min(wfvC[1], wfvC[2])) - most,
         max(wfvC[0], max(wfvC[1], wfvC[2])) + most))
@@ -99,6 +95,15 @@ int wfvTightShape(vec3 grow, bool front)
     wfvShape[i] = all_ * (turned ? c[2 - i] : c[i]) - weighed;
   }
   return triangle ? 3 : 4;
+}
+
+int wfvTightShape(vec3 grow, bool front)
+{
+  for (int i = 0; i < 3; i++)
+  {
+    wfvC[i] = wfvPixel(wfvP[i]);
+  }
+  return wfvShapeRound(grow, front);
 }
 
 void wfvCoverTight(float grow, bool front)

@@ -52,7 +52,9 @@ def collect(records):
     """{projection: {method: [error of a picture]}}"""
     found = {}
     for record in records:
-        methods = found.setdefault(record["projection"], {})
+        of = record.get("directions_of")
+        name = record["projection"] + (" of " + of if of else "")
+        methods = found.setdefault(name, {})
         methods.setdefault(name_of(record), []).append(record["error"])
     return dict(sorted(found.items()))
 

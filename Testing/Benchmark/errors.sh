@@ -27,6 +27,10 @@ measure() {
     build/bin/widefov-bench --frames 1 --projection NAME --output "output/errors/$3" "${@:4}"
 }
 measure "$projections" 2 NAME.json --size 1024x512 --methods exact,auto "$@"
+# as direction maps: faces that are torn apart, an oval, a disc
+for name in equi-angular-cubemap hammer azimuthal-equidistant; do
+  measure "$name" 1 NAME-directions.json --size 1024x512 --as-direction-map --quick --methods exact "$@"
+done
 # software draws patches slowly: without the largest scenes
 measure "$projections" 2 NAME-tessellate.json --size 1024x512 --methods tessellate \
   --scenes cornell,room,atrium,globe,vector-cloud "$@"

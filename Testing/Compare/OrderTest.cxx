@@ -4,6 +4,7 @@
 #include "DrawingTest.h"
 #include "Poses.h"
 #include "RayCaster.h"
+#include "SampledShot.h"
 #include "vtkWideFoVPass.h"
 
 #include <vtkActor.h>
@@ -124,6 +125,26 @@ TEST_P(Order, TheNearerIsSeenWhicheverComesFirst)
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Order, ::testing::ValuesIn(WideNames()), DrawingTest::NameOf);
+
+class OrderOnDirectionMaps : public Order
+{
+};
+
+// A display that only its directions describe, whose rays are in double between them too.
+TEST_P(OrderOnDirectionMaps, TheNearerIsSeenWhicheverComesFirst)
+{
+  Shot shot = MakeShotOf(this->GetParam());
+  UseMapOf(this->GetParam(), shot);
+  for (const std::vector<double>& rises : Orders)
+  {
+    Picture->SetMesh(MakeSheets(rises));
+    Check(Picture->Draw(shot), Picture->GetMesh());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, OrderOnDirectionMaps,
+  ::testing::Values("equirectangular", "hammer", "azimuthal-equidistant", "equi-angular-cubemap"),
+  DrawingTest::NameOf);
 
 class OrderOfProps : public Order
 {

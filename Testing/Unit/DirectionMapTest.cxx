@@ -145,6 +145,95 @@ TEST(DirectionMap, CapsBoundAllThatIsSeenOfThem)
   }
 }
 
+namespace
+{
+// Of enough pixels for pieces.
+MapCase Finer(const MapCase& c)
+{
+  return { c.Projection, c.Fov, 6 * c.Width, 6 * c.Height };
+}
+
+// Caps that one piece shows each: all at 3,000 random places and of several sizes.
+template <typename Check>
+int ForPieces(const View& sampled, const Check& check)
+{
+  int pieces = 0;
+  for (const vec3& centre : RandomDirections(3000))
+  {
+    for (const double angle : { 1e-3, 0.01, 0.03, 0.1 })
+    {
+      if (const auto piece = PieceOf(centre, angle, sampled.GetParameters()))
+      {
+        check(*piece, centre, angle);
+        pieces++;
+      }
+    }
+  }
+  return pieces;
+}
+}
+
+// No two places in the rectangle of a piece see one direction: each is found again from the middle.
+TEST(DirectionMap, PiecesShowADirectionOnce)
+{
+  for (const MapCase& small : Cases)
+  {
+    const MapCase c = Finer(small);
+    const View sampled = SampledOf(reference::SampleView(FormulaOf(c), c.Width, c.Height));
+    const WfvView& view = sampled.GetParameters();
+    const int pieces = ForPieces(sampled, [&](const Piece& piece, const vec3&, double) {
+      const vec4& r = piece.Rectangle;
+      for (int i = 0; i < 9; i++)
+      {
+        const vec2 ndc(
+          r.x + (r.z - r.x) * (i % 3 + 0.02) / 2.04, r.y + (r.w - r.y) * (i / 3 + 0.02) / 2.04);
+        const ViewRay ray = sampled.Ray(ndc);
+        ASSERT_TRUE(ray.Inside) << c.Projection << " " << Text(ndc);
+        const vec3 found = PlaceIn(r, ray.Direction, view);
+        const vec2 place(0.5 * (ndc.x + 1) * c.Width - 0.5, 0.5 * (ndc.y + 1) * c.Height - 0.5);
+        ASSERT_LT(glm::length(vec2(found.x, found.y) - place), Found)
+          << c.Projection << " " << Text(ndc);
+      }
+    });
+    EXPECT_GT(pieces, 500) << c.Projection;
+  }
+}
+
+// Edges of triangles within a cap lie as near to their chords as the bend of its piece says, at
+// every place between their ends; some lie a tenth as far beside.
+TEST(DirectionMap, EdgesLieBesideTheirChordsAsFarAsPiecesSay)
+{
+  double worst = 0;
+  for (const MapCase& small : Cases)
+  {
+    const MapCase c = Finer(small);
+    const View sampled = SampledOf(reference::SampleView(FormulaOf(c), c.Width, c.Height));
+    const WfvView& view = sampled.GetParameters();
+    ForPieces(sampled, [&](const Piece& piece, const vec3& centre, double angle) {
+      const vec3 side = 0.9 * angle * glm::normalize(glm::cross(centre, vec3(0.3, 0.5, -0.8)));
+      const vec3 other = glm::cross(centre, side);
+      for (const vec3& from : { centre + side, centre - other, centre + 0.6 * (side + other) })
+      {
+        const vec3 to = centre - 0.5 * side + 0.7 * other;
+        const auto at = [&](double t) {
+          return vec2(PlaceIn(piece.Rectangle, glm::normalize(from + t * (to - from)), view));
+        };
+        const vec2 p = at(0);
+        const vec2 way = at(1) - p;
+        const double chord = glm::length(way);
+        const double beside = BesideChord(chord, piece.Bend);
+        for (int i = 1; i < 8; i++)
+        {
+          const double off = std::abs(Cross(at(i / 8.) - p, way)) / chord;
+          ASSERT_LE(off, beside + Found) << c.Projection << " " << Text(centre) << " " << angle;
+          worst = std::max(worst, off / beside);
+        }
+      }
+    });
+  }
+  EXPECT_GT(worst, 0.1);
+}
+
 TEST(DirectionMap, RefusesWhatIsNoMap)
 {
   std::vector<float> good;

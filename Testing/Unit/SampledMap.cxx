@@ -15,6 +15,23 @@ bool Boxes::Hold(const vec2& ndc) const
   return in(this->First) || in(this->Second);
 }
 
+std::optional<Piece> PieceOf(const vec3& centre, double angle, const WfvView& view)
+{
+  const tables::WfvPlaces places = tables::wfvCapPlaces(centre, angle, view);
+  return places.bend < 1 ? std::optional<Piece>({ places.first, places.bend }) : std::nullopt;
+}
+
+vec3 PlaceIn(const vec4& r, const vec3& direction, const WfvView& view)
+{
+  const vec2 middle = tables::wfvPixelOfNdc(0.5 * vec2(r.x + r.z, r.y + r.w), view);
+  return tables::wfvFindFrom(middle, direction, view);
+}
+
+double BesideChord(double chord, double bend)
+{
+  return tables::wfvBesideChord(chord, bend);
+}
+
 Boxes CapBoxes(const vec3& centre, double angle, const WfvView& view)
 {
   const tables::WfvPlaces places = tables::wfvCapPlaces(centre, angle, view);

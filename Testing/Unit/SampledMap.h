@@ -5,6 +5,8 @@
 
 #include "DirectionMap.h"
 
+#include <optional>
+
 namespace wfv
 {
 namespace test
@@ -16,6 +18,21 @@ struct Boxes
   vec4 Second;
   bool Hold(const vec2& ndc) const;
 };
+
+// A cap that one even piece of a map shows: nothing where it is not known to be one.
+struct Piece
+{
+  vec4 Rectangle; // NDC
+  double Bend;
+};
+std::optional<Piece> PieceOf(const vec3& centre, double angle, const WfvView& view);
+
+// The place of a direction, pixels, sought from the middle of a rectangle, and by how much it is
+// missed.
+vec3 PlaceIn(const vec4& rectangle, const vec3& direction, const WfvView& view);
+
+// wfvBesideChord
+double BesideChord(double chord, double bend);
 
 Boxes CapBoxes(const vec3& centre, double angle, const WfvView& view);
 }
