@@ -28,7 +28,7 @@ measure() {
 }
 measure "$projections" 2 NAME.json --size 1024x512 --methods exact,auto "$@"
 # as direction maps: faces that are torn apart, an oval, a disc
-for name in equi-angular-cubemap hammer azimuthal-equidistant; do
+for name in $(xargs -n 1 <<< "$projections" | grep -x -e equi-angular-cubemap -e hammer -e azimuthal-equidistant || true); do
   measure "$name" 1 NAME-directions.json --size 1024x512 --as-direction-map --quick --methods exact "$@"
 done
 # software draws patches slowly: without the largest scenes
