@@ -50,9 +50,9 @@ inline double wfvAtanh(double x)
 {
   return std::atanh(x);
 }
-inline double wfvTanh(double x)
+inline vec2 wfvExpOfMinus(double x)
 {
-  return std::tanh(x);
+  return vec2(std::exp(-x), -std::expm1(-x));
 }
 inline double wfvCbrt(double x)
 {

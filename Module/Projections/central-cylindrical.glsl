@@ -17,7 +17,7 @@ WFV_FN float wfvHeight(float phi)
   return sin(phi) / max(cos(phi), WFV_CENTRAL_END);
 }
 
-WFV_FN float wfvLatitude(float y)
+WFV_FN vec2 wfvLatitude(float y)
 {
-  return wfvAtan2(y, 1.0);
+  return vec2(y, 1.0) / sqrt(1.0 + y * y);
 }

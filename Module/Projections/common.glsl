@@ -84,11 +84,15 @@ WFV_FN vec2 wfvMeridianAngles(vec3 p)
   return vec2(wfvAtan2(p.x, -p.z), wfvAtan2(p.y, wfvHypot(p.x, p.z)));
 }
 
+// The direction of a longitude and a latitude, of each the sine and the cosine.
+WFV_FN vec3 wfvMeridianDirectionOf(vec2 lambda, vec2 phi)
+{
+  return vec3(phi.y * lambda.x, phi.x, -phi.y * lambda.y);
+}
+
 WFV_FN vec3 wfvMeridianDirection(vec2 a)
 {
-  vec2 lambda = wfvSinCos(a.x);
-  vec2 phi = wfvSinCos(a.y);
-  return vec3(phi.y * lambda.x, phi.x, -phi.y * lambda.y);
+  return wfvMeridianDirectionOf(wfvSinCos(a.x), wfvSinCos(a.y));
 }
 
 // Azimuth about -z from +x towards +y, and the angle theta in [0, pi] from -z.

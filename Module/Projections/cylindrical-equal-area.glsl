@@ -14,7 +14,7 @@ WFV_FN float wfvHeight(float phi)
   return sin(phi);
 }
 
-WFV_FN float wfvLatitude(float y)
+WFV_FN vec2 wfvLatitude(float y)
 {
-  return wfvAtan2(y, sqrt((1.0 - y) * (1.0 + y)));
+  return wfvSinCos(wfvAtan2(y, sqrt((1.0 - y) * (1.0 + y))));
 }

@@ -2,7 +2,7 @@
 // Shared by the cylindrical maps: x is the longitude, y a function of the latitude.
 // Included after the projection, which brings
 //   float wfvHeight(float phi)   y in the raw map, growing and odd
-//   float wfvLatitude(float y)   its inverse on [-WFV_TOP, WFV_TOP]
+//   vec2 wfvLatitude(float y)    sine and cosine of the latitude there, y in [-WFV_TOP, WFV_TOP]
 //   WFV_EVEN_LATITUDES           whether y is the latitude itself
 //   WFV_TOP                      y at the largest latitude of the domain
 // Discontinuities: the meridian lambda = +-pi, a straight line; each pole is stretched
@@ -23,7 +23,7 @@ WFV_FN WfvRay wfvRayOfMap(vec2 m, WfvView v)
 {
   WfvRay ray;
   ray.inside = abs(m.x) <= WFV_PI * WFV_BORDER && abs(m.y) <= WFV_TOP * WFV_BORDER;
-  ray.direction = wfvMeridianDirection(vec2(max(-WFV_PI, min(WFV_PI, m.x)),
-    wfvLatitude(max(-WFV_TOP, min(WFV_TOP, m.y)))));
+  ray.direction = wfvMeridianDirectionOf(wfvSinCos(max(-WFV_PI, min(WFV_PI, m.x))),
+    wfvLatitude(max(-WFV_TOP, min(WFV_TOP, m.y))));
   return ray;
 }

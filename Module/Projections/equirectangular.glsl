@@ -14,7 +14,7 @@ WFV_FN float wfvHeight(float phi)
   return phi;
 }
 
-WFV_FN float wfvLatitude(float y)
+WFV_FN vec2 wfvLatitude(float y)
 {
-  return y;
+  return wfvSinCos(y);
 }

@@ -136,18 +136,18 @@ WFV_FN float wfvAtanh(float x)
   return x < 0.0 ? -r : r;
 }
 
-// tanh for |x| <= 3.2: the series of a sixteenth (the rest is under 1e-9), doubled four
-// times, which lessens its relative error.
-WFV_FN float wfvTanh(float x)
+// exp(-x), and what it is less than 1 by, to the last digits of each, for x in [0, 20]: by the series
+// of what is left beside halvings, r in [-0.3466, 0.3466], whose rest is under 6e-9. The logarithm of
+// two is in two parts, the first of which times a number of halvings is exact.
+WFV_FN vec2 wfvExpOfMinus(float x)
 {
-  float a = 0.0625 * x;
-  float s = a * a;
-  float t = a * (1.0 - s * (1.0 / 3.0 - s * (2.0 / 15.0 - s * (17.0 / 315.0 - s * 62.0 / 2835.0))));
-  for (int i = 0; i < 4; i++)
-  {
-    t = 2.0 * t / (1.0 + t * t);
-  }
-  return t;
+  float k = floor(x * 1.4426950408889634 + 0.5);
+  float r = (x - k * 0.693359375) + k * 2.1219444005469058e-4;
+  float s = 1.0 / 120.0 - r * (1.0 / 720.0 - r / 5040.0);
+  s = 1.0 / 6.0 - r * (1.0 / 24.0 - r * s);
+  float less = r * (1.0 - r * (0.5 - r * s));
+  float e = (1.0 - less) / float(1 << int(k));
+  return vec2(e, k == 0.0 ? less : 1.0 - e);
 }
 
 // Cube root of x >= 0, for the start of an iteration: GLSL's pow may err in the fifth

@@ -19,7 +19,10 @@ WFV_FN float wfvHeight(float phi)
   return 2.0 * wfvAtanh(max(-WFV_MERCATOR_END, min(WFV_MERCATOR_END, t)));
 }
 
-WFV_FN float wfvLatitude(float y)
+// tanh(y) and 1 / cosh(y), by what shrinks towards the poles: so does what it is rounded by.
+WFV_FN vec2 wfvLatitude(float y)
 {
-  return 2.0 * wfvAtan2(wfvTanh(0.5 * y), 1.0);
+  vec2 e = wfvExpOfMinus(abs(y));
+  float s = e.y * (1.0 + e.x);
+  return vec2(y < 0.0 ? -s : s, 2.0 * e.x) / (1.0 + e.x * e.x);
 }

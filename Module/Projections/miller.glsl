@@ -16,7 +16,14 @@ WFV_FN float wfvHeight(float phi)
   return 2.5 * wfvAtanh(sin(0.4 * phi) / cos(0.4 * phi));
 }
 
-WFV_FN float wfvLatitude(float y)
+// The angle from the equator is 2.5 atan(tanh(0.4 |y|)), that from the pole 2.5 atan(exp(-0.8 |y|)) less
+// an eighth of a half turn: by the smaller of the two arcs, and so what that is rounded by.
+WFV_FN vec2 wfvLatitude(float y)
 {
-  return 2.5 * wfvAtan2(wfvTanh(0.4 * y), 1.0);
+  vec2 e = wfvExpOfMinus(0.8 * abs(y));
+  bool low = e.x > 0.41421356;
+  float a = 2.5 * (low ? wfvAtan2(e.y, 1.0 + e.x) : wfvAtan2(e.x, 1.0));
+  vec2 sc = wfvSinCos(low ? a : a - 0.125 * WFV_PI);
+  float s = low ? sc.x : sc.y;
+  return vec2(y < 0.0 ? -s : s, low ? sc.y : sc.x);
 }

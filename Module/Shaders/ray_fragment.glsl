@@ -42,7 +42,7 @@ vec3 wfvLatitudeAt(float p, float y)
     vec4 phi = wfvSinCosOfPixels(p, k, wfvQuarterTurn.y);
     return k != 0.0 ? vec3(k * phi.y, -k * phi.x, -k * phi.z) : vec3(phi.x, phi.y, phi.w);
   }
-  vec2 phi = wfvSinCos(wfvLatitude(y));
+  vec2 phi = wfvLatitude(y);
   return vec3(phi.x, phi.y, 0.0);
 }
 
