@@ -60,26 +60,6 @@ bool MayBeWrong(const EdgeDoubts::Mesh& mesh, const Doubt& d)
   return EdgeDoubts::MayBeWrong(d) && mesh.IsPlain(d.Edge / 3);
 }
 
-// Pixels: as thin as this, a triangle is too coarse for the rasterizer to tell its depth; as near
-// to an outline, two faces that meet there are too near each other for that.
-constexpr double Thin = 0.25;
-constexpr double Fold = 0.004;
-
-// Whether it cannot be told which of two faces that meet at an outline is in front.
-bool MayFold(const EdgeDoubts::Mesh& mesh, const Doubt& d)
-{
-  if (d.Beside < Fold)
-  {
-    return true;
-  }
-  const unsigned int first = d.Edge - d.Edge % 3;
-  const vec2 a = mesh.At(first);
-  const vec2 b = mesh.At(first + 1) - a;
-  const vec2 c = mesh.At(first + 2) - a;
-  const double longest = std::max({ glm::length(b), glm::length(c), glm::length(c - b) });
-  return !(std::abs(b.x * c.y - b.y * c.x) > Thin * longest);
-}
-
 // One edge of two triangles that know each other: the chord is the same for both, so at a sample
 // both are drawn or neither or, side by side, one of them.
 bool AreNeighbours(const EdgeDoubts::Mesh& mesh, const Doubt& a, const Doubt& b)
@@ -144,8 +124,9 @@ bool SettleSample(const Doubt* first, const Doubt* last, const EdgeDoubts::Mesh&
     {
       continue;
     }
-    const bool folds = e->Beside <= e->Width && mesh.IsPlain(e->Edge / 3) && MayFold(mesh, *e);
-    if (folds || MayBeWrong(mesh, *e))
+    // its ray may be as near to the edge as that was rounded by, where it cannot be told which of
+    // the two faces that meet there is in front
+    if (e->Beside <= e->Width)
     {
       changed |= Cover(mesh, *e);
     }
