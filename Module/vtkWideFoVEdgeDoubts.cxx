@@ -60,6 +60,27 @@ bool MayBeWrong(const EdgeDoubts::Mesh& mesh, const Doubt& d)
   return EdgeDoubts::MayBeWrong(d) && mesh.IsPlain(d.Edge / 3);
 }
 
+// Pixels: as thin as this, a triangle is too coarse for the rasterizer to tell its depth. Radians:
+// a ray that is as near to an edge may be beyond it by rounding, twice what one in float32 is
+// turned by and an edge in it moved, and meet the face behind first.
+constexpr double Thin = 0.25;
+constexpr double AtEdge = 1e-6;
+
+// Whether it cannot be told which of two faces that meet at an outline is in front.
+bool MayFold(const EdgeDoubts::Mesh& mesh, const Doubt& d)
+{
+  if (mesh.FromEdge(d) < AtEdge)
+  {
+    return true;
+  }
+  const unsigned int first = d.Edge - d.Edge % 3;
+  const vec2 a = mesh.At(first);
+  const vec2 b = mesh.At(first + 1) - a;
+  const vec2 c = mesh.At(first + 2) - a;
+  const double longest = std::max({ glm::length(b), glm::length(c), glm::length(c - b) });
+  return !(std::abs(b.x * c.y - b.y * c.x) > Thin * longest);
+}
+
 // One edge of two triangles that know each other: the chord is the same for both, so at a sample
 // both are drawn or neither or, side by side, one of them.
 bool AreNeighbours(const EdgeDoubts::Mesh& mesh, const Doubt& a, const Doubt& b)
@@ -124,9 +145,8 @@ bool SettleSample(const Doubt* first, const Doubt* last, const EdgeDoubts::Mesh&
     {
       continue;
     }
-    // its ray may be as near to the edge as that was rounded by, where it cannot be told which of
-    // the two faces that meet there is in front
-    if (e->Beside <= e->Width)
+    const bool folds = e->Beside <= e->Width && mesh.IsPlain(e->Edge / 3) && MayFold(mesh, *e);
+    if (folds || MayBeWrong(mesh, *e))
     {
       changed |= Cover(mesh, *e);
     }

@@ -42,6 +42,7 @@ public:
     std::function<bool(unsigned int edge)> IsOutline;
     std::function<vec2(unsigned int corner)> At;       // of three a triangle: pixels
     std::function<vec2(unsigned int sample)> SampleAt; // pixels
+    std::function<double(const Doubt&)> FromEdge;      // of a sample's ray, radians
     std::function<void(unsigned int triangle)> Cover;  // to be drawn by its edges
     double Tolerance;                                  // pixels
   };

@@ -55,17 +55,18 @@ struct Scene
     return box;
   }
 
-  // Whether a sample is on the triangle's side of an edge, by the edge itself, for one of the eyes.
-  bool IsInside(unsigned int sample, unsigned int edge, int eye) const
+  // Sine of the angle by which the ray of a sample is on the triangle's side of an edge, by the
+  // edge itself, for one of the eyes; below 0 on the other. No number for an edge without length.
+  double GetInside(unsigned int sample, unsigned int edge, int eye) const
   {
     const unsigned int first = edge - edge % 3;
     const vec2 ndc = this->V.Samples.NdcAt(this->V.Samples.SampleAt(sample));
     const vec3 ray = this->V.Map->Unproject(ndc, this->V.View).direction;
     const vec3 start = this->V.Own ? this->V.Own->EyeAt(ray, this->V.GetViewOf(eye)) : vec3(0);
-    const vec3 normal = glm::cross(
-      this->PlaceOf(edge) - start, this->PlaceOf(first + (edge - first + 1) % 3) - start);
+    const vec3 normal = glm::normalize(glm::cross(
+      this->PlaceOf(edge) - start, this->PlaceOf(first + (edge - first + 1) % 3) - start));
     const vec3 third = this->PlaceOf(first + (edge - first + 2) % 3) - start;
-    return glm::dot(normal, ray) * glm::dot(normal, third) > 0;
+    return glm::sign(glm::dot(normal, third)) * glm::dot(normal, ray);
   }
 
   bool IsUnseen(int cluster) const

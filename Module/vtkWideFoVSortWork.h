@@ -268,7 +268,7 @@ private:
       const auto edge = static_cast<unsigned int>(corner + j);
       const auto look = [&](unsigned int sample, double) {
         const bool inside = side(this->V.Samples.SampleAt(sample)) * inner > 0;
-        parts = parts || inside != this->In.IsInside(sample, edge, eye);
+        parts = parts || inside != (this->In.GetInside(sample, edge, eye) > 0);
       };
       this->V.Samples.ForEachNear(from, from + chord, verdict.Widths[j] - verdict.Sure, look);
     }

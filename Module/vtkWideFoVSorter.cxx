@@ -92,6 +92,8 @@ void Sorter::SettleDoubts(
         [&](unsigned int edge) { return IsOutline(this->Sides, neighbours, edge); },
         [&scene, judge](unsigned int corner) { return judge.See(scene.PlaceOf(corner)).At; },
         [&](unsigned int sample) { return view.Samples.SampleAt(sample); },
+        [&scene, i](
+          const EdgeDoubts::Doubt& d) { return std::abs(scene.GetInside(d.Sample, d.Edge, i)); },
         [this](unsigned int triangle) { this->CoverTriangle(triangle); }, view.Tolerance } });
   }
   EdgeDoubts::Settle(eyes);
