@@ -29,7 +29,18 @@ int GetNumberOfFolds()
 }
 const int RandomFolds = GetNumberOfFolds();
 
-// Where they are: so many of them, one in so many pixels from the first row on.
+// Of these: needles whose tip, a hair inside, is behind the back all the same. It is not known of
+// an edge that it is no fold, and a depth buffer's steps are coarser than what lies between.
+constexpr long LostNeedles = 4;
+
+// Of these, with twice a depth buffer's steps of less than what lies between.
+constexpr long LostFlatFolds = 4;
+
+// Of these, half of them wound to show their backs, beside corners: which of the two faces yields
+// is told by the winding where a hair is wider than they are.
+constexpr long LostTurnedFolds = 8;
+
+// Where folds are: so many of them, one in so many pixels from the first row on.
 struct Places
 {
   int Count;
@@ -44,17 +55,6 @@ Places Everywhere(const Shot& shot)
 
 // The top 24 rows of 512 pixels.
 constexpr Places BesideAPole = { 4096, 3 };
-
-// Of these: needles whose tip, a hair inside, is behind the back all the same. It is not known of
-// an edge that it is no fold, and a depth buffer's steps are coarser than what lies between.
-constexpr long LostNeedles = 4;
-
-// Of these, with twice a depth buffer's steps of less than what lies between.
-constexpr long LostFlatFolds = 4;
-
-// Of these, half of them wound to show their backs, beside corners: which of the two faces yields
-// is told by the winding where a hair is wider than they are.
-constexpr long LostTurnedFolds = 8;
 
 using Between = std::function<double(double, double)>;
 
