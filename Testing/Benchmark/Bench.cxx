@@ -134,7 +134,8 @@ using MapPointer = std::shared_ptr<const DirectionMap>;
 std::vector<Record> MeasureScene(
   const BenchScene& scene, const BenchOptions& o, const MapPointer& map)
 {
-  PlanRequest request{ o.Size, o.Quick, o.Methods, o.Turn, o.Projection, o.Tolerance, map };
+  PlanRequest request{ o.Size, o.Quick, o.Methods, o.Turn, o.Projection, o.Tolerance, map,
+    o.Samples };
   const std::vector<Run> plan =
     o.Table1 ? MakeTable1(request, scene.Camera) : MakePlan(request, scene.Camera);
   BenchStage stage(scene, plan);

@@ -37,6 +37,8 @@ void Declare(CLI::App& app, BenchOptions& o)
   group.Size("--size", o.Size, "pixels; with --quick or --table1 1024x512");
   group.Number("--turn", "DEGREES", o.Turn, { -180, 180 },
     "before each frame every camera turns about its up axis; no errors and no floor then; degrees");
+  group.Integer("--samples", o.Samples, 0, 64,
+    "a pixel, of every window; what is compared with the ray caster has one");
   group.Integer("--frames", o.Frames, 1, 10000, "timed frames a run; 0: as many as fit the time");
   group.Name("--data", "FOLDER", o.Data, "where office.binary.vtk is");
   group.Flag("--version", o.Version, "print the version");
@@ -52,6 +54,10 @@ void CheckTable1(const BenchOptions& o)
   if (o.Table1 && o.Sampled)
   {
     widefov::FailUsage("--as-direction-map and --table1 exclude each other; give one");
+  }
+  if (o.Table1 && o.Samples != 0)
+  {
+    widefov::FailUsage("--samples and --table1 exclude each other; give one");
   }
   if (o.Table1 && o.Tolerance != 0)
   {

@@ -23,6 +23,7 @@ struct BenchOptions
   std::string Projection = "equirectangular"; // of the techniques
   bool Sampled = false;                       // that as a direction map
   double Tolerance = 0;                       // of auto and tessellate, pixels; 0: several
+  int Samples = 0;                            // a pixel of the windows; 0: no multisampling
   double Turn = 0;                            // degrees that cameras turn before each frame
   int Frames = 0;   // timed frames a run; 0: as many as fit the time, at least three
   std::string Data; // folder of office.binary.vtk

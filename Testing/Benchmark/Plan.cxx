@@ -79,7 +79,7 @@ public:
     , Camera(camera)
   {
     this->Camera.Size = request.Size;
-    this->Camera.Samples = 0;
+    this->Camera.Samples = request.Samples;
     this->Camera.Tolerance = UsualTolerance;
     this->Camera.ExactPerspective = true;
     SetView(this->Camera, "equirectangular", 360);

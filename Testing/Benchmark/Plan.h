@@ -23,6 +23,7 @@ struct PlanRequest
   std::string Projection = "equirectangular"; // of the techniques, at its widest
   double Tolerance = 0;                       // of auto and tessellate, pixels; 0: several
   std::shared_ptr<const DirectionMap> Map;    // of that projection, drawn in its stead
+  int Samples = 0;                            // a pixel, of every window; 0: no multisampling
 };
 
 std::vector<std::string> MethodNames();

@@ -215,6 +215,25 @@ TEST(BenchSummary, RatiosSayWhich)
   EXPECT_FALSE(json.contains("time exact / floor, room"));
 }
 
+TEST(BenchSamples, PlansHaveThemInEveryRunAndRatiosSayIt)
+{
+  PlanRequest request;
+  request.Quick = true;
+  request.Samples = 4;
+  std::vector<Record> records;
+  for (const BenchRun& run : MakePlan(request, widefov::Options()))
+  {
+    EXPECT_EQ(run.Options.Samples, 4) << NameOf(run);
+    Record record;
+    record.Scene = "room";
+    record.Run = run;
+    record.Milliseconds = { 10 };
+    records.push_back(record);
+  }
+  const Json json = Summarize(records);
+  EXPECT_TRUE(json.contains("time auto_0.25 / cubemap_652 with 4 samples, room")) << json.dump(1);
+}
+
 TEST(BenchTurn, PlansTurnEveryRunButHaveNoFloor)
 {
   PlanRequest request;

@@ -62,7 +62,9 @@ public:
     const std::optional<double> bottom = y ? MedianOf(*y) : std::nullopt;
     if (top && bottom)
     {
-      const std::string moving = x->Run.Turn != 0 ? " while turning" : "";
+      const int samples = x->Run.Options.Samples;
+      const std::string moving = (x->Run.Turn != 0 ? " while turning" : "") +
+        (samples > 1 ? " with " + std::to_string(samples) + " samples" : std::string());
       json["time " + a + " / " + b + moving + ", " + x->Scene] = *top / *bottom;
     }
   }
@@ -165,8 +167,10 @@ void AddTable1(Json& json, const std::vector<Record>& records)
 Json Summarize(const std::vector<Record>& records)
 {
   std::vector<std::pair<std::string, Group>> groups;
-  const bool table1 = std::any_of(
-    records.begin(), records.end(), [](const Record& r) { return r.Run.Options.Samples > 1; });
+  // that table alone has rows without samples and with them
+  const bool table1 = std::any_of(records.begin(), records.end(), [&records](const Record& r) {
+    return r.Run.Options.Samples != records.front().Run.Options.Samples;
+  });
   for (const Record& r : records)
   {
     if (groups.empty() || groups.back().first != KeyOf(r))
