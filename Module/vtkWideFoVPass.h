@@ -159,7 +159,7 @@ public:
   ///@{
   /**
    * Draw opaque triangles for both eyes at once, while VTK's window draws the left one (default
-   * AUTOMATIC), and show the right one what is its own when its turn comes; what else there is is
+   * NEVER: no driver is known that it is faster on), and show the right one what is its own when its turn comes; what else there is is
    * drawn in each eye's turn. The picture is the same, to the bit. That can be for the stereo
    * models whose eyes differ by their side alone, for every stereo type that shows both eyes, in a
    * renderer that erases its background and has no delegate pass here.
@@ -268,7 +268,7 @@ protected:
   vtkTypeBool SortWhileMoving = 0;
   vtkTypeBool KeepUpdateRate = 0;
   int Relaxation = 0;
-  int EyesAtOnce = AUTOMATIC;
+  int EyesAtOnce = NEVER;
   int NumberOfSharedProps = 0;
   int NumberOfFarProps = 0;
   int NumberOfDrawnProps = 0;

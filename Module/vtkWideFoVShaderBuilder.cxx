@@ -7,6 +7,7 @@
 #include "vtkWideFoVPointShaders.h"
 #include "vtkWideFoVQuadricShaders.h"
 #include "vtkWideFoVShaderText.h"
+#include "vtkWideFoVTriangleOutputs.h"
 #include "vtkWideFoVWholeText.h"
 
 #include <regex>
@@ -83,8 +84,8 @@ const char* const Doubles = "#extension GL_ARB_gpu_shader_fp64 : enable\n"
 // For gl_SampleMask; without it a covered pixel is covered whole.
 const char* const SampleMasks = "#extension GL_ARB_sample_shading : enable\n";
 
-// For a stage that is run once an eye; and for a vertex stage that says for which one a vertex is,
-// without it there is one alone.
+// For a stage that is invoked several times for a triangle; and for a vertex stage that says for
+// which one a vertex is, without it there is one alone.
 const char* const Invocations = "#extension GL_ARB_gpu_shader5 : enable\n";
 const char* const Layers = "#extension GL_ARB_shader_viewport_layer_array : enable\n";
 
@@ -107,8 +108,8 @@ std::string PrimitiveSource(const Request& r, const std::vector<Varying>& varyin
   }
   // copies of every vertex output at the three corners, which the fragment stage weighs:
   // exact wherever the geometry stage cuts
-  return CornerOutputs(varyings, 3, KnownOf(r)) + (r.BothEyes ? both_eyes_glsl : "") +
-    preclip_emit_glsl + preclip_planes_glsl +
+  return InvocationsSource(r, varyings, KnownOf(r)) + CornerOutputs(varyings, 3, KnownOf(r)) +
+    (r.BothEyes ? both_eyes_glsl : "") + preclip_emit_glsl + preclip_planes_glsl +
     (OwnRays(r)     ? own_rays_glsl
         : Warped(r) ? warped_cover_glsl
                     : "") +
@@ -123,7 +124,7 @@ std::string GeometrySource(
   const Request& r, const std::vector<Varying>& varyings, const std::string& toView)
 {
   std::string source = std::string("//VTK::System::Dec\n") + (CoversTriangles(r) ? Doubles : "") +
-    (r.BothEyes || r.Runs > 1 ? Invocations : "") + Define("WFV_MODEL", !toView.empty()) +
+    (CoversTriangles(r) ? Invocations : "") + Define("WFV_MODEL", !toView.empty()) +
     "#define WFV_TO_VIEW " + toView + "\n" + ViewSource(r) +
     (r.Kind == Primitive::Points ? "" : preclip_glsl) + (r.DebugView ? debug_kinds_glsl : "") +
     PrimitiveSource(r, varyings);

@@ -106,7 +106,7 @@ void wfvEmitColumns(vec2 lambda, int columns, bool front)
   int all = columns * WFV_RUNS;
   int first = 0;
 #if WFV_RUNS > 1
-  first = columns * gl_InvocationID;
+  first = columns * WFV_RUN;
   wfvMute = false;
 #endif
   int last = first + columns;

@@ -8,20 +8,12 @@
 //                 bends more than the tolerance: a shape that surely contains its
 //                 picture, and the fragment stage decides by the pixel's ray.
 
-#ifndef GL_ARB_gpu_shader5
-#undef WFV_RUNS
-#define WFV_RUNS 1
-#endif
-#if WFV_RUNS > 1
-layout(triangles, invocations = WFV_RUNS) in;
-#elif !WFV_BOTH_EYES
-layout(triangles) in; // else both_eyes.glsl
-#endif
-#if WFV_CALM
-layout(triangle_strip, max_vertices = 4) out;
+#if WFV_INVOCATIONS > 1
+layout(triangles, invocations = WFV_INVOCATIONS) in;
 #else
-layout(triangle_strip, max_vertices = 14) out;
+layout(triangles) in;
 #endif
+layout(triangle_strip, max_vertices = WFV_PART_VERTICES) out;
 
 #if WFV_WHOLE && defined(GL_ARB_gpu_shader_fp64)
 #define WFV_DOUBLES 1
@@ -190,7 +182,7 @@ void wfvEmitVertex(vec4 position, vec3 bary)
   }
   gl_Position = position;
 #if WFV_BOTH_EYES
-  gl_Layer = gl_InvocationID;
+  gl_Layer = WFV_RUN;
 #endif
 #if !WFV_EXACT
   wfvBary = bary;

@@ -174,7 +174,7 @@ void wfvReadCorners()
   wfvReadFolds();
 #endif
 #if WFV_RUNS > 1
-  wfvMute = gl_InvocationID > 0;
+  wfvMute = WFV_RUN > 0;
 #endif
   for (int i = 0; i < 3; i++)
   {

@@ -27,6 +27,10 @@ STAGES = {
     "geometry": "geom",
     "fragment": "frag",
 }
+# What OpenGL lets an invocation of a geometry stage write at least; drivers of NVIDIA link no more.
+MOST_COMPONENTS = 1024
+BUILT_IN = {"gl_Position": 4, "gl_PrimitiveID": 1, "gl_Layer": 1, "gl_PointSize": 1}
+
 HEADING = re.compile(r"^\[(" + "|".join(STAGES) + r") shader\]\n", re.MULTILINE)
 
 # Under every technique; the others under two, which have all formulas in all stages.
@@ -60,12 +64,48 @@ def read_stages(path):
     return [(STAGES[name], source) for name, source in zip(parts[1::2], parts[2::2])]
 
 
+def preprocessed(stage, source):
+    """The source without what its conditions leave out."""
+    with tempfile.NamedTemporaryFile("w", suffix="." + stage, encoding="utf-8") as stream:
+        stream.write(source)
+        stream.flush()
+        done = subprocess.run(
+            ["glslangValidator", "-E", stream.name], capture_output=True, text=True, check=True
+        )
+    return done.stdout
+
+
+def components_of(kind):
+    """Of an output of that type; doubles count twice."""
+    matrix = re.fullmatch(r"mat(\d)", kind)
+    if matrix:
+        return int(matrix[1]) ** 2
+    vector = re.search(r"vec(\d)$", kind)
+    return (int(vector[1]) if vector else 1) * (2 if kind.startswith("d") else 1)
+
+
+def written_components(source):
+    """What one invocation of a geometry stage may write: all outputs of all its vertices."""
+    text = preprocessed("geom", source)
+    vertices = max(int(n) for n in re.findall(r"max_vertices\s*=\s*(\d+)", text))
+    outputs = re.findall(r"\bout\s+(\w+)\s+\w+\s*;", text)
+    built_in = sum(n for name, n in BUILT_IN.items() if re.search(name + r"\s*=", text))
+    return vertices * (built_in + sum(components_of(kind) for kind in outputs))
+
+
 def compile_program(stages):
     """What is wrong with it, or nothing."""
+    for stage, source in stages:
+        written = written_components(source) if stage == "geom" else 0
+        if written > MOST_COMPONENTS:
+            return "a geometry stage writes %d components" % written
     with tempfile.TemporaryDirectory(prefix="shaders-") as folder:
         files = []
         for stage, source in stages:
             files.append(os.path.join(folder, "program." + stage))
+            if "gl_InvocationID" in source:
+                # glslangValidator does not know it of the extension GL_ARB_gpu_shader5
+                source = source.replace("#version 150", "#version 400", 1)
             with open(files[-1], "w", encoding="utf-8") as stream:
                 stream.write(source)
         # Version 12.0 cannot link what tessellates: of arrays that are "patch" it says that their
@@ -149,6 +189,18 @@ class ShadersTest(unittest.TestCase):
         """Balls, sticks, tubes and splats, by the test of their mappers."""
         for suite in ("CompareQuadrics", "CompareStereoQuadrics"):
             self.check([COMPARE, "--gtest_filter=All/%s.*/equirectangular" % suite])
+
+    def test_too_much_output(self):
+        """A geometry stage that NVIDIA's driver does not link is told."""
+        source = (
+            "#version 150\nlayout(points) in;\nlayout(points, max_vertices = %d) out;\n"
+            "out mat4 a;\nflat out int b;\n"
+            "void main() { a = mat4(1.0); b = 1; gl_Position = vec4(0.0); EmitVertex(); }\n"
+        )
+        vertex = "#version 150\nvoid main() { gl_Position = vec4(0.0); }\n"
+        self.assertEqual(compile_program([("vert", vertex), ("geom", source % 48)]), "")
+        told = compile_program([("vert", vertex), ("geom", source % 49)])
+        self.assertIn("1029 components", told)
 
     def test_a_wrong_program(self):
         """The compiler is strict: it refuses what Mesa lets pass."""
