@@ -59,7 +59,7 @@ vtkSmartPointer<vtkPolyData> WithAttributes(vtkPolyData* mesh)
     const vec3 n = glm::normalize(glm::normalize(vec3(p[0], p[1], p[2])) +
       0.3 * vec3(unit(engine), unit(engine), unit(engine)));
     normals->InsertNextTuple3(n.x, n.y, n.z);
-    // between the centres of a texture's two texels
+    // where the texture is a ramp
     places->InsertNextTuple2(0.5 + 0.25 * unit(engine), 0.5 + 0.25 * unit(engine));
   }
   auto copy = vtkSmartPointer<vtkPolyData>::New();
@@ -70,17 +70,21 @@ vtkSmartPointer<vtkPolyData> WithAttributes(vtkPolyData* mesh)
   return copy;
 }
 
-// Of 2 x 2 texels: red and green are 0 to 1 between their centres.
+// Red and green are 0 to 1 over the middle half of the texture. Graphics hardware tells apart 256
+// places between the centres of two texels, which are this many.
+constexpr int RampTexels = 128;
+
 vtkSmartPointer<vtkTexture> Ramp()
 {
   vtkNew<vtkImageData> image;
-  image->SetDimensions(2, 2, 1);
+  image->SetDimensions(RampTexels, RampTexels, 1);
   image->AllocateScalars(VTK_FLOAT, 3);
-  for (int i = 0; i < 4; i++)
+  const auto valueOf = [](int i) { return float(2 * (i + 0.5) / RampTexels - 0.5); };
+  for (int i = 0; i < RampTexels * RampTexels; i++)
   {
-    auto* texel = static_cast<float*>(image->GetScalarPointer(i % 2, i / 2, 0));
-    texel[0] = float(i % 2);
-    texel[1] = float(i / 2);
+    auto* texel = static_cast<float*>(image->GetScalarPointer(i % RampTexels, i / RampTexels, 0));
+    texel[0] = valueOf(i % RampTexels);
+    texel[1] = valueOf(i / RampTexels);
     texel[2] = 0;
   }
   auto texture = vtkSmartPointer<vtkTexture>::New();
