@@ -98,6 +98,19 @@ public:
 
   ///@{
   /**
+   * vtkCamera's words for the field of view. The view angle is the vertical field of view, degrees;
+   * the horizontal one of round projections, or where UseHorizontalViewAngle says so. To set it
+   * changes both fields by one factor (of a perspective: the sides of the picture), and to zoom
+   * divides it. These are not virtual in vtkCamera: what is set through a pointer to vtkCamera
+   * changes nothing, with one warning.
+   */
+  void SetViewAngle(double degrees);
+  double GetViewAngle();
+  void Zoom(double factor);
+  ///@}
+
+  ///@{
+  /**
    * How far the axis of the projection is raised from the direction of view towards view up, in
    * degrees (default 0; 90 puts the zenith at the centre of a dome picture and the direction of
    * view at its bottom). Clamped to [-180, 180].
@@ -206,6 +219,8 @@ public:
    */
   virtual void SetInterpupillaryDistance(double distance);
   virtual double GetInterpupillaryDistance();
+  void SetEyeSeparation(double distance) override; ///< vtkCamera's word for it
+  double GetEyeSeparation() override;
   ///@}
 
   ///@{
@@ -377,6 +392,9 @@ protected:
 
   void GetFrustumPlanesOfBoth(double aspect, double planes[24]);
   void FindEye(vtkRenderer* renderer);
+
+  // One warning a process for each property of vtkCamera that is set and that no view has.
+  void WarnOfWhatIsIgnored();
 
   // What of a perspective the window shows, where it is a tile.
   void FindPart(vtkRenderer* renderer);

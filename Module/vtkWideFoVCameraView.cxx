@@ -177,6 +177,7 @@ void vtkWideFoVCamera::PrepareFrame(vtkRenderer* renderer)
   {
     return;
   }
+  this->WarnOfWhatIsIgnored();
   this->FindEye(renderer);
   this->FindPart(renderer);
   if (this->AutomaticClipRadii)

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Setters clamp and warn as VTK's do, and refuse what cannot be.
 #include "vtkCommand.h"
+#include "vtkRenderer.h"
 #include "vtkTestErrorObserver.h"
+#include "vtkTransform.h"
 #include "vtkWideFoVCamera.h"
 #include "vtkWideFoVScreenCamera.h"
 
@@ -198,4 +200,95 @@ TEST(Camera, PrintsWithoutFailing)
   std::ostringstream text;
   c.Object->Print(text);
   EXPECT_NE(text.str().find("Projection: equirectangular"), std::string::npos);
+}
+
+TEST(Camera, ViewAngleAndZoomChangeBothFields)
+{
+  Camera c;
+  EXPECT_EQ(c.Object->GetViewAngle(), 180);
+  c.Object->SetViewAngle(90);
+  EXPECT_EQ(c.Object->GetVerticalFieldOfView(), 90);
+  EXPECT_EQ(c.Object->GetHorizontalFieldOfView(), 180);
+  c.Object->Zoom(3);
+  EXPECT_EQ(c.Object->GetVerticalFieldOfView(), 30);
+  EXPECT_EQ(c.Object->GetHorizontalFieldOfView(), 60);
+  c.Object->Zoom(0);
+  EXPECT_EQ(c.Object->GetViewAngle(), 30);
+  c.Object->UseHorizontalViewAngleOn();
+  EXPECT_EQ(c.Object->GetViewAngle(), 60);
+  c.Object->SetProjectionToAzimuthalEquidistant();
+  c.Object->SetFieldOfView(180);
+  c.Object->UseHorizontalViewAngleOff();
+  c.Object->Zoom(2);
+  EXPECT_EQ(c.Object->GetHorizontalFieldOfView(), 90);
+  EXPECT_FALSE(c.Messages->GetWarning());
+  c.Object->SetViewAngle(1000);
+  EXPECT_TRUE(c.Messages->GetWarning());
+  EXPECT_EQ(c.Object->GetViewAngle(), 360);
+}
+
+TEST(Camera, ZoomOfAPerspectiveKeepsTheSidesOfThePicture)
+{
+  Camera c;
+  c.Object->SetProjectionToPerspective();
+  c.Object->SetHorizontalFieldOfView(120);
+  c.Object->SetVerticalFieldOfView(90);
+  const double degree = std::acos(-1.0) / 180;
+  const auto sides = [&] {
+    return std::tan(0.5 * degree * c.Object->GetHorizontalFieldOfView()) /
+      std::tan(0.5 * degree * c.Object->GetVerticalFieldOfView());
+  };
+  const double before = sides();
+  c.Object->Zoom(2);
+  EXPECT_NEAR(c.Object->GetViewAngle(), 45, 1e-12);
+  EXPECT_NEAR(sides(), before, 1e-12);
+}
+
+TEST(Camera, EyeSeparationIsTheInterpupillaryDistance)
+{
+  Camera c;
+  vtkCamera* const stock = c.Object;
+  stock->SetEyeSeparation(0.2);
+  EXPECT_EQ(c.Object->GetInterpupillaryDistance(), 0.2);
+  EXPECT_EQ(stock->GetEyeSeparation(), 0.2);
+}
+
+// What vtkCamera has and no wide view: one warning each, with its name, and the same view.
+TEST(Camera, SaysWhatItIgnores)
+{
+  struct Call
+  {
+    const char* Name;
+    void (*Make)(vtkCamera*);
+  };
+  const Call calls[] = {
+    { "ViewAngle", [](vtkCamera* c) { c->Zoom(2); } },
+    { "ParallelProjection", [](vtkCamera* c) { c->ParallelProjectionOn(); } },
+    { "UserTransform",
+      [](vtkCamera* c) {
+        vtkNew<vtkTransform> t;
+        c->SetUserTransform(t);
+      } },
+    { "WindowCenter", [](vtkCamera* c) { c->SetWindowCenter(0.5, 0); } },
+    { "ViewShear", [](vtkCamera* c) { c->SetObliqueAngles(30, 45); } },
+    { "UseOffAxisProjection", [](vtkCamera* c) { c->UseOffAxisProjectionOn(); } },
+    { "ExplicitProjectionTransformMatrix",
+      [](vtkCamera* c) { c->SetUseExplicitProjectionTransformMatrix(true); } },
+    { "EyeAngle", [](vtkCamera* c) { c->SetEyeAngle(5); } },
+  };
+  for (const Call& call : calls)
+  {
+    Camera c;
+    vtkNew<vtkRenderer> renderer;
+    renderer->SetActiveCamera(c.Object);
+    c.Object->PrepareFrame(renderer);
+    ASSERT_FALSE(c.Messages->GetWarning()) << call.Name << ": " << c.Messages->GetWarningMessage();
+    call.Make(c.Object);
+    c.Object->PrepareFrame(renderer);
+    EXPECT_NE(c.Messages->GetWarningMessage().find(call.Name), std::string::npos) << call.Name;
+    EXPECT_EQ(c.Object->GetHorizontalFieldOfView(), 360);
+    c.Messages->Clear();
+    c.Object->PrepareFrame(renderer);
+    EXPECT_FALSE(c.Messages->GetWarning()) << call.Name;
+  }
 }

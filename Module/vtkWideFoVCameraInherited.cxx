@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWideFoVCamera: what vtkCamera offers for a perspective, as a wide view understands it.
+#include "vtkWideFoVCamera.h"
+
+#include "vtkWideFoVCameraInternals.h"
+
+#include "vtkMath.h"
+
+#include <cmath>
+#include <set>
+#include <string>
+
+namespace
+{
+// vtkCamera's own, which a wide view leaves alone: GetViewAngle here tells the view's.
+constexpr double StockViewAngle = 30;
+constexpr double StockEyeAngle = 2;
+
+// Once a process: screenshots draw with cameras of their own.
+void WarnOnce(vtkObject* self, const std::string& name, const std::string& instead)
+{
+  static std::set<std::string> told;
+  if (told.insert(name).second)
+  {
+    vtkWarningWithObjectMacro(
+      self, << "vtkCamera's " << name << " has no meaning in this view and is ignored" << instead);
+  }
+}
+}
+
+double vtkWideFoVCamera::GetViewAngle()
+{
+  const bool across =
+    this->UseHorizontalViewAngle || this->Definition->Axis == wfv::Family::Azimuthal;
+  return across ? this->GetHorizontalFieldOfView() : this->GetVerticalFieldOfView();
+}
+
+void vtkWideFoVCamera::SetViewAngle(double degrees)
+{
+  const double now = this->GetViewAngle();
+  const double h = this->GetHorizontalFieldOfView();
+  const double v = this->GetVerticalFieldOfView();
+  if (this->Definition->Axis == wfv::Family::Planar)
+  {
+    // the sides of the picture keep their proportion, as with vtkCamera
+    const auto half = [](double angle) {
+      return std::tan(vtkMath::RadiansFromDegrees(0.5 * angle));
+    };
+    const auto scaled = [&](double angle) {
+      const double t = half(angle) * half(degrees) / half(now);
+      return 2 * vtkMath::DegreesFromRadians(std::atan(t));
+    };
+    const double wide = degrees < 180 ? scaled(h) : degrees;
+    const double high = degrees < 180 ? scaled(v) : degrees;
+    this->SetHorizontalFieldOfView(wide);
+    this->SetVerticalFieldOfView(high);
+    return;
+  }
+  this->SetHorizontalFieldOfView(h * degrees / now);
+  this->SetVerticalFieldOfView(v * degrees / now);
+}
+
+void vtkWideFoVCamera::Zoom(double factor)
+{
+  if (factor > 0)
+  {
+    this->SetViewAngle(this->GetViewAngle() / factor);
+  }
+}
+
+void vtkWideFoVCamera::SetEyeSeparation(double distance)
+{
+  this->SetInterpupillaryDistance(distance);
+}
+
+double vtkWideFoVCamera::GetEyeSeparation()
+{
+  return this->GetInterpupillaryDistance();
+}
+
+void vtkWideFoVCamera::WarnOfWhatIsIgnored()
+{
+  const auto check = [this](bool set, const char* name, const char* instead) {
+    if (set)
+    {
+      WarnOnce(this, name, instead);
+    }
+  };
+  check(this->ViewAngle != StockViewAngle, "ViewAngle, set by a pointer to vtkCamera,",
+    "; call SetViewAngle or Zoom of vtkWideFoVCamera");
+  check(this->ParallelProjection != 0, "ParallelProjection", "");
+  check(this->UserTransform != nullptr, "UserTransform", "; SetUserViewTransform works");
+  check(this->WindowCenter[0] != 0 || this->WindowCenter[1] != 0, "WindowCenter", "");
+  check(this->ViewShear[0] != 0 || this->ViewShear[1] != 0, "ViewShear (or ObliqueAngles)", "");
+  check(this->UseOffAxisProjection != 0, "UseOffAxisProjection",
+    "; vtkWideFoVScreenCamera sees through a screen");
+  check(this->UseExplicitProjectionTransformMatrix, "ExplicitProjectionTransformMatrix", "");
+  check(this->EyeAngle != StockEyeAngle, "EyeAngle", "; see SetStereoModel");
+}
