@@ -159,10 +159,11 @@ public:
   ///@{
   /**
    * Draw opaque triangles for both eyes at once, while VTK's window draws the left one (default
-   * NEVER: no driver is known that it is faster on), and show the right one what is its own when its turn comes; what else there is is
-   * drawn in each eye's turn. The picture is the same, to the bit. That can be for the stereo
-   * models whose eyes differ by their side alone, for every stereo type that shows both eyes, in a
-   * renderer that erases its background and has no delegate pass here.
+   * NEVER: no driver is known that it is faster on), and show the right one what is its own when
+   * its turn comes; what else there is is drawn in each eye's turn. The picture is the same, to the
+   * bit. That can be for the stereo models whose eyes differ by their side alone, for every stereo
+   * type that shows both eyes, in a renderer that erases its background and has no delegate pass
+   * here.
    */
   vtkSetClampMacro(EyesAtOnce, int, AUTOMATIC, NEVER);
   vtkGetMacro(EyesAtOnce, int);
