@@ -20,6 +20,7 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkShader.h"
 #include "vtkShaderProgram.h"
 #include "vtkWideFoVGl.h"
 
@@ -101,7 +102,9 @@ void vtkWideFoVPolyDataMapper::SetCustomUniforms(vtkOpenGLHelper& cellBO, vtkAct
     !vtkWideFoVTessellation::IsIn(cellBO.Program))
   {
     const vtkWideFoVShaderBuilder::Request request = stage->MakeRequest(this, actor);
-    if (request.Stage == vtkWideFoVShaderBuilder::Variant::Tessellate)
+    // (one that draws nothing has no geometry stage)
+    if (request.Stage == vtkWideFoVShaderBuilder::Variant::Tessellate &&
+      !cellBO.Program->GetGeometryShader()->GetSource().empty())
     {
       const std::string log = vtkWideFoVTessellation::AddTo(cellBO.Program, request);
       if (!log.empty())

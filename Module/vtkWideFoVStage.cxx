@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVStage.h"
 
+#include "Compat/vtkWideFoVStockText.h"
 #include "vtkWideFoVCamera.h"
 #include "vtkWideFoVCompositeHelper.h"
 #include "vtkWideFoVDirectionTextures.h"
@@ -71,6 +72,7 @@ public:
       request.Edges && type == PrimitiveTris && !(mapper->*(&MapperAccess::EdgeValues)).empty();
     request.Kind = wfv::quadric::KindOf(mapper, actor, request.Kind);
     request.Surface = DescribeMaterial(mapper, renderer, actor, buffer);
+    request.Stock = wfv::stock::Describe(mapper, actor);
   }
 
 private:
@@ -282,6 +284,10 @@ bool vtkWideFoVStage::PostReplaceShaderValues(std::string& vertexShader,
   std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper,
   vtkProp* prop)
 {
+  if (wfv::stock::DrawsNothing(fragmentShader))
+  {
+    return true;
+  }
   vtkWideFoVShaderBuilder::Request request = this->MakeRequest(mapper, prop);
   const bool triangles = request.Kind == vtkWideFoVShaderBuilder::Primitive::Triangles;
   const bool sorts = triangles &&
@@ -309,5 +315,7 @@ bool vtkWideFoVStage::PostReplaceShaderValues(std::string& vertexShader,
   vertexShader = made.Vertex;
   geometryShader = made.Geometry;
   fragmentShader = made.Fragment;
+  vtkObject* const reports = this->Renderer ? static_cast<vtkObject*>(this->Renderer) : this;
+  wfv::stock::LeaveOutUnedited(reports, mapper, vertexShader, geometryShader, fragmentShader);
   return true;
 }
