@@ -19,11 +19,14 @@
 
 #include "vtkOpenGLCamera.h"
 #include "vtkRenderingWideFoVModule.h" // For export macro
+#include "vtkWideFoVAbi.h"             // For VTK_ABI_NAMESPACE_BEGIN
 
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace wfv
 {
@@ -35,6 +38,7 @@ struct StereoOptions;
 struct ViewRay;
 }
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKRENDERINGWIDEFOV_EXPORT vtkWideFoVCamera : public vtkOpenGLCamera
 {
 public:
@@ -394,5 +398,6 @@ private:
   std::unique_ptr<Internals> Internal;
   const wfv::Projection* Definition;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -27,8 +27,9 @@
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
 #include "vtkWeakPointer.h"
-#include "vtk_glew.h"
+#include "vtkWideFoVGl.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>

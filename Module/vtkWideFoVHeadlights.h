@@ -3,11 +3,14 @@
 #ifndef vtkWideFoVHeadlights_h
 #define vtkWideFoVHeadlights_h
 
+#include "vtkWideFoVAbi.h"
 #include "vtkOpenGLRenderPass.h"
 
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkRenderer;
+VTK_ABI_NAMESPACE_END
 
 namespace wfv
 {
@@ -15,6 +18,7 @@ namespace wfv
 int FindHeadlights(vtkRenderer* renderer);
 }
 
+VTK_ABI_NAMESPACE_BEGIN
 // Sits in the props' keys while they are drawn. Stock VTK takes a headlight for parallel to the
 // view axis; on screens at angles to each other it would have a step where they meet.
 class vtkWideFoVHeadlights : public vtkOpenGLRenderPass
@@ -46,5 +50,6 @@ private:
 
   int Lights = 0;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -4,7 +4,7 @@
 
 #include "vtkActor.h"
 #include "vtkBillboardTextActor3D.h"
-#include "vtkCompositePolyDataMapper2.h"
+#include "vtkWideFoVCompositeMapper.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
@@ -59,7 +59,7 @@ void AddBlocks(vtkRenderer* renderer, bool composite)
   }
   if (composite)
   {
-    vtkNew<vtkCompositePolyDataMapper2> mapper;
+    vtkNew<vtkWideFoVCompositeMapper> mapper;
     mapper->SetInputDataObject(blocks);
     renderer->AddActor(MakeActor(mapper));
   }

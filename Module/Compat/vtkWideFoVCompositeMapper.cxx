@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWideFoVCompositeMapper.h"
+
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
+#include "vtkWideFoVCompositeHelper.h"
+#endif
+
+#include "vtkMapper.h"
+
+#include <cstring>
+
+namespace
+{
+bool Is(vtkObjectBase* object, const char* name)
+{
+  return std::strcmp(object->GetClassName(), name) == 0;
+}
+}
+
+namespace wfv
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+void SortBlocksOf(vtkMapper*, vtkWindow*) {}
+
+bool SortsBlocks(vtkObjectBase*)
+{
+  return false;
+}
+
+bool IsStockComposite(vtkObjectBase* mapper)
+{
+  return Is(mapper, "vtkCompositePolyDataMapper");
+}
+
+bool DrawsBlocks(vtkObjectBase* mapper)
+{
+  return Is(mapper, "vtkOpenGLBatchedPolyDataMapper");
+}
+#else
+void SortBlocksOf(vtkMapper* mapper, vtkWindow* window)
+{
+  vtkWideFoVCompositeHelper::GiveTo(mapper, window);
+}
+
+bool SortsBlocks(vtkObjectBase* mapper)
+{
+  return vtkWideFoVCompositeHelper::SafeDownCast(mapper) != nullptr;
+}
+
+bool IsStockComposite(vtkObjectBase* mapper)
+{
+  return Is(mapper, "vtkCompositePolyDataMapper2");
+}
+
+bool DrawsBlocks(vtkObjectBase* mapper)
+{
+  return Is(mapper, "vtkCompositeMapperHelper2") || Is(mapper, "vtkWideFoVCompositeHelper");
+}
+#endif
+}
