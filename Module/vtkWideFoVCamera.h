@@ -3,15 +3,13 @@
  * @class   vtkWideFoVCamera
  * @brief   a camera whose projection may be non-planar, up to 360 degrees
  *
- * Position, focal point and view up are those of vtkCamera; what differs is how
- * view coordinates (x right, y up, looking down -z) become a picture. The camera
- * only describes the view: vtkWideFoVPass (any stock mapper) or
- * vtkWideFoVPolyDataMapper draw with it.
+ * Position, focal point and view up are those of vtkCamera; what differs is how view coordinates
+ * (x right, y up, looking down -z) become a picture. The camera only describes the view:
+ * vtkWideFoVPass (any stock mapper) or vtkWideFoVPolyDataMapper draw with it.
  *
- * With the projection "perspective" it is an ordinary perspective camera with a
- * horizontal and a vertical field of view, and every stock part of VTK serves it.
- *
- * All angles are in degrees, all distances in scene units.
+ * With the projection "perspective" it is an ordinary perspective camera with a horizontal and a
+ * vertical field of view, and every stock part of VTK serves it. All angles are in degrees, all
+ * distances in scene units.
  */
 
 #ifndef vtkWideFoVCamera_h
@@ -24,10 +22,6 @@
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
 
-VTK_ABI_NAMESPACE_BEGIN
-class vtkImageData;
-VTK_ABI_NAMESPACE_END
-
 namespace wfv
 {
 class DirectionMap;
@@ -39,6 +33,8 @@ struct ViewRay;
 }
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkImageData;
+
 class VTKRENDERINGWIDEFOV_EXPORT vtkWideFoVCamera : public vtkOpenGLCamera
 {
 public:

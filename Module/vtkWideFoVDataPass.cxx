@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVDataPass.h"
 
-#include "vtkWideFoVCamera.h"
 #include "WideFoVGlsl.h"
+#include "vtkWideFoVCamera.h"
+#include "vtkWideFoVGl.h"
 #include "vtkWideFoVQuadricShaders.h"
 #include "vtkWideFoVShaderBuilder.h"
 
@@ -27,7 +28,6 @@
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
 #include "vtkWeakPointer.h"
-#include "vtkWideFoVGl.h"
 
 #include <algorithm>
 #include <cmath>
