@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVDataPass.h"
 
-#include "WideFoVGlsl.h"
+#include "Compat/vtkWideFoVStockText.h"
 #include "vtkWideFoVCamera.h"
+#include "vtkWideFoVDataShaders.h"
 #include "vtkWideFoVGl.h"
-#include "vtkWideFoVQuadricShaders.h"
-#include "vtkWideFoVShaderBuilder.h"
 
 #include "vtkActor.h"
 #include "vtkFloatArray.h"
@@ -322,47 +321,27 @@ void vtkWideFoVDataPass::Render(const vtkRenderState* s)
 }
 
 bool vtkWideFoVDataPass::PreReplaceShaderValues(std::string&, std::string& geometryShader,
-  std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
+  std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop)
 {
-  // stock geometry stages (surface edges, wide lines) would drop our output; without
-  // them the surface is drawn without its edges
-  if (this->Internal->Wide || !wfv::quadric::MakesImposters(geometryShader))
-  {
-    geometryShader.clear();
-  }
-  if (!this->Internal->Wide)
-  {
-    vtkShaderProgram::Substitute(fragmentShader, "//VTK::Edges::Dec", "");
-    vtkShaderProgram::Substitute(fragmentShader, "//VTK::Edges::Impl", "");
-  }
+  wfv::data::Prepare(
+    wfv::stock::Describe(mapper, prop), this->Internal->Wide, geometryShader, fragmentShader);
   return true;
 }
 
 bool vtkWideFoVDataPass::PostReplaceShaderValues(std::string& vertexShader,
-  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper,
+  vtkProp* prop)
 {
-  if (wfv::quadric::MakesImposters(geometryShader))
+  if (wfv::stock::DrawsNothing(fragmentShader))
   {
-    vtkWideFoVShaderBuilder::Declare(geometryShader, data_geometry_glsl);
+    return true;
   }
-  else
+  wfv::data::Finish(wfv::stock::Describe(mapper, prop), this->Internal->Wide, vertexShader,
+    geometryShader, fragmentShader);
+  if (wfv::stock::ReportMissing(this, mapper, vertexShader, geometryShader, fragmentShader))
   {
-    vtkWideFoVShaderBuilder::WrapMain(vertexShader, "", "  wfvKeepPosition();\n");
-    vtkWideFoVShaderBuilder::Declare(vertexShader, data_vertex_glsl);
+    wfv::stock::DrawNothing(vertexShader, geometryShader, fragmentShader);
   }
-  vtkWideFoVShaderBuilder::Declare(fragmentShader,
-    (this->Internal->Wide ? "" : std::string(data_perspective_glsl)) + data_fragment_glsl);
-  const bool lit = fragmentShader.find("vec3 normalVCVSOutput =") != std::string::npos;
-  const std::string normal = lit ? "wfvDataNormal(normalVCVSOutput)" : "wfvFlatNormal()";
-  // balls and sticks work their surface out; elsewhere it is what is interpolated
-  const bool ball = fragmentShader.find("centerVCVSOutput") != std::string::npos;
-  const std::string position = ball ? "vertexVC.xyz" : "WFV_PLACE";
-  vtkShaderProgram::Substitute(fragmentShader, "//VTK::DepthPeeling::Impl",
-    "  gl_FragData[1] = wfvData(" + position +
-      ", gl_PrimitiveID + PrimitiveIDOffset);\n"
-      "  gl_FragData[2] = vec4(" +
-      normal + ", 1.0);\n  //VTK::DepthPeeling::Impl\n",
-    false);
   return true;
 }
 

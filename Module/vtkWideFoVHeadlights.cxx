@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVHeadlights.h"
 
+#include "Compat/vtkWideFoVStockText.h"
 #include "WideFoVGlsl.h"
 #include "vtkWideFoVShaderBuilder.h"
-#include "vtkWideFoVShaderText.h"
 
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
@@ -11,8 +11,6 @@
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
-
-#include <regex>
 
 vtkStandardNewMacro(vtkWideFoVHeadlights);
 
@@ -44,28 +42,37 @@ void vtkWideFoVHeadlights::Begin(const vtkRenderState* s)
   this->PreRender(s);
 }
 
-void vtkWideFoVHeadlights::Rewrite(std::string& fragment)
+void vtkWideFoVHeadlights::Rewrite(const wfv::stock::Facts& facts, std::string& fragment)
 {
+  namespace stock = wfv::stock;
+  const bool lit = facts.Light != stock::Lit::No;
+  const bool alone = facts.Light == stock::Lit::Headlight;
   // what is behind it knows the place; imposters work it out before the light
-  const size_t inside = fragment.find("vec4 vertexVC = ");
-  if (inside == std::string::npos)
+  if (stock::Look(fragment, stock::Edit::LightPlace, facts.If(lit)) < 0)
   {
     return;
   }
+  const size_t inside = stock::Find(fragment, stock::Edit::LightPlace).At;
   std::string head = fragment.substr(0, inside);
   std::string body = fragment.substr(inside);
   vtkWideFoVShaderBuilder::Declare(head, headlight_fragment_glsl);
-  wfv::shader::ReplaceAll(body, "max(0.0,normalVCVSOutput.z)",
-    "max(0.0, dot(normalVCVSOutput, -normalize(vertexVC.xyz)))");
-  body = std::regex_replace(body, std::regex(R"(\blightDirectionVC(\d+))"),
-    "wfvLightDirection($1, lightDirectionVC$1, vertexVC.xyz)");
+  stock::Replace(body, stock::Edit::HeadlightCosine,
+    "max($1, dot(normalVCVSOutput, -normalize(vertexVC.xyz)))", facts.If(alone && !facts.Physical));
+  stock::Replace(body, stock::Edit::LightDirection,
+    "wfvLightDirection($1, lightDirectionVC$1, vertexVC.xyz)", facts.If(lit && !alone));
   fragment = head + body;
 }
 
 bool vtkWideFoVHeadlights::PostReplaceShaderValues(
-  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop)
 {
-  Rewrite(fragmentShader);
+  std::string fragment = fragmentShader;
+  Rewrite(wfv::stock::Describe(mapper, prop), fragment);
+  // else it stays as VTK has it, with headlights that shine along the view axis
+  if (!wfv::stock::ReportMissing(this, mapper, "", "", fragment))
+  {
+    fragmentShader = fragment;
+  }
   return true;
 }
 

@@ -3,6 +3,7 @@
 #ifndef vtkWideFoVHeadlights_h
 #define vtkWideFoVHeadlights_h
 
+#include "Compat/vtkWideFoVStockEdits.h"
 #include "vtkWideFoVAbi.h"
 #include "vtkOpenGLRenderPass.h"
 
@@ -32,7 +33,7 @@ public:
   void End(const vtkRenderState* s) { this->PostRender(s); }
 
   // Of a stock fragment stage whose tags are replaced.
-  static void Rewrite(std::string& fragment);
+  static void Rewrite(const wfv::stock::Facts& facts, std::string& fragment);
 
   bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
     std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;

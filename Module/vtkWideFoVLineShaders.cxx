@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVLineShaders.h"
 
+#include "Compat/vtkWideFoVStockEdits.h"
 #include "WideFoVGlsl.h"
 
 #include <algorithm>
@@ -31,10 +32,6 @@ constexpr int FootComponents = 4;
 constexpr int MostQuads = 12;
 constexpr int FewestQuads = 3;
 
-// Where the stock mapper has found the normal of a line.
-const char* const StockNormal =
-  "  else { normalVCVSOutput = normalize(cross(vec3(fdy.y, -fdy.x, 0.0), fdy));}\n";
-
 int LineVertices(const Request& r, const std::vector<Varying>& varyings)
 {
   const bool rays = OwnRays(r);
@@ -47,15 +44,16 @@ int LineVertices(const Request& r, const std::vector<Varying>& varyings)
 // The stock normal lies across the line and towards the viewer, by derivatives, which a
 // strip has none of along its width: from the ends of the line and the pixel's own
 // direction instead.
-void RewriteNormal(const std::vector<Varying>& varyings, std::string& fragment)
+void RewriteNormal(const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
 {
+  const bool asked = r.Stock.Light != stock::Lit::No && !r.Stock.Normals && r.Stock.Wireframe;
   for (size_t i = 0; i < varyings.size(); i++)
   {
     if (varyings[i].Name == "vertexVCVSOutput")
     {
       const std::string direction = Corner(i, 1) + ".xyz - " + Corner(i, 0) + ".xyz";
-      ReplaceAll(fragment, StockNormal,
-        "  normalVCVSOutput = wfvLineNormal(" + direction + ", vertexVC.xyz);\n");
+      stock::Replace(fragment, stock::Edit::LineNormal,
+        "wfvLineNormal(" + direction + ", vertexVC.xyz)", r.Stock.If(asked));
     }
   }
 }
@@ -87,7 +85,7 @@ std::string GeometrySource(const Request& r, const std::vector<Varying>& varying
 std::string FragmentSource(
   const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
 {
-  RewriteNormal(varyings, fragment);
+  RewriteNormal(r, varyings, fragment);
   const bool ownMap = r.Projection->Axis == Family::Sampled && !OwnRays(r);
   return std::string(line_arc_glsl) +
     (OwnRays(r) ? std::string(line_own_glsl) + line_own_fragment_glsl : "") + line_fragment_glsl +

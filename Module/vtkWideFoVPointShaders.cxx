@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVPointShaders.h"
 
+#include "Compat/vtkWideFoVStockEdits.h"
 #include "WideFoVGlsl.h"
 
 namespace wfv
@@ -36,7 +37,7 @@ std::string GeometrySource(const Request& r, const std::vector<Varying>& varying
 std::string FragmentSource(
   const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
 {
-  ReplaceAll(fragment, "gl_PointCoord", "wfvPointCoord");
+  stock::Replace(fragment, stock::Edit::PointCoordinate, "wfvPointCoord", stock::Found::May);
   const std::string inputs = CornerInputs(varyings, { "1.0" });
   return OnDirections(r) ? std::string(own_map_glsl) + point_own_map_glsl + inputs
                          : point_fragment_glsl + inputs;

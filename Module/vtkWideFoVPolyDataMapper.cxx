@@ -20,6 +20,7 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkShader.h"
 #include "vtkShaderProgram.h"
 #include "vtkWideFoVGl.h"
 
@@ -98,6 +99,7 @@ void vtkWideFoVPolyDataMapper::SetCustomUniforms(vtkOpenGLHelper& cellBO, vtkAct
 {
   vtkWideFoVStage* const stage = this->Internal->Stage;
   if (stage && stage->GetVariant() == vtkWideFoVShaderBuilder::Variant::Tessellate &&
+    !cellBO.Program->GetGeometryShader()->GetSource().empty() &&
     !vtkWideFoVTessellation::IsIn(cellBO.Program))
   {
     const vtkWideFoVShaderBuilder::Request request = stage->MakeRequest(this, actor);

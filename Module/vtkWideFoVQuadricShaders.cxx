@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVQuadricShaders.h"
 
+#include "Compat/vtkWideFoVStockEdits.h"
 #include "WideFoVGlsl.h"
 #include "vtkWideFoVShaderArrays.h"
 #include "vtkWideFoVShaderText.h"
@@ -12,6 +13,7 @@ namespace wfv
 namespace quadric
 {
 using namespace shader;
+using stock::Edit;
 
 namespace
 {
@@ -58,7 +60,8 @@ bool HasName(const std::vector<Varying>& varyings, const std::string& name)
 
 bool IsOwn(const Varying& v)
 {
-  return v.Name == "wfvPositionVSOutput" || HasName(OwnInputs(), v.Name);
+  return v.Name == "wfvPositionVSOutput" || v.Name == "transformVCVSOutput" ||
+    HasName(OwnInputs(), v.Name);
 }
 
 bool IsSegment(const Request& r)
@@ -172,8 +175,27 @@ std::string MeetSource(Primitive kind)
   }
 }
 
+// What the geometry stage takes its shapes from, and of splats the name of the uniform that says
+// how many of the gaussian's radii the disc has.
+std::string LookForShape(const Request& r, std::string& vertex)
+{
+  if (r.Kind == Primitive::Spheres || r.Kind == Primitive::Sticks)
+  {
+    stock::Look(vertex, Edit::BallRadius, r.Stock.If(true));
+    stock::Look(vertex, Edit::StickAxis, r.Stock.If(r.Kind == Primitive::Sticks));
+  }
+  if (r.Kind != Primitive::Splats || stock::Look(vertex, Edit::SplatRadius, r.Stock.If(true)) < 1)
+  {
+    return "triangleScale"; // which is in the radius
+  }
+  stock::Replace(vertex, Edit::SplatRadius, "$&\n  radiusVCVSOutput = boundScale * radius;");
+  vtkWideFoVShaderBuilder::Declare(
+    vertex, "uniform float boundScale;\nout float radiusVCVSOutput;\n");
+  return "boundScale";
+}
+
 // What main begins with.
-std::string Before(const Request& r, const std::string& fragment)
+std::string Before(const Request& r, std::string& fragment)
 {
   // the stock sphere mapper draws translucent balls twice, their backs first
   const std::string side = r.Kind == Primitive::Spheres
@@ -181,12 +203,13 @@ std::string Before(const Request& r, const std::string& fragment)
     : "0";
   // of tubes and points, where the stock text adds it to a depth of its own
   const bool offset = (IsSegment(r) || r.Kind == Primitive::PointSpheres) &&
-    fragment.find("uniform float cOffset;") != std::string::npos;
+    stock::Look(fragment, Edit::DepthOffset, stock::Found::May) >= 0;
   return "  wfvPrepare(" + side + ");\n  gl_FragDepth = wfvDepth" +
     (offset ? " + cOffset / 65000.0" : "") + ";\n";
 }
 
-void FinishFragment(const Request& r, std::vector<Varying> varyings, std::string& fragment)
+void FinishFragment(
+  const Request& r, std::vector<Varying> varyings, const std::string& scale, std::string& fragment)
 {
   for (const Varying& own : OwnInputs())
   {
@@ -195,18 +218,20 @@ void FinishFragment(const Request& r, std::vector<Varying> varyings, std::string
       varyings.push_back(own);
     }
   }
-  RemoveInputs(fragment, varyings);
-  ReplaceAll(fragment, "gl_FragCoord.z", "wfvDepth");
-  ReplaceAll(fragment, "gl_FrontFacing", "wfvFront");
-  RewriteLights(r.Headlights, r.Lights, fragment);
+  RemoveInputs(r, fragment, varyings);
+  stock::Replace(fragment, Edit::FragmentDepth, "wfvDepth", stock::Found::May);
+  stock::Replace(fragment, Edit::FrontFacing, "wfvFront", stock::Found::May);
+  RewriteLights(r, fragment);
   const bool round = r.Projection->Axis == Family::Azimuthal;
-  vtkWideFoVShaderBuilder::WrapMain(fragment, Before(r, fragment),
+  const std::string before = Before(r, fragment);
+  vtkWideFoVShaderBuilder::WrapMain(fragment, before,
     std::string("  if (wfvHide) { discard; }\n") +
       (round ? "  if (wfvOutsideDomain()) { discard; }\n" : ""));
   vtkWideFoVShaderBuilder::Declare(fragment,
     "#extension GL_ARB_sample_shading : enable\n" + ViewSource(r) +
-      Define("WFV_OTHER_IS_PLACE", IsSegment(r)) + ray_fragment_glsl + quadric_fragment_glsl +
-      MeetSource(r.Kind) + CornerInputs(r, varyings) + (round ? domain_fragment_glsl : ""));
+      Define("WFV_OTHER_IS_PLACE", IsSegment(r)) + "#define WFV_SPLAT_SCALE " + scale + "\n" +
+      ray_fragment_glsl + quadric_fragment_glsl + MeetSource(r.Kind) + CornerInputs(r, varyings) +
+      (round ? domain_fragment_glsl : ""));
 }
 }
 
@@ -216,11 +241,6 @@ bool Draws(Primitive kind)
     kind == Primitive::PointSpheres || kind == Primitive::Tubes;
 }
 
-bool MakesImposters(const std::string& geometry)
-{
-  return geometry.find("radiusVCVSOutput[]") != std::string::npos;
-}
-
 void Prepare(const Request& r, std::string& geometry, std::string& fragment)
 {
   geometry.clear();
@@ -228,28 +248,25 @@ void Prepare(const Request& r, std::string& geometry, std::string& fragment)
   if (r.Kind == Primitive::Tubes || r.Kind == Primitive::PointSpheres)
   {
     // the mapper would put its own, for a flat picture, in these places
-    ReplaceAll(fragment, "//VTK::Normal::Dec", "");
-    ReplaceAll(fragment, "//VTK::Depth::Impl", "");
-    ReplaceAll(fragment, "//VTK::Normal::Impl", normal);
-    return;
+    stock::Replace(fragment, Edit::NormalDeclaration, "", r.Stock.If(true));
+    stock::Replace(fragment, Edit::DepthPlace, "", r.Stock.If(true));
+    stock::Replace(fragment, Edit::NormalPlace, normal, r.Stock.If(true));
   }
-  // the mapper's own meeting of its imposter with the ray, which stands there already
-  const size_t begin = fragment.find("  vec3 EyePos;");
-  const std::string last = "gl_FragDepth = (pos.z / pos.w + 1.0) / 2.0;";
-  const size_t end = fragment.find(last, std::min(begin, fragment.size()));
-  if (end != std::string::npos)
+  else if (r.Kind != Primitive::Splats)
   {
-    fragment.replace(begin, end + last.size() - begin, normal);
+    // the mapper's own meeting of its imposter with the ray, which stands there already
+    stock::Replace(fragment, Edit::ImposterMeeting, normal, r.Stock.If(true));
   }
 }
 
 void Finish(const Request& r, std::string& vertex, std::string& geometry, std::string& fragment)
 {
-  FlattenArrays(vertex, fragment);
-  TakeFromEye(vertex);
+  FlattenArrays(r.Stock, vertex, fragment);
+  TakeFromEye(r, vertex);
+  const std::string scale = LookForShape(r, vertex);
   const std::vector<Varying> varyings = FindVaryings(vertex);
   geometry = GeometrySource(r, varyings);
-  FinishFragment(r, varyings, fragment);
+  FinishFragment(r, varyings, scale, fragment);
 }
 }
 }

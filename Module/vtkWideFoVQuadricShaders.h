@@ -16,9 +16,6 @@ namespace quadric
 // True for the kinds that this part draws.
 bool Draws(vtkWideFoVShaderBuilder::Primitive kind);
 
-// True for the geometry stage of a stock mapper that makes a shape of each point.
-bool MakesImposters(const std::string& geometry);
-
 // As vtkWideFoVShaderBuilder::Prepare and ::Finish, for those kinds.
 void Prepare(
   const vtkWideFoVShaderBuilder::Request& request, std::string& geometry, std::string& fragment);

@@ -3,8 +3,6 @@
 
 #include "vtkWideFoVShaderBuilder.h"
 
-#include <regex>
-
 namespace
 {
 // One array of floats between the stages as vectors of four.
@@ -42,20 +40,21 @@ PackedArray PackArray(const std::string& name, int count, int number)
 
 namespace wfv
 {
-void FlattenArrays(std::string& vertex, std::string& fragment)
+void FlattenArrays(const stock::Facts& facts, std::string& vertex, std::string& fragment)
 {
-  static const std::regex array(R"(\bout\s+float\s+(\w+)\s*\[\s*(\d+)\s*\]\s*;)");
-  std::smatch m;
-  for (int i = 0; std::regex_search(vertex, m, array); i++)
+  stock::Look(vertex, stock::Edit::OutputArray, facts.If(facts.Clips));
+  stock::Span found = stock::Find(vertex, stock::Edit::OutputArray);
+  for (int i = 0; found.Number >= 0; i++)
   {
-    const std::string name = m[1];
-    const std::string declaration = "float " + name + "[" + m[2].str() + "];\n";
-    const PackedArray p = PackArray(name, std::stoi(m[2]), i);
-    const std::regex input(R"(\bin\s+float\s+)" + name + R"(\s*\[\s*\d+\s*\]\s*;)");
-    fragment = std::regex_replace(fragment, input, p.Inputs + declaration);
-    vertex.replace(m.position(0), m.length(0), p.Outputs + declaration);
+    const std::string& name = found.Groups[0];
+    const std::string& size = found.Groups[1];
+    const std::string declaration = "float " + name + "[" + size + "];\n";
+    const PackedArray p = PackArray(name, std::stoi(size), i);
+    stock::Replace(fragment, stock::Edit::InputArray, p.Inputs + declaration, facts.If(true), name);
+    vertex.replace(found.At, found.Length, p.Outputs + declaration);
     vtkWideFoVShaderBuilder::WrapMain(vertex, "", p.Pack);
     vtkWideFoVShaderBuilder::WrapMain(fragment, p.Unpack, "");
+    found = stock::Find(vertex, stock::Edit::OutputArray);
   }
 }
 }

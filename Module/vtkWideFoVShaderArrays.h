@@ -3,6 +3,8 @@
 #ifndef vtkWideFoVShaderArrays_h
 #define vtkWideFoVShaderArrays_h
 
+#include "Compat/vtkWideFoVStockEdits.h"
+
 #include <string>
 
 namespace wfv
@@ -10,7 +12,7 @@ namespace wfv
 // GLSL 1.50 has no arrays of arrays, so a geometry stage cannot take an array from each
 // vertex: arrays between the stages become vectors (scalars would use up the slots), and
 // arrays again where they are used.
-void FlattenArrays(std::string& vertex, std::string& fragment);
+void FlattenArrays(const stock::Facts& facts, std::string& vertex, std::string& fragment);
 }
 
 #endif

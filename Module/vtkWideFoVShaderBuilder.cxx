@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVShaderBuilder.h"
 
+#include "Compat/vtkWideFoVStockEdits.h"
 #include "WideFoVGlsl.h"
 #include "vtkWideFoVShaderArrays.h"
 #include "vtkWideFoVLineShaders.h"
@@ -9,10 +10,12 @@
 #include "vtkWideFoVShaderText.h"
 #include "vtkWideFoVWholeText.h"
 
-#include <regex>
 #include <vector>
 
 using namespace wfv::shader;
+namespace stock = wfv::stock;
+using stock::Edit;
+using stock::Found;
 
 namespace
 {
@@ -141,7 +144,7 @@ void FinishVertices(const Request& r, const std::vector<Varying>& varyings, std:
   // the pieces of a tessellation have no place in the buffer
   const bool keepModel =
     CoversTriangles(r) && r.Stage != vtkWideFoVShaderBuilder::Variant::Tessellate;
-  const std::string toView = TakeFromEye(vertex, keepModel);
+  const std::string toView = TakeFromEye(r, vertex, keepModel);
   if (vtkWideFoVShaderBuilder::NeedsGeometryStage(r))
   {
     geometry = GeometrySource(r, varyings, keepModel ? toView : "");
@@ -173,7 +176,7 @@ std::string CoverFragment(
   {
     return wfv::point::FragmentSource(r, varyings, fragment);
   }
-  RewriteFlatNormal(fragment);
+  RewriteFlatNormal(r, fragment);
   return std::string(r.BothEyes ? "flat in float wfvEye; // that the fragment is for\n" : "") +
     ray_fragment_glsl + (r.Whole ? WholeSource(*r.Projection) : "") + cover_fragment_glsl +
     (Warped(r) ? warped_fragment_glsl : "") + chord_fragment_glsl + order_fragment_glsl +
@@ -226,8 +229,8 @@ const std::string OwnPlace = "wfvPlaceVSOutput";
 
 const std::string& PlaceOf(const Request& r, const std::string& fragment)
 {
-  const bool stock = fragment.find(StockPlace) != std::string::npos && !MovesVertices(r);
-  return stock ? StockPlace : OwnPlace;
+  const bool known = fragment.find(StockPlace) != std::string::npos && !MovesVertices(r);
+  return known ? StockPlace : OwnPlace;
 }
 
 // True where the fragment stage is to know its place by an output of our own: for its depth, or for
@@ -267,17 +270,17 @@ void FinishFragment(Request r, const std::vector<Varying>& varyings, std::string
   std::string before, after;
   if (covers)
   {
-    RemoveInputs(fragment, varyings);
+    RemoveInputs(r, fragment, varyings);
     declarations = CoverFragment(r, varyings, fragment);
     before = std::string(r.BothEyes ? "  wfvSeeBy(wfvEye);\n" : "") + "  wfvPrepare();\n";
     after = "  if (wfvHide) { discard; }\n";
-    ReplaceAll(fragment, "gl_FrontFacing", "wfvFront");
-    before += RewriteDepth(fragment);
+    stock::Replace(fragment, Edit::FrontFacing, "wfvFront", stock::Found::May);
+    before += RewriteDepth(r, fragment);
   }
   else if (WritesDepth(r))
   {
     declarations += DepthSource(r);
-    before = "  wfvPrepareDepth(" + PlaceOf(r, fragment) + ".xyz);\n" + RewriteDepth(fragment);
+    before = "  wfvPrepareDepth(" + PlaceOf(r, fragment) + ".xyz);\n" + RewriteDepth(r, fragment);
   }
   const std::string border = BorderSource(r);
   declarations += border;
@@ -285,7 +288,7 @@ void FinishFragment(Request r, const std::vector<Varying>& varyings, std::string
   after += covers && r.Whole ? "  if (wfvIsBehind(gl_FragDepth)) { discard; }\n" : "";
   declarations += DebugSource(r);
   FoldMaterial(r.Surface, fragment);
-  RewriteLights(r.Headlights, r.Lights, fragment);
+  RewriteLights(r, fragment);
   if (!before.empty() || !after.empty())
   {
     vtkWideFoVShaderBuilder::WrapMain(fragment, before, after);
@@ -311,24 +314,18 @@ bool vtkWideFoVShaderBuilder::NeedsGeometryStage(const Request& r)
 void vtkWideFoVShaderBuilder::WrapMain(
   std::string& source, const std::string& before, const std::string& after)
 {
-  static const std::regex main(R"(void\s+main\s*\(\s*(void)?\s*\))");
   int depth = 0;
   while (source.find("void wfvStockMain" + std::to_string(depth) + "()") != std::string::npos)
   {
     depth++;
   }
   const std::string name = "wfvStockMain" + std::to_string(depth) + "()";
-  source =
-    std::regex_replace(source, main, "void " + name, std::regex_constants::format_first_only);
+  if (stock::Look(source, Edit::MainFunction) >= 0)
+  {
+    const stock::Span main = stock::Find(source, Edit::MainFunction);
+    source.replace(main.At, main.Length, "void " + name);
+  }
   source += "\nvoid main()\n{\n" + before + "  " + name + ";\n" + after + "}\n";
-}
-
-void vtkWideFoVShaderBuilder::Declare(std::string& source, const std::string& text)
-{
-  const std::string tag = "//VTK::System::Dec";
-  const size_t at = source.find(tag);
-  const size_t line = at == std::string::npos ? 0 : source.find('\n', at) + 1;
-  source.insert(line, text);
 }
 
 void vtkWideFoVShaderBuilder::Prepare(
@@ -337,12 +334,13 @@ void vtkWideFoVShaderBuilder::Prepare(
   if (r.DebugView)
   {
     // in place of the surface's own colour, before light falls on it; textures stay out
-    ReplaceAll(fragment, "//VTK::Light::Impl",
+    stock::Replace(fragment, Edit::ColorsLightPlace,
       "  diffuseColor = wfvDebugColor();\n"
       "  ambientColor = WFV_DEBUG_AMBIENT * diffuseColor;\n"
       "  diffuseColor -= ambientColor;\n"
-      "  //VTK::Light::Impl");
-    ReplaceAll(fragment, "//VTK::TCoord::Impl", "");
+      "  $&",
+      r.Stock.If(true));
+    stock::Replace(fragment, Edit::TextureColorPlace, "", r.Stock.If(true));
   }
   if (!NeedsGeometryStage(r))
   {
@@ -356,11 +354,12 @@ void vtkWideFoVShaderBuilder::Prepare(
   geometry.clear();
   if (r.Edges)
   {
-    ReplaceAll(fragment, "//VTK::Edges::Dec", edges_fragment_glsl);
-    ReplaceAll(fragment, "//VTK::Edges::Impl",
+    stock::Replace(fragment, Edit::EdgesDeclaration, edges_fragment_glsl, r.Stock.If(true));
+    stock::Replace(fragment, Edit::EdgesPlace,
       "  float wfvEdge = wfvEdgeMix();\n"
       "  diffuseColor = mix(diffuseColor, vec3(0.0), wfvEdge);\n"
-      "  ambientColor = mix(ambientColor, edgeColor, wfvEdge);\n");
+      "  ambientColor = mix(ambientColor, edgeColor, wfvEdge);\n",
+      r.Stock.If(true));
   }
 }
 
@@ -379,7 +378,7 @@ void vtkWideFoVShaderBuilder::Finish(
   }
   if (NeedsGeometryStage(r))
   {
-    wfv::FlattenArrays(vertex, fragment);
+    wfv::FlattenArrays(r.Stock, vertex, fragment);
   }
   if (KeepsPlace(r, fragment))
   {

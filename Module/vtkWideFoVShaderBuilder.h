@@ -4,8 +4,8 @@
 #ifndef vtkWideFoVShaderBuilder_h
 #define vtkWideFoVShaderBuilder_h
 
+#include "Compat/vtkWideFoVStockEdits.h"
 #include "vtkWideFoVAbi.h"
-
 #include "Projections/Projection.h"
 
 #include <string>
@@ -74,6 +74,8 @@ public:
 
     // Of wfv::SteadyLights; none: all of every light is uniforms.
     const std::string* Lights = nullptr;
+
+    wfv::stock::Facts Stock; // what must be found in VTK's text
   };
 
   // True where this request needs the pre-clip's own geometry stage.
@@ -84,7 +86,8 @@ public:
   static void Prepare(const Request& request, std::string& geometry, std::string& fragment);
 
   // After the mapper has replaced its tags: adds the projection to all stages. Every
-  // output of the vertex stage, whatever it is called, is interpolated.
+  // output of the vertex stage, whatever it is called, is interpolated. Here and in Prepare, what
+  // is not found in VTK's text leaves a mark (Compat/vtkWideFoVStockEdits.h).
   static void Finish(
     const Request& request, std::string& vertex, std::string& geometry, std::string& fragment);
 

@@ -17,11 +17,13 @@ void AppendRequest(std::string& key, const vtkWideFoVShaderBuilder::Request& req
 {
   const auto& [projection, stereo, stage, kind, widePoints, wideLines, edges, edgeFlags, byRays,
     debugView, multisample, tilted, fades, surface, headlights, depthMapping, calm, surfaceDepth,
-    whole, folds, runs, rayDepth, bothEyes, lights] = request;
+    whole, folds, runs, rayDepth, bothEyes, lights, stock] = request;
   const auto& [noAmbient, noDiffuse, fullDiffuse, noSpecular, opaque] = surface;
+  const auto& [known, light, physical, normals, wireframe, glyphs, clips, imposters] = stock;
   Append(key, projection, stereo, stage, kind, widePoints, wideLines, edges, edgeFlags, byRays,
     debugView, multisample, tilted, fades, headlights, depthMapping, calm, surfaceDepth, whole,
     folds, runs, rayDepth, bothEyes, noAmbient, noDiffuse, fullDiffuse, noSpecular, opaque);
+  Append(key, known, light, physical, normals, wireframe, glyphs, clips, imposters);
   key += lights ? *lights : "";
   key += '\0'; // where they end
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVShaderText.h"
 
+#include "Compat/vtkWideFoVStockEdits.h"
 #include "WideFoVGlsl.h"
 #include "vtkWideFoVLineShaders.h"
 #include "vtkWideFoVQuadricShaders.h"
@@ -38,13 +39,12 @@ std::vector<Varying> FindVaryings(const std::string& vertex)
   return result;
 }
 
-void RemoveInputs(std::string& fragment, const std::vector<Varying>& varyings)
+void RemoveInputs(const Request& r, std::string& fragment, const std::vector<Varying>& varyings)
 {
   for (const Varying& v : varyings)
   {
-    const std::regex input(
-      R"((flat\s+|smooth\s+|noperspective\s+)?\bin\s+)" + v.Type + R"(\s+)" + v.Name + R"(\s*;)");
-    fragment = std::regex_replace(fragment, input, "");
+    const bool used = fragment.find(v.Name) != std::string::npos;
+    stock::Replace(fragment, stock::Edit::Input, "", r.Stock.If(used), v.Type + R"(\s+)" + v.Name);
   }
 }
 
@@ -61,8 +61,8 @@ void FoldMaterial(const vtkWideFoVShaderBuilder::Material& surface, std::string&
   const auto fold = [&fragment](bool known, const std::string& name, const std::string& value) {
     if (known)
     {
-      ReplaceAll(
-        fragment, "uniform float " + name + ";", "const float " + name + " = " + value + ";");
+      stock::Replace(fragment, stock::Edit::MaterialUniform,
+        "const float " + name + " = " + value + ";", stock::Found::May, name);
     }
   };
   fold(surface.NoAmbient, "ambientIntensity", "0.0");
@@ -199,61 +199,77 @@ void FoldLights(const std::string& constants, std::string& declarations)
   std::string name, value;
   while (lines >> name && std::getline(lines, value))
   {
-    ReplaceAll(
-      declarations, "uniform vec3 " + name + ";", "const vec3 " + name + " =" + value + ";");
+    stock::Replace(declarations, stock::Edit::LightUniform,
+      "const vec3 " + name + " =" + value + ";", stock::Found::May, name);
   }
 }
 }
 
-void RewriteLights(int headlights, const std::string* constants, std::string& fragment)
+void RewriteLights(const Request& r, std::string& fragment)
 {
+  using stock::Edit;
+  const bool lit = r.Stock.Light != stock::Lit::No;
+  const bool alone = r.Stock.Light == stock::Lit::Headlight;
   // the first statement of the stock main, whatever main is called by now
-  const std::string position = "vec4 vertexVC = vertexVCVSOutput;";
-  const size_t inside = fragment.find(position);
-  if (inside == std::string::npos)
+  if (stock::Look(fragment, Edit::LightPlace, r.Stock.If(lit)) < 0)
   {
     return;
   }
+  const size_t inside = stock::Find(fragment, Edit::LightPlace).At;
   std::string head = fragment.substr(0, inside);
   std::string body = fragment.substr(inside);
-  FoldLights(constants ? *constants : "", head);
+  FoldLights(r.Lights ? *r.Lights : "", head);
   vtkWideFoVShaderBuilder::Declare(head, light_fragment_glsl);
   ReplaceAll(head, "uniform int wfvHeadlights;",
-    "const int wfvHeadlights = " + std::to_string(headlights) + ";");
-  ReplaceAll(body, position, position + "\n  wfvFromEye = WFV_FROM_EYE;");
-  ReplaceAll(body, "max(0.0,normalVCVSOutput.z)", "max(0.0, dot(normalVCVSOutput, -wfvFromEye))");
-  body = std::regex_replace(
-    body, std::regex(R"(\blightDirectionVC(\d+))"), "wfvLightDirection($1, lightDirectionVC$1)");
+    "const int wfvHeadlights = " + std::to_string(r.Headlights) + ";");
+  stock::Replace(body, Edit::LightPlace, "$&\n  wfvFromEye = WFV_FROM_EYE;");
+  stock::Replace(body, Edit::HeadlightCosine, "max($1, dot(normalVCVSOutput, -wfvFromEye))",
+    r.Stock.If(alone && !r.Stock.Physical));
+  stock::Replace(body, Edit::LightDirection, "wfvLightDirection($1, lightDirectionVC$1)",
+    r.Stock.If(lit && !alone));
+  stock::Replace(
+    body, Edit::LineFacing, "if (dot(normalVCVSOutput, wfvFromEye) > 0.0)", stock::Found::May);
   fragment = head + body;
 }
 
-void RewriteFlatNormal(std::string& fragment)
+void RewriteFlatNormal(const Request& r, std::string& fragment)
 {
-  ReplaceAll(fragment, "normalize(cross(fdx,fdy))", "wfvFlatNormal()");
+  const bool flat = r.Stock.Light != stock::Lit::No && !r.Stock.Normals && !r.Stock.Wireframe;
+  stock::Replace(fragment, stock::Edit::FlatNormal, "wfvFlatNormal()", r.Stock.If(flat));
 }
 
-std::string TakeFromEye(std::string& vertex, bool keepModel)
+std::string TakeFromEye(const Request& r, std::string& vertex, bool keepModel)
 {
-  static const std::regex product(R"(\bMC[DV]CMatrix\s*\*\s*vertexMC\b)");
-  if (!std::regex_search(vertex, product))
+  const bool both = vertex.find("MCDCMatrix") != std::string::npos;
+  const std::string matrix = both ? "MCDCMatrix" : "MCVCMatrix";
+  if (stock::Replace(vertex, stock::Edit::FromEye, "wfvFromEyeOf(" + matrix + ", vertexMC)",
+        r.Stock.If(!r.Stock.Glyphs)) < 0)
   {
     return "";
   }
-  const bool both = vertex.find("MCDCMatrix") != std::string::npos;
-  const std::string matrix = both ? "MCDCMatrix" : "MCVCMatrix";
-  vertex = std::regex_replace(vertex, product, "wfvFromEyeOf(" + matrix + ", vertexMC)");
   vtkWideFoVShaderBuilder::Declare(vertex, Define("WFV_MODEL", keepModel) + eye_vertex_glsl);
   return matrix;
 }
 
-std::string RewriteDepth(std::string& fragment)
+std::string RewriteDepth(const Request& r, std::string& fragment)
 {
-  ReplaceAll(fragment, "gl_FragCoord.z", "wfvDepth");
+  stock::Replace(fragment, stock::Edit::FragmentDepth, "wfvDepth", stock::Found::May);
   // the stock template names gl_FragDepth in a comment; only a value given counts
   static const std::regex setsDepth(R"(gl_FragDepth\s*=)");
+  const bool sets = std::regex_search(fragment, setsDepth);
   // depth peeling, where it comes later, would put the depth of the covering shape here
-  ReplaceAll(fragment, "//VTK::Depth::Impl", "");
-  return std::regex_search(fragment, setsDepth) ? "" : "  gl_FragDepth = wfvDepth;\n";
+  stock::Replace(fragment, stock::Edit::DepthPlace, "", r.Stock.If(!sets));
+  return sets ? "" : "  gl_FragDepth = wfvDepth;\n";
 }
 }
+}
+
+void vtkWideFoVShaderBuilder::Declare(std::string& source, const std::string& text)
+{
+  // what has any of VTK's tags has this one; what has none begins with the text
+  const bool tags = source.find("//VTK::") != std::string::npos;
+  const bool has = wfv::stock::Look(source, wfv::stock::Edit::Declarations,
+                     tags ? wfv::stock::Found::Must : wfv::stock::Found::May) >= 0;
+  const size_t at = has ? wfv::stock::Find(source, wfv::stock::Edit::Declarations).At : 0;
+  source.insert(has ? source.find('\n', at) + 1 : 0, text);
 }

@@ -38,7 +38,7 @@ struct Varying
 std::vector<Varying> FindVaryings(const std::string& vertex);
 
 // Takes the fragment stage's declarations of these inputs out.
-void RemoveInputs(std::string& fragment, const std::vector<Varying>& varyings);
+void RemoveInputs(const Request& r, std::string& fragment, const std::vector<Varying>& varyings);
 
 // Turns what is known of the material from uniforms into constants, so that a compiler drops
 // what they multiply.
@@ -84,19 +84,18 @@ std::string ViewSource(const Request& request);
 // replaced, so that neighbours and attributes agree to the bit. Returns the name of the
 // matrix, empty where there is none. keepModel: the vertex as the buffer has it goes on to the
 // next stage, as wfvModel.
-std::string TakeFromEye(std::string& vertex, bool keepModel = false);
+std::string TakeFromEye(const Request& r, std::string& vertex, bool keepModel = false);
 
 // The normal of a surface without normals: of the triangle, not from differences between
 // pixels. For a fragment stage that knows it (cover_fragment.glsl).
-void RewriteFlatNormal(std::string& fragment);
+void RewriteFlatNormal(const Request& r, std::string& fragment);
 
 // The stock text takes normal.z for the cosine towards the eye and the view axis for
-// the direction of a headlight; both hold in front of the eye only. headlights: one bit a light.
-// constants: of wfv::SteadyLights, or none.
-void RewriteLights(int headlights, const std::string* constants, std::string& fragment);
+// the direction of a headlight; both hold in front of the eye only.
+void RewriteLights(const Request& r, std::string& fragment);
 
 // Depth by wfvDepth instead of the rasterizer's; returns what main begins with.
-std::string RewriteDepth(std::string& fragment);
+std::string RewriteDepth(const Request& r, std::string& fragment);
 }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVSortedDraw.h"
 
+#include "Compat/vtkWideFoVStockEdits.h"
+
 #include "WideFoVGlsl.h"
 #include "vtkWideFoVGl.h"
 #include "vtkWideFoVShaderBuilder.h"
@@ -362,11 +364,9 @@ double RoundingOf(
 
 void TakeSortedNumbers(std::string& fragment)
 {
-  if (fragment.find("gl_PrimitiveID") == std::string::npos)
+  if (stock::Replace(fragment, stock::Edit::PrimitiveNumber, "wfvNumber()", stock::Found::May) >= 0)
   {
-    return;
+    vtkWideFoVShaderBuilder::Declare(fragment, sorted_number_glsl);
   }
-  shader::ReplaceAll(fragment, "gl_PrimitiveID", "wfvNumber()");
-  vtkWideFoVShaderBuilder::Declare(fragment, sorted_number_glsl);
 }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVStage.h"
 
+#include "Compat/vtkWideFoVStockText.h"
 #include "vtkWideFoVCamera.h"
 #include "vtkWideFoVCompositeMapper.h"
 #include "vtkWideFoVDirectionTextures.h"
@@ -71,6 +72,7 @@ public:
       request.Edges && type == PrimitiveTris && !(mapper->*(&MapperAccess::EdgeValues)).empty();
     request.Kind = wfv::quadric::KindOf(mapper, actor, request.Kind);
     request.Surface = DescribeMaterial(mapper, renderer, actor, buffer);
+    request.Stock = wfv::stock::Describe(mapper, actor);
   }
 
 private:
@@ -280,6 +282,10 @@ bool vtkWideFoVStage::PostReplaceShaderValues(std::string& vertexShader,
   std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper,
   vtkProp* prop)
 {
+  if (wfv::stock::DrawsNothing(fragmentShader))
+  {
+    return true;
+  }
   vtkWideFoVShaderBuilder::Request request = this->MakeRequest(mapper, prop);
   const bool triangles = request.Kind == vtkWideFoVShaderBuilder::Primitive::Triangles;
   const bool sorts =
@@ -306,5 +312,17 @@ bool vtkWideFoVStage::PostReplaceShaderValues(std::string& vertexShader,
   vertexShader = made.Vertex;
   geometryShader = made.Geometry;
   fragmentShader = made.Fragment;
+  this->LeaveOutUnedited(vertexShader, geometryShader, fragmentShader, mapper);
   return true;
+}
+
+// VTK's own text would put it elsewhere in a wide picture: it is drawn right or not at all.
+void vtkWideFoVStage::LeaveOutUnedited(
+  std::string& vertex, std::string& geometry, std::string& fragment, vtkAbstractMapper* mapper)
+{
+  vtkObject* const reports = this->Renderer ? static_cast<vtkObject*>(this->Renderer) : this;
+  if (wfv::stock::ReportMissing(reports, mapper, vertex, geometry, fragment))
+  {
+    wfv::stock::DrawNothing(vertex, geometry, fragment);
+  }
 }

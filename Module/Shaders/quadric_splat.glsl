@@ -3,7 +3,7 @@
 // to it. Stock VTK draws a triangle round that disc; beyond the disc a gaussian has less
 // than a hundredth of its height, and there is no triangle that looks the same everywhere.
 
-uniform float triangleScale; // radius of the disc in units of the gaussian's, set by the mapper
+uniform float WFV_SPLAT_SCALE; // radius of the disc in units of the gaussian's, set by the mapper
 
 WfvCrossing wfvMeet(vec3 u)
 {
@@ -36,5 +36,5 @@ vec2 wfvSplatOffset()
   vec3 right = cross(ahead, vec3(0.0, 1.0, 0.0));
   right = dot(right, right) > 1e-12 ? normalize(right) : vec3(1.0, 0.0, 0.0);
   vec3 from = wfvSurface / wfvScale() - centre;
-  return vec2(dot(from, right), dot(from, cross(right, ahead))) * (triangleScale / wfvBall.w);
+  return vec2(dot(from, right), dot(from, cross(right, ahead))) * (WFV_SPLAT_SCALE / wfvBall.w);
 }

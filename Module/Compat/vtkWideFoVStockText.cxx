@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWideFoVStockText.h"
+
+#include "WideFoVGlsl.h"
+
+#include "vtkActor.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkLightingMapPass.h"
+#include "vtkOpenGLHelper.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLVertexBufferObjectGroup.h"
+#include "vtkPlaneCollection.h"
+#include "vtkProperty.h"
+#include "vtkShaderProperty.h"
+#include "vtkVersion.h"
+
+#include <mutex>
+#include <set>
+#include <sstream>
+
+namespace wfv
+{
+namespace stock
+{
+namespace
+{
+// What a pass may know of a mapper only from inside.
+class TextAccess : public vtkOpenGLPolyDataMapper
+{
+public:
+  static bool HasBuffer(vtkOpenGLPolyDataMapper* mapper, const char* name)
+  {
+    return (mapper->*(&TextAccess::VBOs))->GetNumberOfComponents(name) > 0;
+  }
+
+  static bool HasNormals(vtkOpenGLPolyDataMapper* mapper)
+  {
+    return HasBuffer(mapper, "normalMC") || mapper->*(&TextAccess::HaveCellNormals);
+  }
+
+  // As VTK counts: without a light nothing is lit, but by PBR.
+  static Lit LightOf(vtkOpenGLPolyDataMapper* mapper, bool physical)
+  {
+    const auto& all = mapper->*(&TextAccess::PrimitiveInfo);
+    const auto found = all.find(mapper->*(&TextAccess::LastBoundBO));
+    if (found == all.end() || (!physical && found->second.LastLightCount == 0))
+    {
+      return Lit::No;
+    }
+    const int complexity = static_cast<int>(found->second.LastLightComplexity);
+    return complexity <= 0 ? Lit::No : complexity == 1 ? Lit::Headlight : Lit::Otherwise;
+  }
+};
+
+// Code or replacements of the user's own, and pictures of normals, which have no light.
+bool IsForeign(vtkActor* actor)
+{
+  vtkInformation* const info = actor->GetPropertyKeys();
+  vtkShaderProperty* const code = actor->GetShaderProperty();
+  return code->HasVertexShaderCode() || code->HasFragmentShaderCode() ||
+    code->HasGeometryShaderCode() || code->GetNumberOfShaderReplacements() > 0 ||
+    (info && info->Has(vtkLightingMapPass::RENDER_NORMALS()));
+}
+
+std::mutex& Lock()
+{
+  static std::mutex lock;
+  return lock;
+}
+
+std::set<Edit>& Reported()
+{
+  static std::set<Edit> reported;
+  return reported;
+}
+
+// True once for each edit.
+bool IsNews(Edit edit)
+{
+  const std::lock_guard<std::mutex> guard(Lock());
+  return Reported().insert(edit).second;
+}
+
+std::string Version(int number)
+{
+  return std::to_string(number / 10) + "." + std::to_string(number % 10);
+}
+
+std::string Sentence(Edit edit)
+{
+  const Entry& entry = Table()[static_cast<std::size_t>(edit)];
+  std::ostringstream words;
+  words << "the edit \"" << entry.Name << "\" (" << entry.Where << ") of VTK's shader text finds";
+  for (const Wording& wording : entry.Wordings)
+  {
+    words << (&wording == &entry.Wordings.front() ? " neither \"" : " nor \"") << wording.Text
+          << "\" of VTK " << Version(wording.Since);
+  }
+  return words.str();
+}
+}
+
+Facts Describe(vtkAbstractMapper* mapper, vtkProp* prop)
+{
+  auto* const polydata = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
+  auto* const actor = vtkActor::SafeDownCast(prop);
+  Facts facts;
+  if (!polydata || !actor)
+  {
+    return facts;
+  }
+  facts.Known = !IsForeign(actor);
+  facts.Physical = actor->GetProperty()->GetInterpolation() == VTK_PBR;
+  facts.Light = TextAccess::LightOf(polydata, facts.Physical);
+  facts.Normals = TextAccess::HasNormals(polydata);
+  facts.Wireframe = actor->GetProperty()->GetRepresentation() == VTK_WIREFRAME;
+  facts.Glyphs = mapper->IsA("vtkOpenGLGlyph3DHelper");
+  vtkPlaneCollection* const planes = mapper->GetClippingPlanes();
+  facts.Clips = planes && planes->GetNumberOfItems() > 0;
+  facts.Imposters = mapper->IsA("vtkOpenGLSphereMapper") || mapper->IsA("vtkOpenGLStickMapper") ||
+    (mapper->IsA("vtkOpenGLPointGaussianMapperHelper") &&
+      TextAccess::HasBuffer(polydata, "radiusMC"));
+  return facts;
+}
+
+bool ReportMissing(vtkObject* object, vtkAbstractMapper* mapper, const std::string& vertex,
+  const std::string& geometry, const std::string& fragment)
+{
+  bool any = false;
+  for (const Edit edit : Missing(vertex + geometry + fragment))
+  {
+    any = true;
+    if (IsNews(edit))
+    {
+      vtkErrorWithObjectMacro(
+        object, << Sentence(edit) << " in that of VTK " << vtkVersion::GetVTKVersion()
+                << ": not drawn is what needs it, first seen in a " << mapper->GetClassName());
+    }
+  }
+  return any;
+}
+
+void DrawNothing(std::string& vertex, std::string& geometry, std::string& fragment)
+{
+  vertex = nothing_vertex_glsl;
+  geometry.clear();
+  fragment = nothing_fragment_glsl;
+}
+
+bool DrawsNothing(const std::string& fragment)
+{
+  return fragment.find("wfvDrawsNothing") != std::string::npos;
+}
+
+void ForgetReports()
+{
+  const std::lock_guard<std::mutex> guard(Lock());
+  Reported().clear();
+}
+}
+}

@@ -1,0 +1,12 @@
+//VTK::System::Dec
+// SPDX-License-Identifier: BSD-3-Clause
+// For a prop whose shaders could not be edited (nothing_vertex.glsl).
+const bool wfvDrawsNothing = true;
+
+void main()
+{
+  if (wfvDrawsNothing)
+  {
+    discard;
+  }
+}

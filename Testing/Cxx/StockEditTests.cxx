@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The edits of VTK's shader text (Module/Compat/vtkWideFoVStockEdits.cxx): on the VTK that runs
+// each finds what it looks for, and where one does not, that is said, and nothing half edited is
+// drawn.
+#include "Compat/vtkWideFoVStockEdits.h"
+#include "Compat/vtkWideFoVStockText.h"
+#include "StockEditScenes.h"
+
+#include "vtkActor.h"
+#include "vtkActorCollection.h"
+#include "vtkHardwareSelector.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkOpenGLRenderPass.h"
+#include "vtkSelection.h"
+#include "vtkSphereSource.h"
+#include "vtkStringOutputWindow.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkVersion.h"
+#include "vtkWideFoVShaderBuilder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+
+namespace
+{
+namespace stock = wfv::stock;
+using stock::Edit;
+
+// What VTK says meanwhile.
+struct Overheard
+{
+  Overheard()
+  {
+    stock::ForgetReports();
+    vtkOutputWindow::SetInstance(this->Window);
+  }
+  ~Overheard() { vtkOutputWindow::SetInstance(this->Before); }
+
+  int Count(const std::string& part) const
+  {
+    const std::string all = this->Window->GetOutput();
+    int n = 0;
+    for (size_t at = all.find(part); at != std::string::npos; at = all.find(part, at + 1))
+    {
+      n++;
+    }
+    return n;
+  }
+
+  std::string All() const { return this->Window->GetOutput(); }
+
+  vtkSmartPointer<vtkOutputWindow> Before = vtkOutputWindow::GetInstance();
+  vtkNew<vtkStringOutputWindow> Window;
+};
+
+// Of the edits that are called with a name: any.
+std::string AnyName(Edit edit)
+{
+  return edit == Edit::Input ? R"(\w+\s+\w+VSOutput)" : edit == Edit::InputArray ? R"(\w+)" : "";
+}
+
+// The same to GLSL, but no more what the edit looks for.
+void Break(std::string& text, Edit edit)
+{
+  for (stock::Span s = stock::Find(text, edit, AnyName(edit)); s.Number >= 0;
+       s = stock::Find(text, edit, AnyName(edit)))
+  {
+    const std::string found = text.substr(s.At, s.Length);
+    const auto isLetter = [](unsigned char c) { return std::isalnum(c) || c == '_'; };
+    const auto place = std::find_if_not(found.begin() + 1, found.end(), isLetter);
+    const size_t at = s.At + (place == found.end() ? 1 : place - found.begin());
+    text.insert(at, place == found.end() ? "X" : "/**/");
+  }
+}
+
+// A VTK that writes one text in another way: called before the stages are, like the pass of
+// somebody else in the prop's list.
+class OtherVtk : public vtkOpenGLRenderPass
+{
+public:
+  static OtherVtk* New() { return new OtherVtk; }
+  void Render(const vtkRenderState*) override {}
+
+  bool PreReplaceShaderValues(std::string& vertex, std::string& geometry, std::string& fragment,
+    vtkAbstractMapper*, vtkProp*) override
+  {
+    for (std::string* text : { &vertex, &geometry, &fragment })
+    {
+      Break(*text, this->Other);
+    }
+    return true;
+  }
+
+  bool PostReplaceShaderValues(std::string& vertex, std::string& geometry, std::string& fragment,
+    vtkAbstractMapper* mapper, vtkProp* prop) override
+  {
+    return this->PreReplaceShaderValues(vertex, geometry, fragment, mapper, prop);
+  }
+
+  void GiveTo(vtkActor* actor)
+  {
+    vtkNew<vtkInformation> keys;
+    keys->Append(vtkOpenGLRenderPass::RenderPasses(), this);
+    actor->SetPropertyKeys(keys);
+  }
+
+  Edit Other = Edit::Count;
+};
+
+struct Picture
+{
+  explicit Picture(const StockEditScene& scene)
+    : Test("equirectangular", 48, 24)
+  {
+    this->Test.Renderer->SetBackground(0, 0, 0);
+    scene.Fill(this->Test);
+  }
+
+  std::vector<unsigned char> Draw()
+  {
+    this->Test.Window->Render();
+    const TestPixels pixels(this->Test.Window);
+    const unsigned char* const first = pixels.At(0, 0);
+    return { first, first + pixels.Data->GetNumberOfValues() };
+  }
+
+  void BreakAll(OtherVtk* other)
+  {
+    vtkActorCollection* const actors = this->Test.Renderer->GetActors();
+    vtkCollectionSimpleIterator it;
+    actors->InitTraversal(it);
+    while (vtkActor* actor = actors->GetNextActor(it))
+    {
+      other->GiveTo(actor);
+    }
+  }
+
+  WideFoVTestWindow Test;
+};
+
+bool IsBlack(const std::vector<unsigned char>& picture)
+{
+  return std::all_of(picture.begin(), picture.end(), [](unsigned char c) { return c == 0; });
+}
+
+int RunningVtk()
+{
+  return 10 * vtkVersion::GetVTKMajorVersion() + vtkVersion::GetVTKMinorVersion();
+}
+
+// Of the VTK that runs; a development version may have what the next release has.
+bool IsOfThisVtk(const stock::Entry& entry)
+{
+  return std::any_of(entry.Wordings.begin(), entry.Wordings.end(),
+    [](const stock::Wording& w) { return w.Since <= RunningVtk(); });
+}
+
+std::vector<int> TimesFound()
+{
+  std::vector<int> times;
+  for (const stock::Entry& entry : stock::Table())
+  {
+    times.push_back(stock::TimesFound(entry.Which));
+  }
+  return times;
+}
+
+using Users = std::map<Edit, std::vector<const StockEditScene*>>;
+
+// The scenes whose shaders an edit finds something in, each drawn once for all tests.
+const Users& FindUsers()
+{
+  static Users users;
+  if (!users.empty())
+  {
+    return users;
+  }
+  for (const StockEditScene& scene : StockEditScenes())
+  {
+    const Overheard vtk;
+    const std::vector<int> before = TimesFound();
+    Picture picture(scene);
+    EXPECT_FALSE(IsBlack(picture.Draw())) << scene.Name;
+    EXPECT_EQ(vtk.All(), "") << scene.Name;
+    const std::vector<int> after = TimesFound();
+    for (const stock::Entry& entry : stock::Table())
+    {
+      const auto i = static_cast<size_t>(entry.Which);
+      if (after[i] > before[i])
+      {
+        users[entry.Which].push_back(&scene);
+      }
+    }
+  }
+  return users;
+}
+}
+
+TEST(StockEdits, TheTableIsInOrder)
+{
+  ASSERT_EQ(stock::Table().size(), static_cast<size_t>(Edit::Count));
+  for (size_t i = 0; i < stock::Table().size(); i++)
+  {
+    EXPECT_EQ(static_cast<size_t>(stock::Table()[i].Which), i) << stock::Table()[i].Name;
+    EXPECT_FALSE(stock::Table()[i].Wordings.empty()) << stock::Table()[i].Name;
+  }
+}
+
+TEST(StockEdits, EachFindsItsTextInThisVtk)
+{
+  const Users& users = FindUsers();
+  for (const stock::Entry& entry : stock::Table())
+  {
+    EXPECT_TRUE(users.count(entry.Which) > 0 || !IsOfThisVtk(entry))
+      << "no scene has the text of \"" << entry.Name << "\"";
+  }
+}
+
+// Once of each, whatever is drawn how often, and nothing half edited.
+TEST(StockEdits, OneThatFindsNothingIsSaidAndLeavesThePropOut)
+{
+  for (const auto& [edit, scenes] : FindUsers())
+  {
+    const stock::Entry& entry = stock::Table()[static_cast<size_t>(edit)];
+    if (entry.Optional)
+    {
+      continue;
+    }
+    for (const StockEditScene* scene : { scenes.front(), scenes.back() })
+    {
+      const Overheard vtk;
+      vtkNew<OtherVtk> other;
+      other->Other = edit;
+      Picture picture(*scene);
+      picture.BreakAll(other);
+      const bool black = IsBlack(picture.Draw());
+      picture.Test.Camera->Yaw(10);
+      picture.Draw();
+      EXPECT_TRUE(black || scene->Flat) << entry.Name << " in " << scene->Name;
+      EXPECT_EQ(vtk.Count(std::string("the edit \"") + entry.Name + "\""), 1)
+        << entry.Name << " in " << scene->Name << ": " << vtk.All();
+      EXPECT_EQ(vtk.Count("ERROR"), 1) << vtk.All();
+      EXPECT_GE(vtk.Count(vtkVersion::GetVTKVersion()), 1) << vtk.All();
+    }
+  }
+}
+
+// The wordings of other VTKs too, and what is optional is no error.
+TEST(StockEdits, EveryWordingIsFoundAndReplaced)
+{
+  for (const stock::Entry& entry : stock::Table())
+  {
+    std::string nothing = "void other() {}\n";
+    EXPECT_EQ(stock::Replace(nothing, entry.Which, "x", stock::Found::Must, "n"), -1) << entry.Name;
+    const std::vector<Edit> missing = stock::Missing(nothing);
+    EXPECT_EQ(missing, entry.Optional ? std::vector<Edit>() : std::vector<Edit>{ entry.Which });
+    std::string may = "void other() {}\n";
+    stock::Replace(may, entry.Which, "x", stock::Found::May, "n");
+    EXPECT_EQ(may, "void other() {}\n") << entry.Name;
+    for (size_t i = 0; i < entry.Wordings.size(); i++)
+    {
+      const stock::Wording& wording = entry.Wordings[i];
+      if (!wording.Pattern)
+      {
+        std::string text = std::string("a(") + wording.Text + (wording.Last ? wording.Last : "");
+        text = text.replace(text.find('@') % text.size(), text.find('@') != std::string::npos, "n");
+        EXPECT_EQ(
+          stock::Replace(text, entry.Which, "[$&]", stock::Found::Must, "n"), static_cast<int>(i))
+          << wording.Text;
+      }
+    }
+  }
+}
+
+TEST(StockEdits, WhatIsBesideAPropThatIsLeftOutIsDrawnAsBefore)
+{
+  std::vector<unsigned char> alone;
+  for (bool broken : { false, true })
+  {
+    const Overheard vtk;
+    WideFoVTestWindow test("equirectangular", 96, 48);
+    vtkNew<vtkSphereSource> ball;
+    ball->SetCenter(2, 0, 0);
+    test.Renderer->AddActor(MakeTestActor(ball, 0.9, 0.5, 0.2));
+    vtkNew<OtherVtk> other;
+    other->Other = Edit::HeadlightCosine;
+    if (broken)
+    {
+      auto room = MakeTestRoom();
+      other->Other = Edit::FlatNormal;
+      other->GiveTo(room);
+      room->GetProperty()->SetInterpolationToFlat();
+      test.Renderer->AddActor(room);
+    }
+    test.Window->Render();
+    const TestPixels pixels(test.Window);
+    const unsigned char* const first = pixels.At(0, 0);
+    const std::vector<unsigned char> drawn{ first, first + pixels.Data->GetNumberOfValues() };
+    if (broken)
+    {
+      EXPECT_EQ(drawn, alone);
+    }
+    alone = drawn;
+    EXPECT_EQ(vtk.Count("ERROR"), broken) << vtk.All();
+  }
+}
+
+TEST(StockEdits, SelectionFindsNothingOfAPropThatIsLeftOut)
+{
+  const Overheard vtk;
+  vtkNew<OtherVtk> other;
+  other->Other = Edit::FromEye;
+  Picture picture(StockEditScenes().front());
+  picture.BreakAll(other);
+  picture.Draw();
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(picture.Test.Renderer);
+  selector->SetArea(0, 0, 47, 23);
+  const auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
+  EXPECT_TRUE(!selection || selection->GetNumberOfNodes() == 0);
+  EXPECT_EQ(vtk.Count("ERROR"), 1) << vtk.All();
+}
