@@ -338,10 +338,7 @@ bool vtkWideFoVDataPass::PostReplaceShaderValues(std::string& vertexShader,
   }
   wfv::data::Finish(wfv::stock::Describe(mapper, prop), this->Internal->Wide, vertexShader,
     geometryShader, fragmentShader);
-  if (wfv::stock::ReportMissing(this, mapper, vertexShader, geometryShader, fragmentShader))
-  {
-    wfv::stock::DrawNothing(vertexShader, geometryShader, fragmentShader);
-  }
+  wfv::stock::LeaveOutUnedited(this, mapper, vertexShader, geometryShader, fragmentShader);
   return true;
 }
 

@@ -68,8 +68,8 @@ bool vtkWideFoVHeadlights::PostReplaceShaderValues(
 {
   std::string fragment = fragmentShader;
   Rewrite(wfv::stock::Describe(mapper, prop), fragment);
-  // else it stays as VTK has it, with headlights that shine along the view axis
-  if (!wfv::stock::ReportMissing(this, mapper, "", "", fragment))
+  const char* const instead = "headlights shine along the view axis";
+  if (!wfv::stock::ReportMissing(this, mapper, fragment, instead))
   {
     fragmentShader = fragment;
   }

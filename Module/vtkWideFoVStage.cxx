@@ -312,17 +312,7 @@ bool vtkWideFoVStage::PostReplaceShaderValues(std::string& vertexShader,
   vertexShader = made.Vertex;
   geometryShader = made.Geometry;
   fragmentShader = made.Fragment;
-  this->LeaveOutUnedited(vertexShader, geometryShader, fragmentShader, mapper);
-  return true;
-}
-
-// VTK's own text would put it elsewhere in a wide picture: it is drawn right or not at all.
-void vtkWideFoVStage::LeaveOutUnedited(
-  std::string& vertex, std::string& geometry, std::string& fragment, vtkAbstractMapper* mapper)
-{
   vtkObject* const reports = this->Renderer ? static_cast<vtkObject*>(this->Renderer) : this;
-  if (wfv::stock::ReportMissing(reports, mapper, vertex, geometry, fragment))
-  {
-    wfv::stock::DrawNothing(vertex, geometry, fragment);
-  }
+  wfv::stock::LeaveOutUnedited(reports, mapper, vertexShader, geometryShader, fragmentShader);
+  return true;
 }

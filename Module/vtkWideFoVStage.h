@@ -180,10 +180,6 @@ private:
 
   void NoteView(const wfv::View& view);
 
-  // Makes shaders in which an edit found nothing draw nothing, and says so.
-  void LeaveOutUnedited(
-    std::string& vertex, std::string& geometry, std::string& fragment, vtkAbstractMapper* mapper);
-
   // Looks whether the bound framebuffer has several samples a pixel: before a frame, and for each
   // draw, where one of them has.
   void TakeSamples();

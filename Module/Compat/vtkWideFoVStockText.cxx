@@ -91,11 +91,12 @@ std::string Sentence(Edit edit)
 {
   const Entry& entry = Table()[static_cast<std::size_t>(edit)];
   std::ostringstream words;
-  words << "the edit \"" << entry.Name << "\" (" << entry.Where << ") of VTK's shader text finds";
+  words << "the shaders of VTK " << vtkVersion::GetVTKVersion() << " have nothing for the edit \""
+        << entry.Name << "\" (" << entry.Where << "), which looks for";
   for (const Wording& wording : entry.Wordings)
   {
-    words << (&wording == &entry.Wordings.front() ? " neither \"" : " nor \"") << wording.Text
-          << "\" of VTK " << Version(wording.Since);
+    words << (&wording == &entry.Wordings.front() ? " " : " or ") << wording.Text << " (VTK "
+          << Version(wording.Since) << ")";
   }
   return words.str();
 }
@@ -124,28 +125,31 @@ Facts Describe(vtkAbstractMapper* mapper, vtkProp* prop)
   return facts;
 }
 
-bool ReportMissing(vtkObject* object, vtkAbstractMapper* mapper, const std::string& vertex,
-  const std::string& geometry, const std::string& fragment)
+bool ReportMissing(
+  vtkObject* object, vtkAbstractMapper* mapper, const std::string& texts, const char* instead)
 {
-  bool any = false;
-  for (const Edit edit : Missing(vertex + geometry + fragment))
+  const std::vector<Edit> missing = Missing(texts);
+  for (const Edit edit : missing)
   {
-    any = true;
     if (IsNews(edit))
     {
-      vtkErrorWithObjectMacro(
-        object, << Sentence(edit) << " in that of VTK " << vtkVersion::GetVTKVersion()
-                << ": not drawn is what needs it, first seen in a " << mapper->GetClassName());
+      const std::string words =
+        Sentence(edit) + ": " + instead + ", first of a " + mapper->GetClassName();
+      vtkErrorWithObjectMacro(object, << words);
     }
   }
-  return any;
+  return !missing.empty();
 }
 
-void DrawNothing(std::string& vertex, std::string& geometry, std::string& fragment)
+void LeaveOutUnedited(vtkObject* object, vtkAbstractMapper* mapper, std::string& vertex,
+  std::string& geometry, std::string& fragment)
 {
-  vertex = nothing_vertex_glsl;
-  geometry.clear();
-  fragment = nothing_fragment_glsl;
+  if (ReportMissing(object, mapper, vertex + geometry + fragment, "what needs it is not drawn"))
+  {
+    vertex = nothing_vertex_glsl;
+    geometry.clear();
+    fragment = nothing_fragment_glsl;
+  }
 }
 
 bool DrawsNothing(const std::string& fragment)

@@ -16,14 +16,18 @@ namespace stock
 {
 Facts Describe(vtkAbstractMapper* mapper, vtkProp* prop);
 
-// Where an edit found nothing in one of these: says so by an error of `object`, once for each edit
-// in this process, and returns true.
-bool ReportMissing(vtkObject* object, vtkAbstractMapper* mapper, const std::string& vertex,
-  const std::string& geometry, const std::string& fragment);
+// Where an edit found nothing in these: says so by an error of `object`, once for each edit in this
+// process, with what is done instead, and returns true.
+bool ReportMissing(
+  vtkObject* object, vtkAbstractMapper* mapper, const std::string& texts, const char* instead);
 
-// Stages that draw nothing at all, whatever the mapper binds and sets.
-void DrawNothing(std::string& vertex, std::string& geometry, std::string& fragment);
-WFV_EXPORT bool DrawsNothing(const std::string& fragment);
+// Where an edit found nothing in these: says so and makes them draw nothing. VTK's own text would
+// put it elsewhere in a wide picture.
+void LeaveOutUnedited(vtkObject* object, vtkAbstractMapper* mapper, std::string& vertex,
+  std::string& geometry, std::string& fragment);
+
+// Of a fragment stage: whether that was done.
+bool DrawsNothing(const std::string& fragment);
 
 // As if nothing had been said yet: for tests.
 WFV_EXPORT void ForgetReports();

@@ -28,7 +28,7 @@
 #include "vtkWideFoVPolyDataMapper.h"
 #include "vtkWideFoVScreenCamera.h"
 
-namespace
+namespace stockScenes
 {
 using Window = WideFoVTestWindow;
 
@@ -67,9 +67,17 @@ void AddLights(Window& test, bool positional)
   for (double x : { -1.0, 1.0 })
   {
     vtkNew<vtkLight> light;
-    light->SetLightTypeToCameraLight();
+    if (positional)
+    {
+      light->SetLightTypeToSceneLight();
+      light->SetPositional(1);
+      light->SetConeAngle(180);
+    }
+    else
+    {
+      light->SetLightTypeToCameraLight();
+    }
     light->SetPosition(x, 1, 0.5);
-    light->SetPositional(positional);
     test.Renderer->AddLight(light);
   }
 }
@@ -79,9 +87,10 @@ vtkSmartPointer<vtkPolyData> Points()
 {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> verts;
-  vtkNew<vtkFloatArray> sizes, axes;
+  vtkNew<vtkFloatArray> sizes, stickSizes, axes;
   sizes->SetName("size");
-  sizes->SetNumberOfComponents(1);
+  stickSizes->SetName("stick size");
+  stickSizes->SetNumberOfComponents(3);
   axes->SetName("axis");
   axes->SetNumberOfComponents(3);
   for (int i = 0; i < 3; i++)
@@ -89,12 +98,14 @@ vtkSmartPointer<vtkPolyData> Points()
     const vtkIdType id = points->InsertNextPoint(i - 0.9, 0.2, 2);
     verts->InsertNextCell(1, &id);
     sizes->InsertNextValue(0.3f);
+    stickSizes->InsertNextTuple3(0.7, 0.2, 0.2);
     axes->InsertNextTuple3(0.1, 0.7, 0.2);
   }
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(points);
   data->SetVerts(verts);
   data->GetPointData()->AddArray(sizes);
+  data->GetPointData()->AddArray(stickSizes);
   data->GetPointData()->AddArray(axes);
   return data;
 }
@@ -196,9 +207,18 @@ void FillBalls(Window& test)
 
 void FillSticks(Window& test)
 {
+  // VTK's own mapper wants colours
+  auto data = Points();
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
+  for (int i = 0; i < 3; i++)
+  {
+    colors->InsertNextTuple3(250, 200, 150);
+  }
+  data->GetPointData()->SetScalars(colors);
   vtkNew<vtkOpenGLStickMapper> mapper;
-  mapper->SetInputData(Points());
-  mapper->SetScaleArray("size");
+  mapper->SetInputData(data);
+  mapper->SetScaleArray("stick size");
   mapper->SetOrientationArray("axis");
   Add(test, mapper);
 }
@@ -227,6 +247,15 @@ void FillPeeled(Window& test)
   Look(test, Line())->SetOpacity(0.5);
 }
 
+void FillShifted(Window& test)
+{
+  vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
+  vtkProperty* const look = Look(test, Line());
+  look->SetLineWidth(9);
+  look->RenderLinesAsTubesOn();
+  Add(test, Ball());
+}
+
 void UseDataPass(Window& test)
 {
   vtkNew<vtkWideFoVDataPass> data;
@@ -241,11 +270,10 @@ void FillFlat(Window& test, vtkCamera* camera)
   test.Renderer->SetActiveCamera(camera);
   Add(test, Ball());
 }
-}
 
-const std::vector<StockEditScene>& StockEditScenes()
+std::vector<Scene> Surfaces()
 {
-  static const std::vector<StockEditScene> scenes{
+  return {
     { "lit", [](Window& t) { Add(t, Ball()); } },
     { "flat", [](Window& t) { Add(t, Ball(false)); } },
     { "light kit", [](Window& t) { AddLights(t, false), Add(t, Ball()); } },
@@ -265,6 +293,12 @@ const std::vector<StockEditScene>& StockEditScenes()
     { "clipped", FillClipped },
     { "cell colors", FillCellColors },
     { "strips", FillStrips },
+  };
+}
+
+std::vector<Scene> Others()
+{
+  return {
     { "wireframe", [](Window& t) { Look(t, Ball())->SetRepresentationToWireframe(); } },
     { "wireframe, flat", [](Window& t) { Look(t, Ball(false))->SetRepresentationToWireframe(); } },
     { "lines", [](Window& t) { Add(t, Line()); } },
@@ -276,6 +310,7 @@ const std::vector<StockEditScene>& StockEditScenes()
       } },
     { "points", [](Window& t) { Look(t, Points())->SetPointSize(8); } },
     { "points of a user's", FillUsersPoints },
+    { "coincident", FillShifted },
     { "points as spheres",
       [](Window& t) {
         Look(t, Points())->SetPointSize(8);
@@ -294,5 +329,16 @@ const std::vector<StockEditScene>& StockEditScenes()
     { "screen, light kit",
       [](Window& t) { AddLights(t, false), FillFlat(t, vtkNew<vtkWideFoVScreenCamera>()); }, true },
   };
+}
+
+const std::vector<Scene>& All()
+{
+  static const std::vector<Scene> scenes = [] {
+    std::vector<Scene> all = Surfaces();
+    const std::vector<Scene> others = Others();
+    all.insert(all.end(), others.begin(), others.end());
+    return all;
+  }();
   return scenes;
+}
 }

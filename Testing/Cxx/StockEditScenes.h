@@ -10,7 +10,9 @@
 #include <string>
 #include <vector>
 
-struct StockEditScene
+namespace stockScenes
+{
+struct Scene
 {
   std::string Name;
   std::function<void(WideFoVTestWindow&)> Fill;
@@ -19,6 +21,7 @@ struct StockEditScene
   bool Flat = false;
 };
 
-const std::vector<StockEditScene>& StockEditScenes();
+const std::vector<Scene>& All();
+}
 
 #endif

@@ -9,15 +9,19 @@
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
 #include "vtkHardwareSelector.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkMapper.h"
 #include "vtkOpenGLRenderPass.h"
+#include "vtkPointData.h"
+#include "vtkProperty.h"
 #include "vtkSelection.h"
 #include "vtkSphereSource.h"
 #include "vtkStringOutputWindow.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVersion.h"
-#include "vtkWideFoVShaderBuilder.h"
+#include "vtkWideFoVDataPass.h"
 
 #include <gtest/gtest.h>
 
@@ -71,7 +75,8 @@ void Break(std::string& text, Edit edit)
   {
     const std::string found = text.substr(s.At, s.Length);
     const auto isLetter = [](unsigned char c) { return std::isalnum(c) || c == '_'; };
-    const auto place = std::find_if_not(found.begin() + 1, found.end(), isLetter);
+    const auto word = std::find_if(found.begin(), found.end(), isLetter);
+    const auto place = std::find_if_not(word, found.end(), isLetter);
     const size_t at = s.At + (place == found.end() ? 1 : place - found.begin());
     text.insert(at, place == found.end() ? "X" : "/**/");
   }
@@ -111,18 +116,37 @@ public:
   Edit Other = Edit::Count;
 };
 
-struct Picture
+// Levels of 255, without alpha.
+std::vector<unsigned char> DrawnData(vtkWideFoVDataPass* pass)
 {
-  explicit Picture(const StockEditScene& scene)
+  vtkDataArray* const color = pass->GetOutput()->GetPointData()->GetArray("color");
+  std::vector<unsigned char> levels;
+  for (vtkIdType i = 0; i < 3 * color->GetNumberOfTuples(); i++)
+  {
+    levels.push_back(static_cast<unsigned char>(255 * color->GetComponent(i / 3, i % 3)));
+  }
+  return levels;
+}
+
+struct BrokenPicture
+{
+  explicit BrokenPicture(const stockScenes::Scene& scene)
     : Test("equirectangular", 48, 24)
   {
     this->Test.Renderer->SetBackground(0, 0, 0);
     scene.Fill(this->Test);
   }
 
+  // Some scenes set what is one for all mappers.
+  ~BrokenPicture() { vtkMapper::SetResolveCoincidentTopologyToDefault(); }
+
   std::vector<unsigned char> Draw()
   {
     this->Test.Window->Render();
+    if (auto* const data = vtkWideFoVDataPass::SafeDownCast(this->Test.Renderer->GetPass()))
+    {
+      return DrawnData(data);
+    }
     const TestPixels pixels(this->Test.Window);
     const unsigned char* const first = pixels.At(0, 0);
     return { first, first + pixels.Data->GetNumberOfValues() };
@@ -169,7 +193,7 @@ std::vector<int> TimesFound()
   return times;
 }
 
-using Users = std::map<Edit, std::vector<const StockEditScene*>>;
+using Users = std::map<Edit, std::vector<const stockScenes::Scene*>>;
 
 // The scenes whose shaders an edit finds something in, each drawn once for all tests.
 const Users& FindUsers()
@@ -179,11 +203,11 @@ const Users& FindUsers()
   {
     return users;
   }
-  for (const StockEditScene& scene : StockEditScenes())
+  for (const stockScenes::Scene& scene : stockScenes::All())
   {
     const Overheard vtk;
     const std::vector<int> before = TimesFound();
-    Picture picture(scene);
+    BrokenPicture picture(scene);
     EXPECT_FALSE(IsBlack(picture.Draw())) << scene.Name;
     EXPECT_EQ(vtk.All(), "") << scene.Name;
     const std::vector<int> after = TimesFound();
@@ -230,12 +254,16 @@ TEST(StockEdits, OneThatFindsNothingIsSaidAndLeavesThePropOut)
     {
       continue;
     }
-    for (const StockEditScene* scene : { scenes.front(), scenes.back() })
+    for (const stockScenes::Scene* scene : { scenes.front(), scenes.back() })
     {
+      if (scene->Flat && edit == Edit::Declarations)
+      {
+        continue; // without that VTK draws nothing either
+      }
       const Overheard vtk;
       vtkNew<OtherVtk> other;
       other->Other = edit;
-      Picture picture(*scene);
+      BrokenPicture picture(*scene);
       picture.BreakAll(other);
       const bool black = IsBlack(picture.Draw());
       picture.Test.Camera->Yaw(10);
@@ -314,7 +342,7 @@ TEST(StockEdits, SelectionFindsNothingOfAPropThatIsLeftOut)
   const Overheard vtk;
   vtkNew<OtherVtk> other;
   other->Other = Edit::FromEye;
-  Picture picture(StockEditScenes().front());
+  BrokenPicture picture(stockScenes::All().front());
   picture.BreakAll(other);
   picture.Draw();
   vtkNew<vtkHardwareSelector> selector;
