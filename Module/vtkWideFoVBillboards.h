@@ -3,12 +3,16 @@
 #ifndef vtkWideFoVBillboards_h
 #define vtkWideFoVBillboards_h
 
+#include "vtkWideFoVAbi.h"
+
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkBillboardTextActor3D;
 class vtkProp;
 class vtkRenderer;
 class vtkWideFoVCamera;
+VTK_ABI_NAMESPACE_END
 
 namespace wfv
 {

@@ -5,12 +5,15 @@
 #ifndef vtkWideFoVBufferScale_h
 #define vtkWideFoVBufferScale_h
 
+#include "vtkWideFoVAbi.h"
 #include "vtkWeakPointer.h"
 
 #include <unordered_map>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkMapper;
 class vtkProp;
+VTK_ABI_NAMESPACE_END
 
 namespace wfv
 {

@@ -3,15 +3,13 @@
  * @class   vtkWideFoVCamera
  * @brief   a camera whose projection may be non-planar, up to 360 degrees
  *
- * Position, focal point and view up are those of vtkCamera; what differs is how
- * view coordinates (x right, y up, looking down -z) become a picture. The camera
- * only describes the view: vtkWideFoVPass (any stock mapper) or
- * vtkWideFoVPolyDataMapper draw with it.
+ * Position, focal point and view up are those of vtkCamera; what differs is how view coordinates
+ * (x right, y up, looking down -z) become a picture. The camera only describes the view:
+ * vtkWideFoVPass (any stock mapper) or vtkWideFoVPolyDataMapper draw with it.
  *
- * With the projection "perspective" it is an ordinary perspective camera with a
- * horizontal and a vertical field of view, and every stock part of VTK serves it.
- *
- * All angles are in degrees, all distances in scene units.
+ * With the projection "perspective" it is an ordinary perspective camera with a horizontal and a
+ * vertical field of view, and every stock part of VTK serves it. All angles are in degrees, all
+ * distances in scene units.
  */
 
 #ifndef vtkWideFoVCamera_h
@@ -19,11 +17,10 @@
 
 #include "vtkOpenGLCamera.h"
 #include "vtkRenderingWideFoVModule.h" // For export macro
+#include "vtkWideFoVAbi.h"             // For VTK_ABI_NAMESPACE_BEGIN
 
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
-
-class vtkImageData;
 
 namespace wfv
 {
@@ -34,6 +31,9 @@ struct StereoModel;
 struct StereoOptions;
 struct ViewRay;
 }
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkImageData;
 
 class VTKRENDERINGWIDEFOV_EXPORT vtkWideFoVCamera : public vtkOpenGLCamera
 {
@@ -412,5 +412,6 @@ private:
   std::unique_ptr<Internals> Internal;
   const wfv::Projection* Definition;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -13,7 +13,9 @@
 
 #include "vtkCellPicker.h"
 #include "vtkRenderingWideFoVModule.h" // For export macro
+#include "vtkWideFoVAbi.h"             // For VTK_ABI_NAMESPACE_BEGIN
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKRENDERINGWIDEFOV_EXPORT vtkWideFoVCellPicker : public vtkCellPicker
 {
 public:
@@ -36,5 +38,6 @@ private:
   vtkWideFoVCellPicker(const vtkWideFoVCellPicker&) = delete;
   void operator=(const vtkWideFoVCellPicker&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

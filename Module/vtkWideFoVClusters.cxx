@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVClusters.h"
 
+#include "vtkAOSDataArrayTemplate.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkDataArray.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkTypeInt32Array.h"
-#include "vtkTypeInt64Array.h"
 
 #include <algorithm>
 #include <cmath>
@@ -175,21 +174,16 @@ void Extend(std::array<double, 6>& bounds, const Place& p)
 
 namespace wfv
 {
-void Corners::Take(vtkCellArray* cells)
+bool Corners::Take(vtkCellArray* cells)
 {
   vtkDataArray* const ids = cells->GetConnectivityArray();
-  this->Wide = nullptr;
-  this->Narrow = nullptr;
-  this->Size = static_cast<std::size_t>(ids->GetNumberOfValues());
-  if (cells->IsStorage64Bit())
-  {
-    this->Wide = cells->GetConnectivityArray64()->GetPointer(0);
-  }
-  else
-  {
-    this->Narrow = reinterpret_cast<const unsigned int*>(
-      cells->GetConnectivityArray32()->GetPointer(0)); // (none is below 0)
-  }
+  auto* const wide = vtkAOSDataArrayTemplate<vtkTypeInt64>::FastDownCast(ids);
+  auto* const narrow = vtkAOSDataArrayTemplate<vtkTypeInt32>::FastDownCast(ids);
+  this->Wide = wide ? wide->GetPointer(0) : nullptr;
+  // (none is below 0)
+  this->Narrow = narrow ? reinterpret_cast<const unsigned int*>(narrow->GetPointer(0)) : nullptr;
+  this->Size = wide || narrow ? static_cast<std::size_t>(ids->GetNumberOfValues()) : 0;
+  return wide || narrow;
 }
 
 void Corners::Take(const std::vector<unsigned int>& copy)
@@ -250,11 +244,11 @@ void Clusters::Build(vtkPolyData* data)
     return;
   }
   this->AsTheyAre = !this->Strips && cells->IsHomogeneous() == 3;
-  if (this->AsTheyAre && this->AddCells(data))
+  if (this->AsTheyAre && this->All.Take(cells) && this->AddCells(data))
   {
-    this->All.Take(cells);
     return;
   }
+  this->All = Corners();
   this->AsTheyAre = false;
   this->Bounds.clear();
   this->Triangles = 0;

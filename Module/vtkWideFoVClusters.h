@@ -3,14 +3,17 @@
 #ifndef vtkWideFoVClusters_h
 #define vtkWideFoVClusters_h
 
+#include "vtkWideFoVAbi.h"
 #include "vtkType.h"
 
 #include <array>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkCellArray;
 class vtkPoints;
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
 
 namespace wfv
 {
@@ -25,7 +28,8 @@ public:
   }
   std::size_t size() const { return this->Size; }
 
-  void Take(vtkCellArray* triangles);
+  // False where these keep them in no plain array of integers, as VTK 9.6 may.
+  bool Take(vtkCellArray* triangles);
   void Take(const std::vector<unsigned int>& copy);
 
 private:

@@ -4,6 +4,7 @@
 #include "Compat/vtkWideFoVStockText.h"
 #include "vtkWideFoVCamera.h"
 #include "vtkWideFoVDataShaders.h"
+#include "vtkWideFoVGl.h"
 
 #include "vtkActor.h"
 #include "vtkFloatArray.h"
@@ -26,8 +27,8 @@
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
 #include "vtkWeakPointer.h"
-#include "vtk_glew.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>

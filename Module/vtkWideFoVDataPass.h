@@ -13,9 +13,11 @@
 
 #include "vtkOpenGLRenderPass.h"
 #include "vtkRenderingWideFoVModule.h" // For export macro
+#include "vtkWideFoVAbi.h"             // For VTK_ABI_NAMESPACE_BEGIN
 
 #include <memory> // For std::unique_ptr
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
 
 class VTKRENDERINGWIDEFOV_EXPORT vtkWideFoVDataPass : public vtkOpenGLRenderPass
@@ -68,5 +70,6 @@ private:
   struct Internals;
   std::unique_ptr<Internals> Internal;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

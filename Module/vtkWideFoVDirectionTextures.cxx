@@ -3,7 +3,7 @@
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
-#include "vtk_glew.h"
+#include "vtkWideFoVGl.h"
 
 #include <utility>
 

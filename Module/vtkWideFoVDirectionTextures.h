@@ -4,9 +4,11 @@
 #define vtkWideFoVDirectionTextures_h
 
 #include "Projections/DirectionMap.h"
+#include "vtkWideFoVAbi.h"
 #include "vtkNew.h"
 #include "vtkTextureObject.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 class vtkWindow;
@@ -34,5 +36,6 @@ private:
   vtkNew<vtkTextureObject> Cells;
   vtkNew<vtkTextureObject> Seeds;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -5,9 +5,13 @@
 #ifndef vtkWideFoVEye_h
 #define vtkWideFoVEye_h
 
+#include "vtkWideFoVAbi.h"
+
+VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
 class vtkOpenGLPolyDataMapper;
 class vtkShaderProgram;
+VTK_ABI_NAMESPACE_END
 
 namespace wfv
 {

@@ -3,10 +3,14 @@
 #ifndef vtkWideFoVEyeLayers_h
 #define vtkWideFoVEyeLayers_h
 
+#include "vtkWideFoVAbi.h"
+
 #include <memory>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
 class vtkWindow;
+VTK_ABI_NAMESPACE_END
 
 namespace wfv
 {

@@ -4,6 +4,7 @@
 #ifndef vtkWideFoVEyesAtOnce_h
 #define vtkWideFoVEyesAtOnce_h
 
+#include "vtkWideFoVAbi.h"
 #include "vtkWideFoVEyeLayers.h"
 
 #include "vtkType.h"
@@ -12,8 +13,10 @@
 #include <utility>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkProp;
 class vtkRenderer;
+VTK_ABI_NAMESPACE_END
 
 namespace wfv
 {

@@ -3,9 +3,13 @@
 #ifndef vtkWideFoVFatMesh_h
 #define vtkWideFoVFatMesh_h
 
+#include "vtkWideFoVAbi.h"
+
 #include "Projections/Projection.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
 
 namespace wfv
 {

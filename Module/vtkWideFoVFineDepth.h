@@ -3,15 +3,18 @@
 #ifndef vtkWideFoVFineDepth_h
 #define vtkWideFoVFineDepth_h
 
+#include "vtkWideFoVAbi.h"
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkTextureObject.h"
 #include "vtkWeakPointer.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkProp;
 class vtkRenderer;
 class vtkShaderProgram;
 class vtkWindow;
+VTK_ABI_NAMESPACE_END
 
 namespace wfv
 {

@@ -4,12 +4,14 @@
 #ifndef vtkWideFoVFrameProps_h
 #define vtkWideFoVFrameProps_h
 
+#include "vtkWideFoVAbi.h"
 #include "vtkType.h"
 #include "vtkWideFoVPropFacts.h"
 
 #include <cstdint>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithm;
 class vtkDataObject;
 class vtkMapper;
@@ -17,6 +19,7 @@ class vtkProp;
 class vtkRenderer;
 class vtkWideFoVStage;
 class vtkWideFoVStages;
+VTK_ABI_NAMESPACE_END
 
 namespace wfv
 {

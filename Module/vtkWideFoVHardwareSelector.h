@@ -13,7 +13,9 @@
 
 #include "vtkOpenGLHardwareSelector.h"
 #include "vtkRenderingWideFoVModule.h" // For export macro
+#include "vtkWideFoVAbi.h"             // For VTK_ABI_NAMESPACE_BEGIN
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKRENDERINGWIDEFOV_EXPORT vtkWideFoVHardwareSelector : public vtkOpenGLHardwareSelector
 {
 public:
@@ -31,5 +33,6 @@ private:
   vtkWideFoVHardwareSelector(const vtkWideFoVHardwareSelector&) = delete;
   void operator=(const vtkWideFoVHardwareSelector&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

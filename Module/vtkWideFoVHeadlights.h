@@ -4,11 +4,14 @@
 #define vtkWideFoVHeadlights_h
 
 #include "Compat/vtkWideFoVStockEdits.h"
+#include "vtkWideFoVAbi.h"
 #include "vtkOpenGLRenderPass.h"
 
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkRenderer;
+VTK_ABI_NAMESPACE_END
 
 namespace wfv
 {
@@ -16,6 +19,7 @@ namespace wfv
 int FindHeadlights(vtkRenderer* renderer);
 }
 
+VTK_ABI_NAMESPACE_BEGIN
 // Sits in the props' keys while they are drawn. Stock VTK takes a headlight for parallel to the
 // view axis; on screens at angles to each other it would have a step where they meet.
 class vtkWideFoVHeadlights : public vtkOpenGLRenderPass
@@ -47,5 +51,6 @@ private:
 
   int Lights = 0;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -3,6 +3,7 @@
 #ifndef vtkWideFoVHiddenScene_h
 #define vtkWideFoVHiddenScene_h
 
+#include "vtkWideFoVAbi.h"
 #include "vtkWideFoVDepthPicture.h"
 #include "vtkWideFoVSampleRays.h"
 
@@ -10,8 +11,10 @@
 #include <utility>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkProp;
 class vtkRenderer;
+VTK_ABI_NAMESPACE_END
 
 namespace wfv
 {

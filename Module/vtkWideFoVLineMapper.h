@@ -3,8 +3,12 @@
 #ifndef vtkWideFoVLineMapper_h
 #define vtkWideFoVLineMapper_h
 
+#include "vtkWideFoVAbi.h"
+
+VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
 class vtkOpenGLPolyDataMapper;
+VTK_ABI_NAMESPACE_END
 
 namespace wfv
 {

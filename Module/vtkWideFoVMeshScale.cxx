@@ -4,7 +4,7 @@
 #include "vtkActor.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
-#include "vtkCompositePolyDataMapper2.h"
+#include "vtkWideFoVCompositeMapper.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
@@ -87,7 +87,7 @@ double MeshScale::Get(vtkProp* prop)
   auto* const actor = vtkActor::SafeDownCast(prop);
   auto* const mapper = actor ? vtkPolyDataMapper::SafeDownCast(actor->GetMapper()) : nullptr;
   if (!mapper || vtkGlyph3DMapper::SafeDownCast(actor->GetMapper()) ||
-    vtkCompositePolyDataMapper2::SafeDownCast(mapper) || !mapper->GetInput())
+    vtkWideFoVCompositeMapper::SafeDownCast(mapper) || !mapper->GetInput())
   {
     return Unknown;
   }

@@ -4,14 +4,17 @@
 #ifndef vtkWideFoVMeshScale_h
 #define vtkWideFoVMeshScale_h
 
+#include "vtkWideFoVAbi.h"
 #include "vtkType.h"
 #include "vtkWeakPointer.h"
 
 #include <unordered_map>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkMapper;
 class vtkPolyData;
 class vtkProp;
+VTK_ABI_NAMESPACE_END
 
 namespace wfv
 {

@@ -2,9 +2,10 @@
 #include "vtkWideFoVPass.h"
 
 #include "vtkWideFoVCamera.h"
-#include "vtkWideFoVCompositeHelper.h"
+#include "vtkWideFoVCompositeMapper.h"
 #include "vtkWideFoVPassInternals.h"
 #include "vtkWideFoVScreenCamera.h"
+#include "vtkWideFoVVersionCheck.h"
 
 #include "vtkActor.h"
 #include "vtkObjectFactory.h"
@@ -130,7 +131,7 @@ void vtkWideFoVPass::DrawProps(const vtkRenderState* s, vtkProp** props, int cou
     in.Keys[i].Attach(props[i], in.Chosen[i]);
     if (auto* const actor = vtkActor::SafeDownCast(props[i]))
     {
-      vtkWideFoVCompositeHelper::GiveTo(actor->GetMapper(), s->GetRenderer()->GetRenderWindow());
+      wfv::SortBlocksOf(actor->GetMapper(), s->GetRenderer()->GetRenderWindow());
     }
   }
   vtkRenderState seen(s->GetRenderer());
@@ -185,6 +186,7 @@ void vtkWideFoVPass::Render(const vtkRenderState* s)
     this->DrawDelegate(s);
     return;
   }
+  wfv::WarnOfVtk();
   this->RenderWide(s, camera);
   this->TakeCounts();
 }

@@ -19,10 +19,12 @@
 
 #include "vtkOpenGLRenderPass.h"
 #include "vtkRenderingWideFoVModule.h" // For export macro
+#include "vtkWideFoVAbi.h"             // For VTK_ABI_NAMESPACE_BEGIN
 
 #include <memory> // For std::unique_ptr
 #include <string> // For GetStatistics
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkProp;
 class vtkRenderer;
 class vtkWideFoVCamera;
@@ -328,5 +330,6 @@ private:
   struct Internals;
   std::unique_ptr<Internals> Internal;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -15,9 +15,11 @@
 
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkRenderingWideFoVModule.h" // For export macro
+#include "vtkWideFoVAbi.h"             // For VTK_ABI_NAMESPACE_BEGIN
 
 #include <memory> // For std::unique_ptr
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKRENDERINGWIDEFOV_EXPORT vtkWideFoVPolyDataMapper : public vtkOpenGLPolyDataMapper
 {
 public:
@@ -70,5 +72,6 @@ private:
   struct Internals;
   std::unique_ptr<Internals> Internal;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -3,13 +3,16 @@
 #ifndef vtkWideFoVProgramMemory_h
 #define vtkWideFoVProgramMemory_h
 
+#include "vtkWideFoVAbi.h"
 #include "vtkWideFoVEye.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <unordered_map>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkShaderProgram;
+VTK_ABI_NAMESPACE_END
 
 namespace wfv
 {

@@ -3,9 +3,12 @@
 #ifndef vtkWideFoVPropFacts_h
 #define vtkWideFoVPropFacts_h
 
+#include "vtkWideFoVAbi.h"
 #include "vtkType.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
+VTK_ABI_NAMESPACE_END
 
 namespace wfv
 {

@@ -3,11 +3,14 @@
 #ifndef vtkWideFoVPropKeys_h
 #define vtkWideFoVPropKeys_h
 
+#include "vtkWideFoVAbi.h"
 #include "vtkInformation.h"
 #include "vtkSmartPointer.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkProp;
 class vtkWideFoVStage;
+VTK_ABI_NAMESPACE_END
 
 namespace wfv
 {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVQuadricBounds.h"
 
+#include "vtkWideFoVSplats.h"
+
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
 #include "vtkBoundingBox.h"
@@ -10,7 +12,6 @@
 #include "vtkOpenGLSphereMapper.h"
 #include "vtkOpenGLStickMapper.h"
 #include "vtkPointData.h"
-#include "vtkPointGaussianMapper.h"
 #include "vtkPolyData.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
@@ -68,7 +69,7 @@ double ReachOfMapper(vtkMapper* mapper)
   }
   if (auto* splats = vtkPointGaussianMapper::SafeDownCast(mapper))
   {
-    return splats->GetScaleFactor() * splats->GetTriangleScale() *
+    return splats->GetScaleFactor() * wfv::SplatBound(splats) *
       Largest(splats->GetInput(), splats->GetScaleArray(), 0, 1);
   }
   return 0;

@@ -4,7 +4,11 @@
 #ifndef vtkWideFoVQuadricBounds_h
 #define vtkWideFoVQuadricBounds_h
 
+#include "vtkWideFoVAbi.h"
+
+VTK_ABI_NAMESPACE_BEGIN
 class vtkRenderer;
+VTK_ABI_NAMESPACE_END
 
 namespace wfv
 {

@@ -4,10 +4,13 @@
 #ifndef vtkWideFoVQuadricKind_h
 #define vtkWideFoVQuadricKind_h
 
+#include "vtkWideFoVAbi.h"
 #include "vtkWideFoVShaderBuilder.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
 class vtkOpenGLPolyDataMapper;
+VTK_ABI_NAMESPACE_END
 
 namespace wfv
 {

@@ -14,7 +14,9 @@
 
 #include "vtkOpenGLRenderer.h"
 #include "vtkRenderingWideFoVModule.h" // For export macro
+#include "vtkWideFoVAbi.h"             // For VTK_ABI_NAMESPACE_BEGIN
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkWideFoVCamera;
 
 class VTKRENDERINGWIDEFOV_EXPORT vtkWideFoVRenderer : public vtkOpenGLRenderer
@@ -66,5 +68,6 @@ private:
   vtkWideFoVRenderer(const vtkWideFoVRenderer&) = delete;
   void operator=(const vtkWideFoVRenderer&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

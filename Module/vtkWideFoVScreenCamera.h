@@ -23,8 +23,10 @@
 #define vtkWideFoVScreenCamera_h
 
 #include "vtkRenderingWideFoVModule.h" // For export macro
+#include "vtkWideFoVAbi.h"             // For VTK_ABI_NAMESPACE_BEGIN
 #include "vtkWideFoVCamera.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKRENDERINGWIDEFOV_EXPORT vtkWideFoVScreenCamera : public vtkWideFoVCamera
 {
 public:
@@ -99,5 +101,6 @@ private:
   struct Room;
   std::unique_ptr<Room> In;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -5,10 +5,12 @@
 #define vtkWideFoVShaderBuilder_h
 
 #include "Compat/vtkWideFoVStockEdits.h"
+#include "vtkWideFoVAbi.h"
 #include "Projections/Projection.h"
 
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class WFV_EXPORT vtkWideFoVShaderBuilder
 {
 public:
@@ -98,5 +100,6 @@ public:
   // Inserts text behind the head of a shader, where declarations may stand.
   static void Declare(std::string& source, const std::string& text);
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -3,11 +3,14 @@
 #ifndef vtkWideFoVShaderClock_h
 #define vtkWideFoVShaderClock_h
 
+#include "vtkWideFoVAbi.h"
 #include "vtkTimeStamp.h"
 
 #include <chrono>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkShaderProgram;
+VTK_ABI_NAMESPACE_END
 
 namespace wfv
 {

@@ -3,6 +3,7 @@
 #ifndef vtkWideFoVSortedDraw_h
 #define vtkWideFoVSortedDraw_h
 
+#include "vtkWideFoVAbi.h"
 #include "vtkWideFoVBufferTexture.h"
 #include "vtkWideFoVSorter.h"
 
@@ -14,6 +15,7 @@
 #include <string>
 #include <utility>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
 class vtkOpenGLIndexBufferObject;
 class vtkOpenGLVertexBufferObjectGroup;
@@ -21,6 +23,7 @@ class vtkPoints;
 class vtkPolyData;
 class vtkWideFoVStages;
 class vtkWideFoVStage;
+VTK_ABI_NAMESPACE_END
 
 namespace wfv
 {

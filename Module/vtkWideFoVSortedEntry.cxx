@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVSortedEntry.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace wfv

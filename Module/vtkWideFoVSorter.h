@@ -3,6 +3,7 @@
 #ifndef vtkWideFoVSorter_h
 #define vtkWideFoVSorter_h
 
+#include "vtkWideFoVAbi.h"
 #include "vtkWideFoVClusters.h"
 #include "vtkWideFoVEdgeDoubts.h"
 #include "vtkWideFoVTriangleJudge.h"
@@ -10,7 +11,9 @@
 
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPoints;
+VTK_ABI_NAMESPACE_END
 
 namespace wfv
 {

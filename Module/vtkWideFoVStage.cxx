@@ -3,7 +3,7 @@
 
 #include "Compat/vtkWideFoVStockText.h"
 #include "vtkWideFoVCamera.h"
-#include "vtkWideFoVCompositeHelper.h"
+#include "vtkWideFoVCompositeMapper.h"
 #include "vtkWideFoVDirectionTextures.h"
 #include "vtkWideFoVDiscontinuity.h"
 #include "vtkWideFoVEye.h"
@@ -34,7 +34,7 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkShaderProgram.h"
-#include "vtk_glew.h"
+#include "vtkWideFoVGl.h"
 
 #include <algorithm>
 #include <cmath>
@@ -83,10 +83,8 @@ private:
   {
     static const std::set<std::string> simple{ "vtkOpenGLPolyDataMapper",
       "vtkWideFoVPolyDataMapper", "vtkOpenGLGlyph3DHelper" };
-    static const std::set<std::string> blocks{ "vtkCompositeMapperHelper2",
-      "vtkWideFoVCompositeHelper" };
     const std::string name = mapper->GetClassName();
-    const bool known = simple.count(name) > 0 || blocks.count(name) > 0;
+    const bool known = simple.count(name) > 0 || wfv::DrawsBlocks(mapper);
     const bool surface = buffer && !(mapper->*(&MapperAccess::DrawingSelection)) &&
       (buffer->PrimitiveType == PrimitiveTris || buffer->PrimitiveType == PrimitiveTriStrips);
     vtkWideFoVShaderBuilder::Material material;
@@ -290,9 +288,8 @@ bool vtkWideFoVStage::PostReplaceShaderValues(std::string& vertexShader,
   }
   vtkWideFoVShaderBuilder::Request request = this->MakeRequest(mapper, prop);
   const bool triangles = request.Kind == vtkWideFoVShaderBuilder::Primitive::Triangles;
-  const bool sorts = triangles &&
-    (vtkWideFoVPolyDataMapper::SafeDownCast(mapper) ||
-      vtkWideFoVCompositeHelper::SafeDownCast(mapper));
+  const bool sorts =
+    triangles && (vtkWideFoVPolyDataMapper::SafeDownCast(mapper) || wfv::SortsBlocks(mapper));
   request.Folds =
     sorts && this->KnowsFolds() && !request.Edges && !this->DebugView && MaySort(mapper);
   using Texts = wfv::ShaderMemory::Texts;

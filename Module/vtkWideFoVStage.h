@@ -5,6 +5,7 @@
 #ifndef vtkWideFoVStage_h
 #define vtkWideFoVStage_h
 
+#include "vtkWideFoVAbi.h"
 #include "vtkNew.h"
 #include "vtkOpenGLRenderPass.h"
 #include "vtkWideFoVShaderBuilder.h"
@@ -16,6 +17,7 @@ namespace wfv
 struct ProgramUses;
 }
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLPolyDataMapper;
 class vtkRenderer;
 class vtkWideFoVCamera;
@@ -220,5 +222,6 @@ private:
   int NumberOfDraws = 0;
   int NumberOfTessellateDraws = 0;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

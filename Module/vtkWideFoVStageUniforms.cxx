@@ -18,7 +18,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkProperty.h"
 #include "vtkShaderProgram.h"
-#include "vtk_glew.h"
+#include "vtkWideFoVGl.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,6 +3,7 @@
 #ifndef vtkWideFoVStages_h
 #define vtkWideFoVStages_h
 
+#include "vtkWideFoVAbi.h"
 #include "vtkWideFoVBufferScale.h"
 #include "vtkWideFoVDirectionTextures.h"
 #include "vtkWideFoVFineDepth.h"
@@ -21,6 +22,7 @@
 #include <memory>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
 
 // The variants and the choice between them.
@@ -218,5 +220,6 @@ private:
   wfv::WfvView BendsView;
   const wfv::Projection* BendsProjection = nullptr;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

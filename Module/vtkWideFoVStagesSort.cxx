@@ -3,6 +3,7 @@
 #include "vtkWideFoVStages.h"
 
 #include "vtkWideFoVCamera.h"
+#include "vtkWideFoVCompositeMapper.h"
 #include "vtkWideFoVEyesAtOnce.h"
 #include "vtkWideFoVPass.h"
 #include "vtkWideFoVPolyDataMapper.h"
@@ -42,11 +43,11 @@ bool KeepsItsBounds(vtkActor* actor)
     return false;
   }
   const char* const name = mapper->GetClassName();
-  const char* const known[] = { "vtkOpenGLPolyDataMapper", "vtkWideFoVPolyDataMapper",
-    "vtkCompositePolyDataMapper2" };
+  const char* const known[] = { "vtkOpenGLPolyDataMapper", "vtkWideFoVPolyDataMapper" };
   vtkProperty* const property = actor->GetProperty();
-  return std::any_of(std::begin(known), std::end(known),
-           [name](const char* other) { return std::strcmp(name, other) == 0; }) &&
+  return (wfv::IsStockComposite(mapper) ||
+           std::any_of(std::begin(known), std::end(known),
+             [name](const char* other) { return std::strcmp(name, other) == 0; })) &&
     !property->GetRenderLinesAsTubes() && !property->GetRenderPointsAsSpheres();
 }
 

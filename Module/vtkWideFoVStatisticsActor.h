@@ -13,9 +13,11 @@
 #define vtkWideFoVStatisticsActor_h
 
 #include "vtkRenderingWideFoVModule.h" // For export macro
+#include "vtkWideFoVAbi.h"             // For VTK_ABI_NAMESPACE_BEGIN
 #include "vtkTextActor.h"
 #include "vtkWeakPointer.h" // For the pass
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkWideFoVPass;
 
 class VTKRENDERINGWIDEFOV_EXPORT vtkWideFoVStatisticsActor : public vtkTextActor
@@ -46,5 +48,6 @@ private:
 
   vtkWeakPointer<vtkWideFoVPass> Pass;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

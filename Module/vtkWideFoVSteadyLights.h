@@ -3,10 +3,14 @@
 #ifndef vtkWideFoVSteadyLights_h
 #define vtkWideFoVSteadyLights_h
 
+#include "vtkWideFoVAbi.h"
+
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkRenderer;
+VTK_ABI_NAMESPACE_END
 
 namespace wfv
 {

@@ -16,7 +16,9 @@
 #include "vtkActor2D.h"
 #include "vtkNew.h"                    // For vtkNew
 #include "vtkRenderingWideFoVModule.h" // For export macro
+#include "vtkWideFoVAbi.h"             // For VTK_ABI_NAMESPACE_BEGIN
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPoints;
 
 class VTKRENDERINGWIDEFOV_EXPORT vtkWideFoVStereoWindow : public vtkActor2D
@@ -61,5 +63,6 @@ private:
   double Letterbox = 0;
   vtkNew<vtkPoints> Corners; // four a bar
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

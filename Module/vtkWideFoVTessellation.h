@@ -7,10 +7,12 @@
 #ifndef vtkWideFoVTessellation_h
 #define vtkWideFoVTessellation_h
 
+#include "vtkWideFoVAbi.h"
 #include "vtkWideFoVShaderBuilder.h"
 
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkShaderProgram;
 
 class WFV_EXPORT vtkWideFoVTessellation
@@ -38,5 +40,6 @@ public:
   // offset: what VTK adds to the number of a primitive.
   static void Draw(vtkShaderProgram* program, unsigned int vertices, int indices, int offset);
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -3,10 +3,14 @@
 #ifndef vtkWideFoVTile_h
 #define vtkWideFoVTile_h
 
+#include "vtkWideFoVAbi.h"
+
 #include "Projections/ProjectionMath.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkRenderer;
 class vtkShaderProgram;
+VTK_ABI_NAMESPACE_END
 
 namespace wfv
 {

@@ -3,13 +3,17 @@
 #ifndef WideFoVAov_h
 #define WideFoVAov_h
 
+#include "vtkWideFoVAbi.h"
+
 #include "ImageOutput.h"
 #include "Scene.h"
 
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace widefov
 {

@@ -3,10 +3,14 @@
 #ifndef WideFoVCameraSetup_h
 #define WideFoVCameraSetup_h
 
+#include "vtkWideFoVAbi.h"
+
 #include "Options.h"
 #include "Scene.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkRenderer;
+VTK_ABI_NAMESPACE_END
 
 namespace widefov
 {

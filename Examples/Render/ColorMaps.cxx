@@ -4,6 +4,7 @@
 #include <vtkColorTransferFunction.h>
 #include <vtkNew.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 

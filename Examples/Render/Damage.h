@@ -3,10 +3,14 @@
 #ifndef WideFoVDamage_h
 #define WideFoVDamage_h
 
+#include "vtkWideFoVAbi.h"
+
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataObject;
+VTK_ABI_NAMESPACE_END
 
 namespace widefov
 {

@@ -6,11 +6,7 @@
 #include "Messages.h"
 
 #include <vtkOpenGLRenderWindow.h>
-#if __has_include(<vtk_glad.h>)
-#include <vtk_glad.h> // in the place of glew since VTK 9.4
-#else
-#include <vtk_glew.h>
-#endif
+#include <vtkWideFoVGl.h>
 
 #include <algorithm>
 #include <chrono>

@@ -3,9 +3,13 @@
 #ifndef WideFoVDisplay_h
 #define WideFoVDisplay_h
 
+#include "vtkWideFoVAbi.h"
+
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkRenderWindow;
+VTK_ABI_NAMESPACE_END
 
 namespace widefov
 {

@@ -4,6 +4,8 @@
 #ifndef WideFoVFrame_h
 #define WideFoVFrame_h
 
+#include "vtkWideFoVAbi.h"
+
 #include "Display.h"
 #include "ImageOutput.h"
 #include "Options.h"
@@ -12,9 +14,11 @@
 #include <vtkScalarBarActor.h>
 #include <vtkSmartPointer.h>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkRenderWindow;
 class vtkRenderer;
 class vtkWideFoVPass;
+VTK_ABI_NAMESPACE_END
 
 namespace widefov
 {

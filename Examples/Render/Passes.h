@@ -3,12 +3,16 @@
 #ifndef WideFoVPasses_h
 #define WideFoVPasses_h
 
+#include "vtkWideFoVAbi.h"
+
 #include "Options.h"
 
 #include <vtkSmartPointer.h>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPanoramicProjectionPass;
 class vtkWideFoVPass;
+VTK_ABI_NAMESPACE_END
 
 namespace widefov
 {

@@ -3,13 +3,17 @@
 #ifndef WideFoVRenderStats_h
 #define WideFoVRenderStats_h
 
+#include "vtkWideFoVAbi.h"
+
 #include "Display.h"
 
 #include <array>
 #include <optional>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkWideFoVPass;
+VTK_ABI_NAMESPACE_END
 
 namespace widefov
 {

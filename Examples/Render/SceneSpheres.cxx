@@ -8,6 +8,7 @@
 #include <vtkPlatonicSolidSource.h>
 #include <vtkPointData.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 

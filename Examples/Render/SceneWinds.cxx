@@ -13,6 +13,7 @@
 #include <vtkPointData.h>
 #include <vtkStructuredGrid.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>

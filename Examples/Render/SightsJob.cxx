@@ -18,6 +18,7 @@
 #include <vtkWideFoVPass.h>
 #include <vtkWideFoVRenderer.h>
 
+#include <algorithm>
 #include <chrono>
 
 namespace widefov

@@ -3,13 +3,17 @@
 #ifndef WideFoVStereoOptions_h
 #define WideFoVStereoOptions_h
 
+#include "vtkWideFoVAbi.h"
+
 #include "OptionGroup.h"
 #include "ImageOutput.h"
 #include "Options.h"
 #include "Scene.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkRenderWindow;
 class vtkRenderer;
+VTK_ABI_NAMESPACE_END
 
 namespace widefov
 {

@@ -3,6 +3,8 @@
 #ifndef WideFoVTiles_h
 #define WideFoVTiles_h
 
+#include "vtkWideFoVAbi.h"
+
 #include "Display.h"
 #include "ImageOutput.h"
 #include "Options.h"
@@ -11,8 +13,10 @@
 #include <optional>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkRenderWindow;
 class vtkRenderer;
+VTK_ABI_NAMESPACE_END
 
 namespace widefov
 {

@@ -3,7 +3,7 @@
 
 #include <vtkObjectFactory.h>
 #include <vtkOpenGLState.h>
-#include <vtk_glew.h>
+#include <vtkWideFoVGl.h>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -24,8 +24,7 @@ void GlfwRenderWindow::SetWindow(GLFWwindow* window, bool stereo)
 
   this->Handle = window;
   this->MakeCurrent();
-#if __has_include(<vtk_glad.h>)
-  // since VTK 9.4, which loads OpenGL through the window system
+#if WIDEFOV_LOADER_IS_GLAD
   this->SetOpenGLSymbolLoader(
     [](void*, const char* name) -> VTKOpenGLAPIProc {
       return reinterpret_cast<VTKOpenGLAPIProc>(glfwGetProcAddress(name));

@@ -3,6 +3,8 @@
 #ifndef WideFoVViewerStage_h
 #define WideFoVViewerStage_h
 
+#include "vtkWideFoVAbi.h"
+
 #include "Crosshair.h"
 #include "GlfwRenderWindow.h"
 #include "ImageOutput.h"
@@ -22,7 +24,9 @@
 #include <optional>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPanoramicProjectionPass;
+VTK_ABI_NAMESPACE_END
 
 namespace widefov
 {

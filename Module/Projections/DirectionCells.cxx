@@ -2,6 +2,7 @@
 // Direction maps: where in the picture what lies round a place of the sphere is shown.
 #include "DirectionTables.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace wfv

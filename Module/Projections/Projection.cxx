@@ -6,6 +6,8 @@
 #include "NumberText.h"
 #include "StereoModel.h"
 
+#include <algorithm>
+
 namespace wfv
 {
 namespace

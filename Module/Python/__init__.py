@@ -5,8 +5,20 @@ Every class of the module under its VTK name, ready to draw: importing the packa
 loads VTK's OpenGL backend and text rendering as well.
 """
 
-import vtkmodules.vtkInteractionStyle  # noqa: F401
-import vtkmodules.vtkRenderingFreeType  # noqa: F401
-import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+from vtkmodules.vtkCommonCore import vtkVersion as _vtkVersion
 
-from .vtkRenderingWideFoV import *  # noqa: F401,F403
+from ._built_for import VTK_VERSION as _BUILT_FOR
+
+# Another VTK, from a package index say, has libraries of its own, and two VTKs in one process
+# crash sooner or later; so before anything else of either is loaded.
+if _vtkVersion.GetVTKVersion() != _BUILT_FOR:
+    raise ImportError(
+        "widefov was built for VTK %s, but this Python's vtkmodules is VTK %s (%s)"
+        % (_BUILT_FOR, _vtkVersion.GetVTKVersion(), __import__("vtkmodules").__path__[0])
+    )
+
+import vtkmodules.vtkInteractionStyle  # noqa: E402,F401
+import vtkmodules.vtkRenderingFreeType  # noqa: E402,F401
+import vtkmodules.vtkRenderingOpenGL2  # noqa: E402,F401
+
+from .vtkRenderingWideFoV import *  # noqa: E402,F401,F403

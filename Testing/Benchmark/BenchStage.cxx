@@ -15,7 +15,7 @@
 #include <vtkNew.h>
 #include <vtkPanoramicProjectionPass.h>
 #include <vtkWideFoVRenderer.h>
-#include <vtk_glew.h>
+#include <vtkWideFoVGl.h>
 
 #include <algorithm>
 #include <chrono>
@@ -194,7 +194,7 @@ FrameTime BenchStage::Draw(BenchEntry& entry)
 std::optional<long long> BenchStage::CountFragments(BenchEntry& entry)
 {
   entry.Window->MakeCurrent();
-  if (!GLEW_ARB_pipeline_statistics_query)
+  if (!WIDEFOV_HAS_GL(ARB_pipeline_statistics_query))
   {
     return std::nullopt;
   }

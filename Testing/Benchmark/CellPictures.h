@@ -3,6 +3,8 @@
 #ifndef WideFoVCellPictures_h
 #define WideFoVCellPictures_h
 
+#include "vtkWideFoVAbi.h"
+
 #include "Metrics.h"
 
 #include <vtkNew.h>
@@ -11,7 +13,9 @@
 
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkRenderPass;
+VTK_ABI_NAMESPACE_END
 
 namespace wfv
 {

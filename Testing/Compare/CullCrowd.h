@@ -4,6 +4,8 @@
 #ifndef WideFoVTestCullCrowd_h
 #define WideFoVTestCullCrowd_h
 
+#include "vtkWideFoVAbi.h"
+
 #include "Projection.h"
 #include "Stereo.h"
 
@@ -20,7 +22,9 @@
 #include <random>
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
+VTK_ABI_NAMESPACE_END
 
 namespace wfv
 {

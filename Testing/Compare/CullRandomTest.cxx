@@ -4,7 +4,7 @@
 
 #include <vtkActor.h>
 #include <vtkCellArray.h>
-#include <vtkCompositePolyDataMapper2.h>
+#include <vtkWideFoVCompositeMapper.h>
 #include <vtkGlyph3DMapper.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
@@ -76,7 +76,7 @@ private:
     {
       blocks->SetBlock(i, this->MakeSoup(3, 20));
     }
-    auto mapper = vtkSmartPointer<vtkCompositePolyDataMapper2>::New();
+    auto mapper = vtkSmartPointer<vtkWideFoVCompositeMapper>::New();
     mapper->SetInputDataObject(blocks);
     return mapper;
   }

@@ -3,6 +3,8 @@
 #ifndef WideFoVTestDrawing_h
 #define WideFoVTestDrawing_h
 
+#include "vtkWideFoVAbi.h"
+
 #include "Metrics.h"
 #include "Projection.h"
 
@@ -11,10 +13,12 @@
 #include <memory>
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
 class vtkImageData;
 class vtkPolyData;
 class vtkWideFoVCamera;
+VTK_ABI_NAMESPACE_END
 
 namespace wfv
 {

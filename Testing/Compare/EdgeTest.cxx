@@ -19,6 +19,7 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 
+#include <algorithm>
 #include <iostream>
 
 using namespace wfv;

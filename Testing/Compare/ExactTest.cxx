@@ -8,6 +8,7 @@
 
 #include <vtkPolyData.h>
 
+#include <algorithm>
 #include <iostream>
 
 using namespace wfv;

@@ -3,12 +3,16 @@
 #ifndef WideFoVTestMeshes_h
 #define WideFoVTestMeshes_h
 
+#include "vtkWideFoVAbi.h"
+
 #include "ProjectionMath.h"
 #include "TriangleSoup.h"
 
 #include <vtkSmartPointer.h>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
 
 namespace wfv
 {

@@ -47,8 +47,8 @@ constexpr double FarRadius = 4;
 // The mesh's point nearest to p.
 vec3 NearestPoint(vtkPolyData* mesh, const vec3& p)
 {
-  double q[3];
-  mesh->GetPoint(mesh->FindPoint(p.x, p.y, p.z), q);
+  double q[3] = { p.x, p.y, p.z };
+  mesh->GetPoint(mesh->FindPoint(q), q);
   return vec3(q[0], q[1], q[2]);
 }
 }

@@ -11,6 +11,7 @@
 #include <vtkImageData.h>
 #include <vtkPointData.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 

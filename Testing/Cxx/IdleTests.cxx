@@ -5,7 +5,7 @@
 
 #include "vtkActor.h"
 #include "vtkArrowSource.h"
-#include "vtkCompositePolyDataMapper2.h"
+#include "vtkWideFoVCompositeMapper.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPointSource.h"
@@ -62,7 +62,7 @@ vtkSmartPointer<vtkActor> MakeBlocks()
     ball->Update();
     blocks->SetBlock(i, ball->GetOutput());
   }
-  vtkNew<vtkCompositePolyDataMapper2> mapper;
+  vtkNew<vtkWideFoVCompositeMapper> mapper;
   mapper->SetInputDataObject(blocks);
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);

@@ -7,6 +7,7 @@
 #include "vtkAssembly.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
+#include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkMapper.h"
 #include "vtkOpenGLPolyDataMapper.h"
@@ -222,7 +223,7 @@ TEST(Pipeline, PropsAreLeftAsTheyWere)
   auto ball = Ball(0, 0, 2);
   auto named = Ball(0.5, 0, 2);
   vtkNew<vtkInformation> keys;
-  keys->Set(vtkProp::GeneralTextureUnit(), 7);
+  keys->Set(vtkDataObject::FIELD_ARRAY_TYPE(), 7);
   named->SetPropertyKeys(keys);
   auto part = Ball(-0.5, 0, 2);
   vtkNew<vtkAssembly> assembly; // hands its keys on
@@ -240,7 +241,7 @@ TEST(Pipeline, PropsAreLeftAsTheyWere)
     EXPECT_EQ(test.Pass()->GetNumberOfDrawnProps(), 4);
     EXPECT_EQ(ball->GetPropertyKeys(), nullptr);
     EXPECT_EQ(named->GetPropertyKeys(), keys);
-    EXPECT_EQ(keys->Get(vtkProp::GeneralTextureUnit()), 7);
+    EXPECT_EQ(keys->Get(vtkDataObject::FIELD_ARRAY_TYPE()), 7);
     EXPECT_EQ(keys->GetNumberOfKeys(), 1);
     for (vtkProp* prop :
       { static_cast<vtkProp*>(part), static_cast<vtkProp*>(assembly), static_cast<vtkProp*>(text) })

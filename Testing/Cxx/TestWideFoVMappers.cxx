@@ -5,7 +5,7 @@
 
 #include "vtkActor.h"
 #include "vtkAssembly.h"
-#include "vtkCompositePolyDataMapper2.h"
+#include "vtkWideFoVCompositeMapper.h"
 #include "vtkConeSource.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkMultiBlockDataSet.h"
@@ -29,7 +29,7 @@ vtkSmartPointer<vtkActor> Composite()
     sphere->Update();
     blocks->SetBlock(i, sphere->GetOutput());
   }
-  vtkNew<vtkCompositePolyDataMapper2> mapper;
+  vtkNew<vtkWideFoVCompositeMapper> mapper;
   mapper->SetInputDataObject(blocks);
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);

@@ -3,6 +3,7 @@
 #ifndef WideFoVTestScene_h
 #define WideFoVTestScene_h
 
+#include "vtkWideFoVAbi.h"
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
 #include "vtkSmartPointer.h"
@@ -10,9 +11,11 @@
 #include "vtkWideFoVPass.h"
 #include "vtkWideFoVRenderer.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
 class vtkAlgorithm;
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
 
 // An offscreen window with a wide renderer and camera, the eye a little off centre.
 struct WideFoVTestWindow

@@ -7,6 +7,8 @@
                                               TREE (a build tree or a prefix); CMAKE: the
                                               command and options to configure with
     test_install.py python WORK FOLDER        runs the Python lines, `widefov` from FOLDER
+    test_install.py other WORK FOLDER VERSION imports it beside another VTK than VERSION, which
+                                              is that of the build
 """
 
 import os
@@ -76,8 +78,39 @@ def use_python(work, folder):
     call(sys.executable, "-B", script, env={**os.environ, "PYTHONPATH": folder})
 
 
+# What of another VTK's Python package is looked at.
+OTHER_VTK = '''class vtkVersion:
+    @staticmethod
+    def GetVTKVersion():
+        return "%s"
+'''
+
+
+def import_beside(work, folder, version):
+    """What `import widefov` says where vtkmodules is of that version, and nothing but a version."""
+    fresh_folder(os.path.join(work, "vtkmodules"))
+    write(work, "vtkmodules/__init__.py", "")
+    write(work, "vtkmodules/vtkCommonCore.py", OTHER_VTK % version)
+    paths = os.pathsep.join([work, folder])
+    done = subprocess.run([sys.executable, "-B", "-c", "import widefov"], capture_output=True,
+        text=True, check=False, env={**os.environ, "PYTHONPATH": paths})
+    return (done.stderr.splitlines() or ["(nothing)"])[-1]
+
+
+def refuse_other_vtk(work, folder, version):
+    refused = "ImportError: widefov was built for VTK %s, but this Python's vtkmodules is VTK 8.9.7"
+    said = import_beside(work, folder, "8.9.7")
+    if not said.startswith(refused % version):
+        sys.exit("beside VTK 8.9.7 it says: " + said)
+    said = import_beside(work, folder, version)  # the next modules are not there
+    if not said.startswith("ModuleNotFoundError: No module named 'vtkmodules.vtk"):
+        sys.exit("beside VTK %s it says: %s" % (version, said))
+
+
 def main():
-    actions = {"install": install, "cxx": use_cxx, "python": use_python}
+    actions = {
+        "install": install, "cxx": use_cxx, "python": use_python, "other": refuse_other_vtk,
+    }
     if len(sys.argv) < 4 or sys.argv[1] not in actions:
         sys.exit(__doc__)
     actions[sys.argv[1]](*sys.argv[2:])

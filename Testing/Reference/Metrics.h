@@ -3,11 +3,15 @@
 #ifndef WideFoVMetrics_h
 #define WideFoVMetrics_h
 
+#include "vtkWideFoVAbi.h"
+
 #include "RayCaster.h"
 
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace wfv
 {

@@ -7,6 +7,7 @@
 
 #include "ProjectionMath.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 

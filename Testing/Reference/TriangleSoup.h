@@ -4,6 +4,8 @@
 #ifndef WideFoVTriangleSoup_h
 #define WideFoVTriangleSoup_h
 
+#include "vtkWideFoVAbi.h"
+
 #include "ProjectionMath.h"
 
 #include <vtkType.h>
@@ -11,7 +13,9 @@
 #include <array>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
 
 namespace wfv
 {

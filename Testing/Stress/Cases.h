@@ -3,6 +3,8 @@
 #ifndef WideFoVStressCases_h
 #define WideFoVStressCases_h
 
+#include "vtkWideFoVAbi.h"
+
 #include "Random.h"
 
 #include <vtkSmartPointer.h>
@@ -10,7 +12,9 @@
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
 
 namespace wfv
 {

@@ -11,7 +11,7 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSMPTools.h>
-#include <vtk_glew.h>
+#include <vtkWideFoVGl.h>
 
 #include <algorithm>
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Counts.h"
 
+#include <algorithm>
+
 namespace wfv
 {
 namespace stress

@@ -18,7 +18,7 @@
 #include <vtkProperty.h>
 #include <vtkRenderState.h>
 #include <vtkUnsignedCharArray.h>
-#include <vtk_glew.h>
+#include <vtkWideFoVGl.h>
 
 namespace wfv
 {

@@ -3,12 +3,16 @@
 #ifndef WideFoVStressHitCounter_h
 #define WideFoVStressHitCounter_h
 
+#include "vtkWideFoVAbi.h"
+
 #include "Drawing.h"
 
 #include <memory>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
 
 namespace wfv
 {

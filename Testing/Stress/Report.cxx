@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Report.h"
 
+#include <algorithm>
+
 namespace wfv
 {
 namespace stress

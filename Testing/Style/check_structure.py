@@ -6,7 +6,8 @@
 
 Rules: dependencies run one way; the mathematics knows no VTK; functions and sources
 stay short; shaders are .glsl files; every source names its licence; nothing names a
-folder of somebody's machine. Prints `path:line: rule: what is wrong` for every breach
+folder of somebody's machine; what differs between versions of VTK, or between drivers of
+OpenGL, is guarded in one folder; headers declare VTK's classes in VTK's namespace. Prints `path:line: rule: what is wrong` for every breach
 and exits with 1 when there is one.
 """
 
@@ -38,6 +39,20 @@ PURE = ("Module/Metadata", "Module/Projections", "Module/Stereo")
 # the text of VTK's own shaders.
 SHADER_TEXT = re.compile(r"\bvoid\s+main\b|\bgl_Position\b|\bEmitVertex\b|#version\s+\d")
 REWRITES_SHADERS = ("Module/vtkWideFoVShaderBuilder.cxx",)
+
+# Guards, and the folders that they are looked for in and belong into.
+VERSION_GUARD = re.compile(
+    r"^[ \t]*#[ \t]*(?:el)?if\b.*\b(?:VTK_(?:\w+_)?VERSION|__has_include)\b"
+    r"|^[ \t]*(?:else)?if *\(.*\bVTK_(?:\w+_)?VERSION\b",
+    re.M,
+)
+DRIVER_GUARD = re.compile(r"\bGL_(?:VENDOR|RENDERER|VERSION)\b")  # elsewhere they are shown
+GUARDED = ("Module/", "Examples/", "Testing/")
+COMPAT = "Module/Compat/"
+
+# VTK's own, or written beside them: in C++ headers these stand between two words of VTK's.
+VTK_CLASS = re.compile(r"^(?:class|struct)\s+(?:\w+_EXPORT\s+)?vtk\w+(?!\w|::)")
+VTK_NAMESPACE = re.compile(r"^VTK_ABI_NAMESPACE_(BEGIN|END)\b")
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(["<])([^">]+)[">]', re.M)
 
@@ -116,6 +131,36 @@ def check_paths(source):
             yield number, "machine path", "'%s...' exists on one machine only" % match.group()
 
 
+def check_versions(source):
+    """One place for what differs between versions."""
+    if not source.is_code or not source.path.startswith(GUARDED) or source.is_kind((".py", ".sh")):
+        return
+    if source.path.startswith(COMPAT):
+        return
+    guards = list(VERSION_GUARD.finditer(source.text))
+    if source.path.startswith("Module/"):
+        guards += DRIVER_GUARD.finditer(source.text)
+    for match in guards:
+        yield line_of(source.text, match.start()), "versions", "guards belong into " + COMPAT
+
+
+def check_namespace(source):
+    """VTK may have a namespace, in which its classes are."""
+    if not source.path.startswith(GUARDED):
+        return
+    inside = False
+    for number, line in enumerate(source.lines if source.is_kind((".h",)) else [], 1):
+        word = VTK_NAMESPACE.match(line)
+        inside = word.group(1) == "BEGIN" if word else inside
+        if VTK_CLASS.match(line) and not inside:
+            yield number, "namespace", "'%s' outside VTK_ABI_NAMESPACE_BEGIN, _END" % line
+
+
+CHECKS = (
+    check_length, check_shaders, check_licence, check_paths, check_versions, check_namespace,
+)
+
+
 def breaches(root):
     """Every breach below root, as printable lines."""
     sources = find_sources(root)
@@ -123,7 +168,7 @@ def breaches(root):
     for source in sources:
         headers.setdefault(os.path.basename(source.path), []).append(source.path)
     for source in sources:
-        for check in (check_length, check_shaders, check_licence, check_paths):
+        for check in CHECKS:
             for line, rule, text in check(source):
                 yield "%s:%d: %s: %s" % (source.path, line, rule, text)
         for line, rule, text in check_includes(source, headers):

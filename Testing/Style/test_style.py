@@ -56,6 +56,12 @@ BREACHES = [
     ("licence", "Module/vtkWide.cxx", "int i;\n"),
     ("licence", "CMakeLists.txt", "project(X)\n"),
     ("licence", "Testing/run.sh", "#!/bin/bash\n"),
+    ("versions", "Module/vtkWide.cxx", HEAD + "#if VTK_VERSION_NUMBER > 90300\n#endif\n"),
+    ("versions", "Examples/Tool.h", HEAD + "#if __has_include(<vtk_glad.h>)\n#endif\n"),
+    ("versions", "Testing/CMakeLists.txt", "# " + LICENCE + "\nif(VTK_VERSION LESS 9.3)\n"),
+    ("versions", "Module/vtkWide.cxx", HEAD + "auto v = glGetString(GL_RENDERER);\n"),
+    ("namespace", "Module/vtkWide.h", HEAD + "class vtkActor;\n"),
+    ("namespace", "Module/vtkWide.h", HEAD + "class A_EXPORT vtkWide : public vtkObject\n{\n};\n"),
     ("machine path", "README.md", "see /" + "home/somebody/file\n"),
     ("machine path", "CMakeLists.txt", "# " + LICENCE + '\nset(x "/' + 'work/x")\n'),
 ]

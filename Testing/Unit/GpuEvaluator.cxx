@@ -10,7 +10,7 @@
 #include <vtkRenderer.h>
 #include <vtkShaderProgram.h>
 #include <vtkTextureObject.h>
-#include <vtk_glew.h>
+#include <vtkWideFoVGl.h>
 
 namespace wfv
 {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <proj.h>
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 

@@ -11,6 +11,7 @@
 #ifndef vtkWideFoVCompositeHelper_h
 #define vtkWideFoVCompositeHelper_h
 
+#include "vtkWideFoVAbi.h"
 #include "vtkColor.h" // which VTK 9.1's header of the helper takes for granted
 #include "vtkWideFoVGl.h"
 
@@ -18,6 +19,7 @@
 
 #include <memory>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkCompositeMapperHelperData;
 class vtkMapper;
 class vtkWideFoVStage;
@@ -63,5 +65,6 @@ private:
   struct Internals;
   std::unique_ptr<Internals> Internal;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The mapper that draws all blocks of composite data itself. Up to VTK 9.2 this is
+// vtkCompositePolyDataMapper2 of the OpenGL module; from 9.3 on it is vtkCompositePolyDataMapper,
+// which hands the blocks in lots to mappers of its own, and the other is deprecated (gone in 9.5).
+#ifndef vtkWideFoVCompositeMapper_h
+#define vtkWideFoVCompositeMapper_h
+
+#include "vtkWideFoVAbi.h"
+
+#include "vtkVersionMacros.h"
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+#include "vtkCompositePolyDataMapper.h"
+using vtkWideFoVCompositeMapper = vtkCompositePolyDataMapper;
+#define WIDEFOV_SORTS_BLOCKS 0
+#else
+#include "vtkCompositePolyDataMapper2.h"
+using vtkWideFoVCompositeMapper = vtkCompositePolyDataMapper2;
+#define WIDEFOV_SORTS_BLOCKS 1
+#endif
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkMapper;
+class vtkWindow;
+VTK_ABI_NAMESPACE_END
+
+namespace wfv
+{
+// Before a composite mapper draws: its blocks are to be sorted as the triangles of single meshes
+// are, up to VTK 9.2. From 9.3 on they are drawn as they come, which gives the same picture.
+void SortBlocksOf(vtkMapper* mapper, vtkWindow* window);
+
+// Whether it is a mapper to which that was done.
+bool SortsBlocks(vtkObjectBase* mapper);
+
+// Whether it is the mapper above and no class derived from it, which may draw more than its input;
+// or one of those that it hands its blocks to.
+bool IsStockComposite(vtkObjectBase* mapper);
+bool DrawsBlocks(vtkObjectBase* mapper);
+}
+
+#endif

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Point gaussians: how far a splat is drawn, in radii of its gaussian. Called the scale of the
+// triangle round it up to VTK 9.4, and the scale of its bound since 9.5, which draws squares.
+#ifndef vtkWideFoVSplats_h
+#define vtkWideFoVSplats_h
+
+#include "vtkPointGaussianMapper.h"
+#include "vtkVersionMacros.h"
+
+namespace wfv
+{
+inline float SplatBound(vtkPointGaussianMapper* mapper)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 5, 0)
+  return mapper->GetBoundScale();
+#else
+  return mapper->GetTriangleScale();
+#endif
+}
+}
+
+#endif
