@@ -40,4 +40,4 @@ step=building
 cmake --build build --target widefov-render
 
 step=rendering
-bash Utilities/with-display.sh bash Examples/render-pictures.sh ${file[@]+"${file[@]}"}
+bash Utilities/with-display.sh --for build bash Examples/render-pictures.sh ${file[@]+"${file[@]}"}

@@ -139,6 +139,14 @@ make_root() {
   trap - EXIT
 }
 
+need_debootstrap() {
+  local said
+  ! command -v debootstrap > /dev/null || return 0
+  said="$(bash "$checkout/Utilities/install-packages.sh" elsewhere 2>&1)" ||
+    fail "no root of $suite can be made without debootstrap, which could not be installed: ${said##*$'\n'}"
+  echo "$said"
+}
+
 become_root() {
   [ "$(id -u)" -ne 0 ] || return 0
   command -v sudo > /dev/null || fail "not root and no sudo; run it as root"
@@ -157,9 +165,7 @@ main() {
   suite="$1"
   [[ " $known " == *" $suite "* ]] || fail "no suite \"$suite\" here; there are $known"
   become_root "${all[@]}"
-  command -v debootstrap > /dev/null ||
-    bash "$checkout/Utilities/install-packages.sh" elsewhere ||
-    fail "no root of $suite can be made without debootstrap; install it"
+  [ -d "$roots/$suite" ] || need_debootstrap
   unshare --mount true 2> /dev/null ||
     fail "this may not mount (unshare --mount); in a container give it the right to"
   mkdir -p "$roots"

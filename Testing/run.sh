@@ -26,7 +26,7 @@ run_tests() {
     return
   fi
   ran=yes
-  bash Utilities/with-display.sh ctest --test-dir "$1" --output-on-failure --no-tests=error \
+  bash Utilities/with-display.sh --for "$1" ctest --test-dir "$1" --output-on-failure --no-tests=error \
     --timeout 900 --parallel "$(nproc)" "${@:2}"
 }
 
