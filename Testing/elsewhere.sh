@@ -5,6 +5,7 @@
 #
 #   bash Testing/elsewhere.sh SUITE [CTEST OPTION...]    for example trixie -L everywhere
 #   bash Testing/elsewhere.sh --prepare SUITE            the root and its packages, no more
+#   bash Testing/elsewhere.sh --in SUITE COMMAND...      one command in the checkout, there
 #
 # SUITE is bookworm (Debian 12), trixie (13) or forky (testing). The root stays in
 # build-roots/SUITE for the next call, with its own builds and pictures in srv/ there; what was
@@ -66,9 +67,9 @@ mount_all() {
 }
 
 say_versions() {
-  in_root dpkg-query --show --showformat='${Package} ${Version}, ' libvtk9-dev libgl1-mesa-dri
   local config=("$root"/srv/build-paraview/paraview/usr/lib/*/cmake/paraview-*)
-  [ ! -d "${config[0]}" ] || echo -n "$(basename "${config[0]}"), "
+  [ ! -d "${config[0]}" ] || echo -n "$(basename "${config[0]}") "
+  in_root dpkg-query --show --showformat='${Package}-${Version} ' libvtk9-dev libgl1-mesa-dri
 }
 
 prepare() {
@@ -80,22 +81,26 @@ prepare() {
   fi
 }
 
-# within prepare|run SUITE [CTEST OPTION...]
+run() {
+  if [ "${WIDEFOV_ELSEWHERE:-}" != tests ]; then
+    in_root bash Examples/run.sh || fail "$suite: bash Examples/run.sh failed, see above"
+    echo "Testing/elsewhere.sh: $suite: pictures are in $root/srv/output"
+  fi
+  in_root bash Testing/run.sh "$@" || fail "$suite: bash Testing/run.sh failed, see above"
+  echo "Testing/elsewhere.sh: $suite ($(say_versions)): built, and every test passed"
+}
+
+# within STEP SUITE [ARGUMENT...]
 within() {
   suite="$2"
   root="$roots/$suite"
   mount_all || fail "$suite: this may not mount; in a container give it the right to"
   cp --dereference /etc/resolv.conf /etc/hosts "$root/etc/" 2> /dev/null || true
-  if [ "$1" = prepare ]; then
-    prepare || fail "$suite: its packages could not be installed, see above"
-    return
-  fi
-  if [ "${WIDEFOV_ELSEWHERE:-}" != tests ]; then
-    in_root bash Examples/run.sh || fail "$suite: bash Examples/run.sh failed, see above"
-    echo "Testing/elsewhere.sh: $suite: pictures are in $root/srv/output"
-  fi
-  in_root bash Testing/run.sh "${@:3}" || fail "$suite: bash Testing/run.sh failed, see above"
-  echo "Testing/elsewhere.sh: $suite ($(say_versions)${*:3}): built, and every test passed"
+  case "$1" in
+    prepare) prepare || fail "$suite: its packages could not be installed, see above" ;;
+    in) in_root "${@:3}" ;;
+    run) run "${@:3}" ;;
+  esac
 }
 
 # ---- on the machine itself
@@ -157,8 +162,8 @@ become_root() {
 main() {
   local step=run known all=("$@")
   known="$(bash "$checkout/Utilities/install-packages.sh" --suites | paste -s -d ' ')"
-  if [ "${1:-}" = --prepare ]; then
-    step=prepare
+  if [ "${1:-}" = --prepare ] || [ "${1:-}" = --in ]; then
+    step="${1#--}"
     shift
   fi
   [ "$#" -gt 0 ] || fail "name a suite of Debian: $known"

@@ -43,6 +43,15 @@ needed() {
   done | tr ',' '\n' | sed 's/^ *//' | grep -v -E "^($others)( |\$)" | sort -u | paste -s -d ,
 }
 
+# ParaView's CMake files look for Python modules by the names they had before packaging put the
+# version of Python into them, as it does since Debian 13.
+name_as_built() {
+  local module
+  find "$1" -name '*.cpython-*.so' | while read -r module; do
+    ln -s "$(basename "$module")" "${module%%.cpython-*}.so"
+  done
+}
+
 echo "Downloading Debian packages: ${packages[*]}"
 if ! download; then
   as_root=()
@@ -54,5 +63,6 @@ bash "$install" --satisfy "$(needed)"
 for package in "$part"/packages/*.deb; do
   dpkg -x "$package" "$part/root" || fail "could not unpack $(basename "$package")"
 done
+name_as_built "$part/root"
 needed > "$part/root/complete"
 mv "$part/root" "$folder"
