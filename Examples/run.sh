@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# From a bare Debian 12 machine to pictures: installs what is missing, builds
+# From a bare Debian machine (12, 13 or testing) to pictures: installs what is missing, builds
 # widefov-render in build/ (an existing build is reused) and renders into output/.
 #
 #   bash Examples/run.sh [FILE]

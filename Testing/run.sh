@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# From a bare Debian 12 machine to the test results: installs what is missing, builds
+# From a bare Debian machine (12, 13 or testing) to the test results: installs what is missing, builds
 # in build/ and build-paraview/ (existing builds are reused), runs every test.
 #
 #   bash Testing/run.sh [CTEST OPTION...]      for example -R Style, or -LE slow
