@@ -42,10 +42,10 @@ settings() {
 
 # in_root COMMAND [ARGUMENT...]: in the checkout, with nothing of this machine's environment
 in_root() {
-  local set
-  mapfile -t set < <(settings)
+  local kept
+  mapfile -t kept < <(settings)
   chroot "$root" /usr/bin/env -i HOME=/root LANG=C.UTF-8 TERM="${TERM:-dumb}" \
-    PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin "${set[@]}" \
+    PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin "${kept[@]}" \
     bash -c 'cd /srv/checkout && exec "$@"' in_root "$@"
 }
 
@@ -155,8 +155,8 @@ need_debootstrap() {
 become_root() {
   [ "$(id -u)" -ne 0 ] || return 0
   command -v sudo > /dev/null || fail "not root and no sudo; run it as root"
-  mapfile -t set < <(settings)
-  exec sudo env "${set[@]}" bash "${BASH_SOURCE[0]}" "$@"
+  mapfile -t kept < <(settings)
+  exec sudo env "${kept[@]}" bash "${BASH_SOURCE[0]}" "$@"
 }
 
 main() {
