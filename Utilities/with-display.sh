@@ -7,7 +7,7 @@
 #                                                        build folder needs none: 9.4 and later
 set -euo pipefail
 if [ "$1" = --for ]; then
-  if grep -q '^WIDEFOV_NEEDS_DISPLAY:INTERNAL=OFF$' "$2/CMakeCache.txt"; then
+  if grep -qs '^WIDEFOV_NEEDS_DISPLAY:INTERNAL=OFF$' "$2/CMakeCache.txt"; then
     exec "${@:3}"
   fi
   shift 2
