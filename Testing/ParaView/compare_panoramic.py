@@ -7,9 +7,9 @@ caster, and the times of frames drawn in turns. The panoramic view draws cubes o
 pixels, as dense as the picture, and of 500, its default.
 """
 
+import glob
 import json
 import math
-import glob
 import os
 import statistics
 import time
