@@ -125,6 +125,18 @@ class Packages(unittest.TestCase):
             done = scripts.run("Utilities/install-packages.sh", "build", "paraview", WIDEFOV_SUITE=suite)
             return done.stderr.split(": ")[-1].split()
 
+    def test_satisfy_installs_what_is_missing(self):
+        """However much apt says, and nothing where nothing is missing."""
+        says = 'case "$*" in *--simulate*) %s;; *) echo "run $*"; esac'
+        many = "echo Inst first; for i in {1..20000}; do echo Conf $i; done"
+        for simulated, installs in [(many, True), ("exit 100", True), ("echo Nothing", False)]:
+            with tempfile.TemporaryDirectory(prefix="elsewhere-") as folder:
+                apt = {"apt-get": says % simulated, "dpkg-query": "exit 0"}
+                scripts = Scripts(folder, {**ROOT, **apt})
+                done = scripts.run("Utilities/install-packages.sh", "--satisfy", "first (>= 1)")
+                self.assertEqual((done.returncode, done.stderr), (0, ""), done)
+                self.assertEqual("first (>= 1)" in done.stdout, installs, simulated)
+
     def test_names(self):
         for suite, own, other in [
             ("bookworm", "qtbase5-dev", "qt6-base-dev"),
