@@ -96,6 +96,14 @@ class Elsewhere(unittest.TestCase):
         stand_ins = {**ROOT, "unshare": "echo no >&2; exit 1", "debootstrap": "exit 0"}
         self.check(stand_ins, ["trixie"], ["may not mount", "container"])
 
+    def test_mounts_that_are_refused(self):
+        with tempfile.TemporaryDirectory(prefix="elsewhere-") as folder:
+            scripts = Scripts(folder, {**ROOT, "mount": "exit 32"})
+            os.makedirs(os.path.join(scripts.top, "build-roots/trixie"))
+            done = scripts.run("Testing/elsewhere.sh", "trixie")
+            self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done)
+            self.assertIn("FAILED while mounting; in a container", done.stderr)
+
     def test_no_network(self):
         stand_ins = {**ROOT, "debootstrap": NO_NETWORK}
         self.check(stand_ins, ["trixie"], ["trixie", "Failed getting release file", "network"])
