@@ -42,8 +42,8 @@ REWRITES_SHADERS = ("Module/vtkWideFoVShaderBuilder.cxx",)
 
 # Guards, and the folders that they are looked for in and belong into.
 VERSION_GUARD = re.compile(
-    r"^[ \t]*#[ \t]*(?:el)?if\b.*\b(?:VTK_(?:\w+_)?VERSION|__has_include)\b"
-    r"|^[ \t]*(?:else)?if *\(.*\bVTK_(?:\w+_)?VERSION\b",
+    r"^[ \t]*#[ \t]*(?:el)?if\b.*\b(?:VTK_\w*VERSION\w*|__has_include)\b"
+    r"|^[ \t]*(?:else)?if *\(.*\bVTK_\w*VERSION",
     re.M,
 )
 DRIVER_GUARD = re.compile(r"\bGL_(?:VENDOR|RENDERER|VERSION)\b")  # elsewhere they are shown
