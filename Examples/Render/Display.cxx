@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Display.h"
 
-#include "Compat/Display.h"
+#include "Compat/WindowsAnywhere.h"
 #include "CrashGuard.h"
 #include "MessageCatcher.h"
 #include "Messages.h"

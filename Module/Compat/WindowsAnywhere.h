@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where there is no display.
-#ifndef vtkWideFoVCompatDisplay_h
-#define vtkWideFoVCompatDisplay_h
+#ifndef WideFoVWindowsAnywhere_h
+#define WideFoVWindowsAnywhere_h
 
 #include "vtkVersionMacros.h"
 
