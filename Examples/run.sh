@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# From a bare Debian 12 machine to pictures: installs what is missing, builds
+# From a bare Debian machine (12, 13 or testing) to pictures: installs what is missing, builds
 # widefov-render in build/ (an existing build is reused) and renders into output/.
 #
 #   bash Examples/run.sh [FILE]
@@ -40,4 +40,4 @@ step=building
 cmake --build build --target widefov-render
 
 step=rendering
-bash Utilities/with-display.sh bash Examples/render-pictures.sh ${file[@]+"${file[@]}"}
+bash Utilities/with-display.sh --for build bash Examples/render-pictures.sh ${file[@]+"${file[@]}"}

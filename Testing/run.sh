@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# From a bare Debian 12 machine to the test results: installs what is missing, builds
+# From a bare Debian machine (12, 13 or testing) to the test results: installs what is missing, builds
 # in build/ and build-paraview/ (existing builds are reused), runs every test.
 #
 #   bash Testing/run.sh [CTEST OPTION...]      for example -R Style, or -LE slow
@@ -26,7 +26,7 @@ run_tests() {
     return
   fi
   ran=yes
-  bash Utilities/with-display.sh ctest --test-dir "$1" --output-on-failure --no-tests=error \
+  bash Utilities/with-display.sh --for "$1" ctest --test-dir "$1" --output-on-failure --no-tests=error \
     --timeout 900 --parallel "$(nproc)" "${@:2}"
 }
 

@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Unpacks Debian's ParaView into a folder, beside the system's VTK: the packages
-# themselves cannot be installed with libvtk9-dev. A folder that is complete is kept.
+# Unpacks Debian's ParaView into a folder, beside the system's VTK, and installs what it links
+# with: its packages themselves cannot be installed with libvtk9-dev everywhere. A folder that is
+# complete is kept.
 #
 #   Utilities/fetch-paraview.sh FOLDER         afterwards FOLDER/usr/bin/pvpython
-#
-# What ParaView links with is in the group "paraview" of packages.txt.
 set -euo pipefail
 
 packages=(paraview paraview-dev python3-paraview)
+install="$(dirname "${BASH_SOURCE[0]}")/install-packages.sh"
 
 fail() {
   echo "fetch-paraview.sh: $1" >&2
@@ -17,7 +17,9 @@ fail() {
 
 [ "$#" -eq 1 ] || fail "name one folder"
 folder="$(realpath --canonicalize-missing "$1")"
-[ ! -e "$folder/complete" ] || exit 0
+if [ -s "$folder/complete" ]; then
+  exec bash "$install" --satisfy "$(cat "$folder/complete")"
+fi
 command -v apt-get > /dev/null && command -v dpkg > /dev/null ||
   fail "this needs Debian's package tools; set ParaView_DIR to a ParaView of your own instead"
 
@@ -32,6 +34,24 @@ download() {
   (cd "$part/packages" && apt-get -q -q download "${packages[@]}" 2> "$part/errors")
 }
 
+# What the packages depend on beside each other, as one field: whichever libraries this suite has.
+needed() {
+  local others
+  others="$(IFS='|' && echo "${packages[*]}")"
+  for package in "$part"/packages/*.deb; do
+    dpkg-deb --field "$package" Depends
+  done | tr ',' '\n' | sed 's/^ *//' | grep -v -E "^($others)( |\$)" | sort -u | paste -s -d ,
+}
+
+# ParaView's CMake files look for Python modules by the names they had before packaging put the
+# version of Python into them, as it does since Debian 13.
+name_as_built() {
+  local module
+  find "$1" -name '*.cpython-*.so' | while read -r module; do
+    ln -s "$(basename "$module")" "${module%%.cpython-*}.so"
+  done
+}
+
 echo "Downloading Debian packages: ${packages[*]}"
 if ! download; then
   as_root=()
@@ -39,8 +59,10 @@ if ! download; then
   "${as_root[@]}" apt-get -q update || echo "fetch-paraview.sh: apt-get update failed" >&2
   download || fail "apt-get could not download ${packages[*]}: $(cat "$part/errors")"
 fi
+bash "$install" --satisfy "$(needed)"
 for package in "$part"/packages/*.deb; do
   dpkg -x "$package" "$part/root" || fail "could not unpack $(basename "$package")"
 done
-touch "$part/root/complete"
+name_as_built "$part/root"
+needed > "$part/root/complete"
 mv "$part/root" "$folder"

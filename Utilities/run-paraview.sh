@@ -9,8 +9,9 @@ prefix="$1"
 shift
 ranks=()
 if [[ "$1" =~ ^[0-9]+$ ]]; then
-  # as root in a container, more ranks than cores, and waiting ranks leave the cores alone
-  ranks=(mpirun --allow-run-as-root --oversubscribe --mca mpi_yield_when_idle 1 -n "$1")
+  # as root in a container, more ranks than cores, waiting ranks leave the cores alone, and all are on
+  # this machine: by its memory, without looking for a network between them
+  ranks=(mpirun --allow-run-as-root --oversubscribe --mca mpi_yield_when_idle 1 --mca btl ^tcp -n "$1")
   shift
 fi
 program="$1"

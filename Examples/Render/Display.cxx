@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Display.h"
 
+#include "Compat/Display.h"
 #include "CrashGuard.h"
 #include "MessageCatcher.h"
 #include "Messages.h"
@@ -40,17 +41,25 @@ DisplayConnection::DisplayConnection()
     const QuietStandardError quiet;
     this->Connection = XOpenDisplay(nullptr);
   }
-  if (this->Connection == nullptr)
+  if (this->Connection != nullptr)
+  {
+    return;
+  }
+  if (wfv::compat::WindowsNeedADisplay)
   {
     Fail((named ? "the display " + std::string(name) + " cannot be opened"
                 : std::string("there is no display (DISPLAY is not set)")) +
       "; without a screen, run it as: xvfb-run -a " + GetProgramName() + " ...");
   }
+  setenv(wfv::compat::WindowVariable, wfv::compat::WindowWithoutDisplay, 0);
 }
 
 DisplayConnection::~DisplayConnection()
 {
-  XCloseDisplay(static_cast<Display*>(this->Connection));
+  if (this->Connection != nullptr)
+  {
+    XCloseDisplay(static_cast<Display*>(this->Connection));
+  }
 }
 
 void OpenWindow(vtkRenderWindow* window)

@@ -19,7 +19,8 @@ namespace widefov
 class DisplayConnection
 {
 public:
-  // Throws a Failure with ExitFailed where no display can be opened.
+  // Throws a Failure with ExitFailed where no display can be opened and VTK needs one; where it
+  // needs none, there is no connection.
   DisplayConnection();
   ~DisplayConnection();
   DisplayConnection(const DisplayConnection&) = delete;

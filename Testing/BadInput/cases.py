@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The table of bad input: one row a case."""
 
+import os
 from collections import namedtuple
 
 from inputs import ENDINGS
@@ -194,10 +195,13 @@ TOLERATED = [
     Case(MAP + "map.exr", DONE, None),
 ]
 
+# No display that can be opened: where VTK opens windows without one, that is no fault.
+NO_DISPLAY = (DONE, None) if os.environ.get("WIDEFOV_NEEDS_DISPLAY") == "OFF" else (FAILED, "xvfb-run")
+
 DISPLAY = [
-    failed("good.vtk", "display", env={"DISPLAY": None}),
-    failed("good.vtk", "display", env={"DISPLAY": ":54321"}),
-    failed("good.vtk", "display", env={"DISPLAY": "no such display"}),
+    Case("good.vtk", *NO_DISPLAY, env={"DISPLAY": None}),
+    Case("good.vtk", *NO_DISPLAY, env={"DISPLAY": ":54321"}),
+    Case("good.vtk", *NO_DISPLAY, env={"DISPLAY": "no such display"}),
     failed("good.vtk", "OpenGL", env={"MESA_GL_VERSION_OVERRIDE": "3.1"}),
     failed("good.vtk", "OpenGL", env={"MESA_GL_VERSION_OVERRIDE": "2.1"}),
     failed("good.vtk --size 40000x16 --technique cubemap", "40000"),

@@ -24,9 +24,12 @@ BOTH = [
     ("--output", USAGE, "--output", {}),
     ("--output {out}/none/x.json", FAILED, "none", {}),
     ("--output {out}", FAILED, "folder", {}),
-    ("--output {out}/x.json", FAILED, "display", {"DISPLAY": None}),
-    ("--output {out}/x.json", FAILED, "display", {"DISPLAY": ":4242"}),
 ]
+if os.environ.get("WIDEFOV_NEEDS_DISPLAY") != "OFF":
+    BOTH += [
+        ("--output {out}/x.json", FAILED, "display", {"DISPLAY": None}),
+        ("--output {out}/x.json", FAILED, "display", {"DISPLAY": ":4242"}),
+    ]
 BENCH = [
     ("--scenes nowhere --output {out}/x.json", USAGE, "nowhere", {}),
     ("--scenes room, --output {out}/x.json", USAGE, "--scenes", {}),

@@ -7,6 +7,7 @@ caster, and the times of frames drawn in turns. The panoramic view draws cubes o
 pixels, as dense as the picture, and of 500, its default.
 """
 
+import glob
 import json
 import math
 import os
@@ -20,7 +21,8 @@ import scene
 SIZE = [1024, 512]
 ROUND = [512, 512]
 FRAMES = 41  # after two that compile and upload
-PANORAMIC = "lib/x86_64-linux-gnu/paraview-5.11/plugins/PanoramicProjectionView/"
+# below the prefix, of whatever version and machine
+PANORAMIC = "lib/*/paraview-*/plugins/PanoramicProjectionView/PanoramicProjectionView.so"
 
 
 def make_views(size, wide_settings, panoramic_settings):
@@ -110,9 +112,8 @@ def print_table(records):
 def main(options):
     scene.load_plugin(options)
     prefix = os.environ["WIDEFOV_PARAVIEW_PREFIX"]
-    simple.LoadPlugin(
-        os.path.join(prefix, PANORAMIC, "PanoramicProjectionView.so"), False, vars(simple)
-    )
+    (peer,) = glob.glob(os.path.join(prefix, PANORAMIC))
+    simple.LoadPlugin(peer, False, vars(simple))
     meshes = {}
     for case, parts in (
         ("contours", [scene.make_sphere(), scene.make_contours()]),
