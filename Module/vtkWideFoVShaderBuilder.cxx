@@ -354,7 +354,8 @@ void vtkWideFoVShaderBuilder::Prepare(
   geometry.clear();
   if (r.Edges)
   {
-    stock::Replace(fragment, Edit::EdgesDeclaration, edges_fragment_glsl, r.Stock.If(true));
+    stock::Replace(fragment, Edit::EdgesDeclaration,
+      Define("WFV_EDGE_OPACITY", stock::HasEdgeOpacity()) + edges_fragment_glsl, r.Stock.If(true));
     stock::Replace(fragment, Edit::EdgesPlace,
       "  float wfvEdge = wfvEdgeMix();\n"
       "  diffuseColor = mix(diffuseColor, vec3(0.0), wfvEdge);\n"

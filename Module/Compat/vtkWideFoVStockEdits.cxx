@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVStockEdits.h"
 
+#include "vtkVersionMacros.h"
+
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -263,6 +265,11 @@ std::vector<Edit> Missing(const std::string& text)
     }
   }
   return missing;
+}
+
+bool HasEdgeOpacity()
+{
+  return VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0);
 }
 
 int TimesFound(Edit edit)

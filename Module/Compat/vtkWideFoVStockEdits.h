@@ -135,6 +135,9 @@ WFV_EXPORT Span Find(const std::string& text, Edit edit, const std::string& name
 // The edits whose marks are in a text.
 WFV_EXPORT std::vector<Edit> Missing(const std::string& text);
 
+// Whether the mapper sets a uniform edgeOpacity: since VTK 9.3.
+bool HasEdgeOpacity();
+
 // How often Replace or Look found it, in this process: for tests.
 WFV_EXPORT int TimesFound(Edit edit);
 }

@@ -3,6 +3,11 @@
 // new edge.
 uniform float lineWidth; // pixels, set by the stock mapper
 uniform vec3 edgeColor;  // set by the stock mapper
+#if WFV_EDGE_OPACITY
+uniform float edgeOpacity; // likewise
+#else
+const float edgeOpacity = 1.0; // of a VTK that knows none
+#endif
 #if WFV_EDGE_FLAGS
 uniform samplerBuffer edgeTexture; // bits 1, 2, 4: edge 01, 12, 20 is one of the cell's own
 #endif
@@ -17,5 +22,5 @@ float wfvEdgeMix()
   d.x = (flags & 2) != 0 ? d.x : 1e9;
   d.y = (flags & 4) != 0 ? d.y : 1e9;
 #endif
-  return clamp(0.5 + 0.5 * lineWidth - min(d.x, min(d.y, d.z)), 0.0, 1.0);
+  return edgeOpacity * clamp(0.5 + 0.5 * lineWidth - min(d.x, min(d.y, d.z)), 0.0, 1.0);
 }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 
 namespace
 {
@@ -171,22 +172,92 @@ TEST(ShaderBuilder, RoundMapsEndAtTheirRim)
   EXPECT_TRUE(Has(s.FragmentStage, "if (wfvOutsideDomain()) { discard; }"));
 }
 
+// As VTK 9.1 writes it, and 9.2 and later.
 TEST(ShaderBuilder, HeadlightsShineFromTheEye)
 {
+  const std::pair<const char*, const char*> cosines[] = {
+    { "max(0.0,normalVCVSOutput.z)", "max(0.0, dot(normalVCVSOutput, -wfvFromEye))" },
+    { "max(0.000001, normalVCVSOutput.z)", "max(0.000001, dot(normalVCVSOutput, -wfvFromEye))" }
+  };
+  for (const auto& [stock, ours] : cosines)
+  {
+    Builder::Request request;
+    request.Projection = wfv::FindProjection("hammer");
+    std::string vertex = Vertex;
+    std::string geometry;
+    std::string fragment = std::string("//VTK::System::Dec\n"
+                                       "uniform vec3 lightDirectionVC0;\n"
+                                       "void main()\n{\n"
+                                       "vec4 vertexVC = vertexVCVSOutput;\n"
+                                       "  float df = ") +
+      stock +
+      ";\n"
+      "  sf = sign(df)*pow(max(1e-5, dot( reflect(lightDirectionVC12, n), v)), specularPower);\n"
+      "  df = dot(normalVCVSOutput, -lightDirectionVC0);\n}\n";
+    Builder::Finish(request, vertex, geometry, fragment);
+    EXPECT_TRUE(Has(fragment, std::string("float df = ") + ours + ";")) << fragment;
+    EXPECT_TRUE(Has(fragment, "uniform vec3 lightDirectionVC0;"));
+    EXPECT_TRUE(Has(fragment, "-wfvLightDirection(0, lightDirectionVC0)"));
+    EXPECT_TRUE(Has(fragment, "reflect(wfvLightDirection(12, lightDirectionVC12), n)"));
+    EXPECT_TRUE(wfv::stock::Missing(fragment).empty());
+  }
+}
+
+// As VTK 9.1 writes it, and 9.3 and later.
+TEST(ShaderBuilder, ALineKnowsItsNormal)
+{
+  const char* const stocks[] = {
+    "  if (abs(fdx.x) > 0.0)\n"
+    "    { normalVCVSOutput = normalize(cross(vec3(fdx.y, -fdx.x, 0.0), fdx)); }\n"
+    "  else { normalVCVSOutput = normalize(cross(vec3(fdy.y, -fdy.x, 0.0), fdy));}\n",
+    "  vec3 normalVCVSOutput = normalize(cross(vec3(lineVec.y, -lineVec.x, 0.0), lineVec));\n"
+  };
+  for (const char* const stock : stocks)
+  {
+    Builder::Request request;
+    request.Projection = wfv::FindProjection("hammer");
+    request.Kind = Builder::Primitive::Lines;
+    request.Stage = Builder::Variant::Exact;
+    std::string vertex = std::string("out vec4 vertexVCVSOutput;\n") + Vertex;
+    std::string geometry;
+    std::string fragment = std::string("//VTK::System::Dec\nvoid main()\n{\n") + stock + "}\n";
+    Builder::Finish(request, vertex, geometry, fragment);
+    EXPECT_FALSE(Has(fragment, "normalize(cross(vec3(")) << fragment;
+    EXPECT_TRUE(Has(fragment, "normalVCVSOutput = wfvLineNormal(wfvCorner0_1.xyz - "));
+  }
+}
+
+// As VTK 9.1 writes it, and 9.4 and later, whose vertex stage works out ellipses.
+TEST(ShaderBuilder, ASplatHasARadius)
+{
+  const std::string head = "//VTK::System::Dec\nin vec4 vertexMC;\n";
+  const std::string older = head +
+    "in float radiusMC;\nout float radiusVCVSOutput;\nvoid main()\n{\n"
+    "  radiusVCVSOutput = radiusMC;\n  gl_Position = MCVCMatrix * vertexMC;\n}\n";
+  const std::string newer = head +
+    "uniform float scaleFactor;\nin float radiusMC;\nout mat2 transformVCVSOutput;\n"
+    "void main()\n{\n  vec4 posVC = MCVCMatrix * vertexMC;\n"
+    "float radius = scaleFactor * radiusMC;\n  gl_Position = VCDCMatrix * posVC;\n}\n";
   Builder::Request request;
   request.Projection = wfv::FindProjection("hammer");
-  std::string vertex = Vertex;
-  std::string geometry;
-  std::string fragment = "//VTK::System::Dec\n"
-                         "uniform vec3 lightDirectionVC0;\n"
-                         "void main()\n{\n"
-                         "vec4 vertexVC = vertexVCVSOutput;\n"
-                         "  float df = max(0.0,normalVCVSOutput.z);\n"
-                         "  df = dot(normalVCVSOutput, -lightDirectionVC0);\n}\n";
-  Builder::Finish(request, vertex, geometry, fragment);
-  EXPECT_FALSE(Has(fragment, "normalVCVSOutput.z"));
-  EXPECT_TRUE(Has(fragment, "uniform vec3 lightDirectionVC0;"));
-  EXPECT_TRUE(Has(fragment, "-wfvLightDirection(0, lightDirectionVC0)"));
+  request.Kind = Builder::Primitive::Splats;
+  request.Stock.Known = true;
+  Sources s;
+  s.VertexStage = older;
+  s.FragmentStage = "//VTK::System::Dec\n//VTK::Depth::Impl\nvoid main()\n{\n}\n";
+  Sources t = s;
+  t.VertexStage = newer;
+  Builder::Finish(request, s.VertexStage, s.GeometryStage, s.FragmentStage);
+  Builder::Finish(request, t.VertexStage, t.GeometryStage, t.FragmentStage);
+  EXPECT_TRUE(Has(s.FragmentStage, "#define WFV_SPLAT_SCALE triangleScale\n"));
+  EXPECT_TRUE(Has(t.FragmentStage, "#define WFV_SPLAT_SCALE boundScale\n"));
+  EXPECT_TRUE(Has(t.VertexStage, "radiusVCVSOutput = boundScale * radius;"));
+  for (const Sources& sources : { s, t })
+  {
+    EXPECT_TRUE(Has(sources.VertexStage, "out float radiusVCVSOutput;"));
+    EXPECT_TRUE(Has(sources.GeometryStage, "in float radiusVCVSOutput[];"));
+    EXPECT_TRUE(wfv::stock::Missing(sources.VertexStage + sources.FragmentStage).empty());
+  }
 }
 
 TEST(ShaderBuilder, SteadyLightsAreConstants)

@@ -180,7 +180,7 @@ void FillStrips(Window& test)
 void FillComposite(Window& test)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, Ball());
+  blocks->SetBlock(0, Ball(false));
   blocks->SetBlock(1, Ball(false));
   vtkNew<vtkCompositePolyDataMapper> mapper;
   mapper->SetInputDataObject(blocks);

@@ -193,6 +193,17 @@ std::vector<int> TimesFound()
   return times;
 }
 
+// Of edits; what follows from one that found nothing may be another. Each is said once.
+int CountReports(const Overheard& vtk)
+{
+  int n = 0;
+  for (const stock::Entry& entry : stock::Table())
+  {
+    n += vtk.Count(std::string("the edit \"") + entry.Name + "\"") > 0;
+  }
+  return n;
+}
+
 using Users = std::map<Edit, std::vector<const stockScenes::Scene*>>;
 
 // The scenes whose shaders an edit finds something in, each drawn once for all tests.
@@ -271,7 +282,7 @@ TEST(StockEdits, OneThatFindsNothingIsSaidAndLeavesThePropOut)
       EXPECT_TRUE(black || scene->Flat) << entry.Name << " in " << scene->Name;
       EXPECT_EQ(vtk.Count(std::string("the edit \"") + entry.Name + "\""), 1)
         << entry.Name << " in " << scene->Name << ": " << vtk.All();
-      EXPECT_EQ(vtk.Count("ERROR"), 1) << vtk.All();
+      EXPECT_EQ(vtk.Count("ERROR"), CountReports(vtk)) << vtk.All();
       EXPECT_GE(vtk.Count(vtkVersion::GetVTKVersion()), 1) << vtk.All();
     }
   }
@@ -292,14 +303,14 @@ TEST(StockEdits, EveryWordingIsFoundAndReplaced)
     for (size_t i = 0; i < entry.Wordings.size(); i++)
     {
       const stock::Wording& wording = entry.Wordings[i];
-      if (!wording.Pattern)
+      std::string text = std::string("a(") + wording.Text + (wording.Last ? wording.Last : "");
+      if (const size_t at = text.find('@'); at != std::string::npos)
       {
-        std::string text = std::string("a(") + wording.Text + (wording.Last ? wording.Last : "");
-        text = text.replace(text.find('@') % text.size(), text.find('@') != std::string::npos, "n");
-        EXPECT_EQ(
-          stock::Replace(text, entry.Which, "[$&]", stock::Found::Must, "n"), static_cast<int>(i))
-          << wording.Text;
+        text.replace(at, 1, "n");
       }
+      EXPECT_TRUE(wording.Pattern ||
+        stock::Replace(text, entry.Which, "[$&]", stock::Found::Must, "n") == static_cast<int>(i))
+        << wording.Text;
     }
   }
 }
