@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Point gaussians: how far a splat is drawn, in radii of its gaussian. Called the scale of the
-// triangle round it up to VTK 9.4, and the scale of its bound since 9.5, which draws squares.
+// triangle round it up to VTK 9.3, and the scale of its bound since 9.4 (the commit is of October
+// 2023: the VTK of ParaView 5.13, 9.3.20240617, has it), which draws squares.
 #ifndef vtkWideFoVSplats_h
 #define vtkWideFoVSplats_h
 
@@ -11,7 +12,7 @@ namespace wfv
 {
 inline float SplatBound(vtkPointGaussianMapper* mapper)
 {
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 5, 0)
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 20231026)
   return mapper->GetBoundScale();
 #else
   return mapper->GetTriangleScale();

@@ -7,7 +7,6 @@
 #include "vtkCellArray.h"
 #include "vtkContextScene.h"
 #include "vtkDoubleArray.h"
-#include "vtkGridAxes3DActor.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
@@ -31,16 +30,6 @@ constexpr double LongestMark = 0.05;
 
 // Of an edge, for its length in the picture.
 constexpr int Pieces = 64;
-
-class StockAccess : public vtkGridAxes3DActor
-{
-public:
-  static vtkDoubleArray* GetCustomLabels(vtkGridAxes3DActor* actor, int axis)
-  {
-    const bool used = (actor->*(&StockAccess::UseCustomLabels))[axis];
-    return used ? (actor->*(&StockAccess::CustomLabels))[axis].Get() : nullptr;
-  }
-};
 
 // How far the edge's picture goes to the side and up, pixels.
 std::array<double, 2> MeasureEdge(vtkRenderer* renderer, const GridBox& box, int axis, Point3 from)
@@ -83,7 +72,7 @@ std::array<double, 2> MeasureAxis(vtkRenderer* renderer, const GridBox& box, int
 }
 }
 
-AxesGrid::AxesGrid(vtkGridAxes3DActor* stock)
+AxesGrid::AxesGrid(GridAxesActor* stock)
   : Stock(stock)
 {
   vtkNew<vtkPolyDataMapper> mapper;
@@ -171,13 +160,13 @@ void AxesGrid::FindTicks(vtkRenderer* renderer, const GridBox& box)
     axis->SetPoint2(level ? pixels : 0, level ? 0 : pixels);
     axis->SetNotation(this->Stock->GetNotation(i));
     axis->SetPrecision(this->Stock->GetPrecision(i));
-    axis->SetCustomTickPositions(StockAccess::GetCustomLabels(this->Stock, i));
+    axis->SetCustomTickPositions(GetCustomLabels(this->Stock, i));
     axis->SetUnscaledRange(box.GetMinimum(i), box.GetMaximum(i));
     axis->Update();
     for (vtkIdType n = 0; n < axis->GetTickPositions()->GetNumberOfTuples(); n++)
     {
       ticks.Places.push_back(axis->GetTickPositions()->GetValue(n));
-      ticks.Texts.push_back(axis->GetTickLabels()->GetValue(n));
+      ticks.Texts.push_back(GetTickText(this->Stock, i, axis, n));
     }
   }
 }

@@ -18,7 +18,6 @@
 class vtkActor;
 class vtkAxis;
 class vtkContextScene;
-class vtkGridAxes3DActor;
 class vtkPolyData;
 class vtkRenderer;
 class vtkTextProperty;
@@ -32,7 +31,7 @@ namespace wfvplugin
 class AxesGrid : public StandIn
 {
 public:
-  explicit AxesGrid(vtkGridAxes3DActor* stock);
+  explicit AxesGrid(GridAxesActor* stock);
   ~AxesGrid() override;
 
   vtkProp* GetStock() const override;
@@ -53,7 +52,7 @@ private:
   void AddLine(const GridBox& box, const Point3& from, const Point3& to);
   void UpdateLines();
 
-  vtkGridAxes3DActor* Stock;             // not owned: it may go
+  GridAxesActor* Stock;                  // not owned: it may go
   vtkSmartPointer<vtkRenderer> Renderer; // which the lines are in
   vtkNew<vtkActor> Lines;
   std::vector<Point3> Points; // two a line, world

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GridBox.h"
 
-#include "vtkGridAxes3DActor.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkProperty.h"
@@ -39,7 +38,7 @@ void ForEdges(const GridFace& face, const F& call)
 }
 }
 
-GridBox::GridBox(vtkGridAxes3DActor* actor, const Point3& eye)
+GridBox::GridBox(GridAxesActor* actor, const Point3& eye)
   : Matrix(nullptr)
 {
   actor->GetBounds(); // which brings the bounds of the grid up to date
@@ -91,7 +90,7 @@ bool GridBox::IsBack(const GridFace& face, const Point3& eye) const
     0;
 }
 
-void GridBox::FindFaces(vtkGridAxes3DActor* actor, const Point3& eye)
+void GridBox::FindFaces(GridAxesActor* actor, const Point3& eye)
 {
   vtkProperty* const property = actor->GetProperty();
   for (int axis = 0; axis < 3; axis++)
@@ -115,7 +114,7 @@ void GridBox::FindFaces(vtkGridAxes3DActor* actor, const Point3& eye)
   }
 }
 
-void GridBox::FindEdges(vtkGridAxes3DActor* actor)
+void GridBox::FindEdges(GridAxesActor* actor)
 {
   std::array<int, 12> count{};
   for (const GridFace& face : this->Faces)

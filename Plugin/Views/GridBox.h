@@ -3,10 +3,11 @@
 #ifndef WideFoVPluginGridBox_h
 #define WideFoVPluginGridBox_h
 
+#include "GridAxesActor.h"
+
 #include <array>
 #include <vector>
 
-class vtkGridAxes3DActor;
 class vtkMatrix4x4;
 
 namespace wfvplugin
@@ -32,7 +33,7 @@ class GridBox
 {
 public:
   // As the actor has it, seen from the eye (world).
-  GridBox(vtkGridAxes3DActor* actor, const Point3& eye);
+  GridBox(GridAxesActor* actor, const Point3& eye);
 
   const std::vector<GridFace>& GetFaces() const { return this->Faces; }
   const std::vector<GridEdge>& GetEdges() const { return this->Edges; }
@@ -46,8 +47,8 @@ public:
 
 private:
   bool IsBack(const GridFace& face, const Point3& eye) const;
-  void FindFaces(vtkGridAxes3DActor* actor, const Point3& eye);
-  void FindEdges(vtkGridAxes3DActor* actor);
+  void FindFaces(GridAxesActor* actor, const Point3& eye);
+  void FindEdges(GridAxesActor* actor);
 
   std::array<double, 6> Bounds;
   vtkMatrix4x4* Matrix;

@@ -2,13 +2,13 @@
 #include "PolarAxes.h"
 
 #include "FrameThreads.h"
+#include "PolarAxesParts.h"
 
 #include "vtkActor.h"
 #include "vtkAxisActor.h"
 #include "vtkAxisFollower.h"
 #include "vtkCoordinate.h"
 #include "vtkMapper.h"
-#include "vtkMathUtilities.h"
 #include "vtkPolarAxesActor.h"
 #include "vtkRenderer.h"
 #include "vtkTextProperty.h"
@@ -28,66 +28,13 @@ constexpr double AlongStep = 1e-3;
 constexpr double LeastApart = 30;
 
 // The text of a number, which is known to its letters alone.
-const char* NumberOf(vtkAxisActor* axis, int i)
+std::string NumberOf(vtkAxisActor* axis, int i)
 {
-  vtkMapper* const letters = axis->GetLabelActors()[i]->GetMapper();
+  vtkMapper* const letters = GetLetters(axis, i)->GetMapper();
   auto* const text =
     letters ? vtkVectorText::SafeDownCast(letters->GetInputAlgorithm(0, 0)) : nullptr;
-  return text && text->GetText() ? text->GetText() : "";
+  return text ? TextOf(text->GetText()) : "";
 }
-
-class PolarAxesAccess : public vtkPolarAxesActor
-{
-public:
-  static void Build(vtkPolarAxesActor* stock, vtkRenderer* renderer)
-  {
-    (stock->*(&PolarAxesAccess::BuildAxes))(renderer);
-    for (vtkAxisActor* const axis : GetRadialAxes(stock))
-    {
-      axis->BuildAxis(renderer, false);
-    }
-  }
-  static vtkAxisActor* GetPolarAxis(vtkPolarAxesActor* stock)
-  {
-    return stock->*(&PolarAxesAccess::PolarAxis);
-  }
-  // Those that are drawn.
-  static std::vector<vtkAxisActor*> GetRadialAxes(vtkPolarAxesActor* stock)
-  {
-    std::vector<vtkAxisActor*> axes;
-    const int count = stock->*(&PolarAxesAccess::NumberOfRadialAxes);
-    const bool round =
-      vtkMathUtilities::FuzzyCompare(stock->GetMaximumAngle(), stock->GetMinimumAngle());
-    for (int i = 0; stock->GetRadialAxesVisibility() && i < count; i++)
-    {
-      const bool inner = i != count - 1 || round;
-      if (!inner || stock->GetDrawRadialGridlines())
-      {
-        axes.push_back((stock->*(&PolarAxesAccess::RadialAxes))[i]);
-      }
-    }
-    return axes;
-  }
-  static std::vector<vtkActor*> GetArcs(vtkPolarAxesActor* stock)
-  {
-    std::vector<vtkActor*> arcs;
-    if (!stock->GetPolarArcsVisibility())
-    {
-      return arcs;
-    }
-    arcs.push_back(stock->*(&PolarAxesAccess::PolarArcsActor));
-    arcs.push_back(stock->*(&PolarAxesAccess::SecondaryPolarArcsActor));
-    if (stock->GetPolarTickVisibility() && stock->GetArcTickVisibility())
-    {
-      arcs.push_back(stock->*(&PolarAxesAccess::ArcTickActor));
-    }
-    if (stock->GetPolarTickVisibility() && stock->GetArcMinorTickVisibility())
-    {
-      arcs.push_back(stock->*(&PolarAxesAccess::ArcMinorTickActor));
-    }
-    return arcs;
-  }
-};
 
 // A share of the way along an axis.
 Point3 PlaceOn(vtkAxisActor* axis, double share)
@@ -142,10 +89,10 @@ void PolarAxes::Show(vtkRenderer* renderer)
 {
   this->Renderer = renderer;
   this->Labels.clear();
-  PolarAxesAccess::Build(this->Stock, renderer);
-  std::vector<vtkAxisActor*> drawn = PolarAxesAccess::GetRadialAxes(this->Stock);
-  vtkAxisActor* const polar = PolarAxesAccess::GetPolarAxis(this->Stock);
-  if (this->Stock->GetPolarAxisVisibility())
+  const PolarAxesParts parts = BuildPolarAxes(this->Stock, renderer);
+  std::vector<vtkAxisActor*> drawn = parts.Radial;
+  vtkAxisActor* const polar = parts.Polar;
+  if (polar)
   {
     drawn.push_back(polar);
   }
@@ -165,7 +112,7 @@ void PolarAxes::Show(vtkRenderer* renderer)
     axis.Actor->SetLabelVisibility(0);
     axis.Actor->SetExponentVisibility(false);
   }
-  this->ShowArcs();
+  this->ShowArcs(parts.Arcs);
   // ranks are composited by depth, which translucent texts do not write
   this->Texts.Show(renderer, this->Labels, !HasOneRank());
   this->Stock->VisibilityOff();
@@ -214,9 +161,9 @@ void PolarAxes::KeepAxes(const std::vector<vtkAxisActor*>& wanted)
 }
 
 PlacedLabel PolarAxes::MakeLabel(
-  vtkAxisActor* axis, double share, const char* text, double distance, bool atEnd)
+  vtkAxisActor* axis, double share, const std::string& text, double distance, bool atEnd)
 {
-  PlacedLabel label{ PlaceOn(axis, share), text ? text : "", {}, distance, nullptr };
+  PlacedLabel label{ PlaceOn(axis, share), text, {}, distance, nullptr };
   double along[2];
   FindDirection(this->Renderer, axis, share, along);
   label.Outwards[0] = atEnd ? along[0] : along[1];
@@ -230,18 +177,18 @@ void PolarAxes::AddTexts(vtkAxisActor* axis, bool polar, int titleLocation)
   {
     this->AddNumbers(axis);
   }
-  const auto add = [&](const char* text, bool atEnd) {
+  const auto add = [&](const std::string& text, bool atEnd) {
     this->Labels.push_back(
       this->MakeLabel(axis, atEnd ? 1 : 0.5, text, polar ? TitleDistance : NumberDistance, atEnd));
     this->Labels.back().Property = axis->GetTitleTextProperty();
   };
   if (axis->GetTitleVisibility())
   {
-    add(axis->GetTitle(), titleLocation == vtkPolarAxesActor::VTK_TITLE_EXTERN);
+    add(TextOf(axis->GetTitle()), titleLocation == vtkPolarAxesActor::VTK_TITLE_EXTERN);
   }
   if (polar && axis->GetExponentVisibility())
   {
-    add(axis->GetExponent(), true);
+    add(TextOf(axis->GetExponent()), true);
   }
 }
 
@@ -259,7 +206,7 @@ void PolarAxes::AddNumbers(vtkAxisActor* axis)
     label.Property = axis->GetLabelTextProperty();
     if (axis->GetLog())
     {
-      std::copy_n(axis->GetLabelActors()[i]->GetPosition(), 3, label.Place.begin());
+      std::copy_n(GetLetters(axis, i)->GetPosition(), 3, label.Place.begin());
     }
     double pixel[2];
     if (FindPixel(this->Renderer, label.Place, pixel) &&
@@ -271,9 +218,8 @@ void PolarAxes::AddNumbers(vtkAxisActor* axis)
   }
 }
 
-void PolarAxes::ShowArcs()
+void PolarAxes::ShowArcs(const std::vector<vtkActor*>& arcs)
 {
-  const std::vector<vtkActor*> arcs = PolarAxesAccess::GetArcs(this->Stock);
   while (this->Lines.size() < arcs.size())
   {
     auto line = vtkSmartPointer<vtkActor>::New();

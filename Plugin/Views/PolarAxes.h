@@ -41,8 +41,8 @@ private:
   void AddTexts(vtkAxisActor* axis, bool polar, int titleLocation);
   void AddNumbers(vtkAxisActor* axis);
   PlacedLabel MakeLabel(
-    vtkAxisActor* axis, double share, const char* text, double distance, bool atEnd);
-  void ShowArcs();
+    vtkAxisActor* axis, double share, const std::string& text, double distance, bool atEnd);
+  void ShowArcs(const std::vector<vtkActor*>& arcs);
 
   vtkPolarAxesActor* Stock;
   vtkSmartPointer<vtkRenderer> Renderer;        // which the lines are in

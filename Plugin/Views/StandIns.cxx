@@ -5,7 +5,6 @@
 #include "PolarAxes.h"
 #include "vtkWideFoVCamera.h"
 
-#include "vtkGridAxes3DActor.h"
 #include "vtkPolarAxesActor.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
@@ -18,12 +17,12 @@ namespace
 {
 bool NeedsOne(vtkProp* prop)
 {
-  return prop->IsA("vtkGridAxes3DActor") || prop->IsA("vtkPolarAxesActor");
+  return GridAxesActor::SafeDownCast(prop) || prop->IsA("vtkPolarAxesActor");
 }
 
 std::unique_ptr<StandIn> Make(vtkProp* prop)
 {
-  if (auto* const grid = vtkGridAxes3DActor::SafeDownCast(prop))
+  if (auto* const grid = GridAxesActor::SafeDownCast(prop))
   {
     return std::make_unique<AxesGrid>(grid);
   }

@@ -2,6 +2,7 @@
 #include "vtkPVWideFoVView.h"
 
 #include "DirectionFile.h"
+#include "GridAxesActor.h"
 #include "Projection.h"
 #include "vtkPVWideFoVViewInternals.h"
 #include "vtkWideFoVOverrides.h"
@@ -32,7 +33,7 @@ constexpr float AfterSynchronizer = -1.0f;
 // What is no data, and may stand out of it, has to be between the clip spheres as well.
 bool IsAnnotation(vtkProp* prop)
 {
-  return prop->IsA("vtkGridAxes3DActor") || prop->IsA("vtkPolarAxesActor") ||
+  return wfvplugin::GridAxesActor::SafeDownCast(prop) || prop->IsA("vtkPolarAxesActor") ||
     prop->IsA("vtkFlagpoleLabel");
 }
 

@@ -11,66 +11,20 @@
 // red the highest; black is nothing.
 // The answer, on standard output: {"pixels", "hits", "mismatched", "unexplained",
 // "missing", "spurious"} in pixels, {"max_px"} and "worst", the first few of them.
-#include "Metrics.h"
-#include "RayCaster.h"
+#include "CellFiles.h"
 #include "Stereo.h"
-
-#include <vtkCamera.h>
-#include <vtkCellData.h>
-#include <vtkImageData.h>
-#include <vtkMatrix4x4.h>
-#include <vtkNew.h>
-#include <vtkPNGReader.h>
-#include <vtkPolyData.h>
-#include <vtkUnsignedCharArray.h>
-#include <vtkXMLPolyDataReader.h>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <fstream>
 #include <iostream>
-#include <limits>
 
 using json = nlohmann::json;
 using namespace wfv;
 
 namespace
 {
-int ReadNumber(const unsigned char* colour)
-{
-  return 65536 * colour[0] + 256 * colour[1] + colour[2];
-}
-
-reference::DrawnPicture ReadPicture(const std::string& file)
-{
-  vtkNew<vtkPNGReader> reader;
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  vtkImageData* const image = reader->GetOutput();
-  int size[3];
-  image->GetDimensions(size);
-  if (image->GetNumberOfScalarComponents() < 3 || size[0] < 1)
-  {
-    throw std::runtime_error("no picture of colours: " + file);
-  }
-  reference::DrawnPicture picture;
-  picture.Width = size[0];
-  picture.Height = size[1];
-  for (int j = size[1] - 1; j >= 0; j--)
-  {
-    for (int i = 0; i < size[0]; i++)
-    {
-      const auto* c = static_cast<const unsigned char*>(image->GetScalarPointer(i, j, 0));
-      const int cell = ReadNumber(c);
-      picture.Cell.push_back(static_cast<float>(cell));
-      // a screenshot has no distance
-      picture.Distance.push_back(cell ? 1 : std::numeric_limits<float>::infinity());
-    }
-  }
-  return picture;
-}
-
 StereoOptions MakeStereo(const json& stereo)
 {
   StereoOptions o;
@@ -119,41 +73,6 @@ View MakeView(const json& request, double aspect)
   return View(*projection, o);
 }
 
-reference::Pose MakePose(const json& request)
-{
-  vtkNew<vtkCamera> camera;
-  camera->SetPosition(request.at("eye").get<std::array<double, 3>>().data());
-  camera->SetFocalPoint(request.at("focal").get<std::array<double, 3>>().data());
-  camera->SetViewUp(request.at("up").get<std::array<double, 3>>().data());
-  reference::Pose pose;
-  std::copy_n(camera->GetViewTransformMatrix()->GetData(), 16, pose.begin());
-  return pose;
-}
-
-// The triangles of the mesh, each with its cell's number less one for an id.
-reference::TriangleSoup MakeSoup(const std::string& file, const reference::Pose& pose)
-{
-  vtkNew<vtkXMLPolyDataReader> mesh;
-  mesh->SetFileName(file.c_str());
-  mesh->Update();
-  auto* const numbers =
-    vtkUnsignedCharArray::SafeDownCast(mesh->GetOutput()->GetCellData()->GetArray("number"));
-  if (!numbers || numbers->GetNumberOfComponents() != 3)
-  {
-    throw std::runtime_error("no cell array \"number\" of colours: " + file);
-  }
-  reference::TriangleSoup soup = reference::Triangulate(mesh->GetOutput(), pose);
-  for (vtkIdType& id : soup.CellIds)
-  {
-    id = ReadNumber(numbers->GetPointer(3 * id)) - 1;
-  }
-  if (!std::is_sorted(soup.CellIds.begin(), soup.CellIds.end()))
-  {
-    throw std::runtime_error("the numbers of the cells do not grow: " + file);
-  }
-  return soup;
-}
-
 json Describe(const reference::WorstPixel& pixel)
 {
   return { { "x", pixel.I }, { "y", pixel.J }, { "drawn", pixel.Drawn },
@@ -162,9 +81,11 @@ json Describe(const reference::WorstPixel& pixel)
 
 json Check(const json& request)
 {
-  const reference::DrawnPicture drawn = ReadPicture(request.at("picture"));
+  const reference::DrawnPicture drawn = checkcells::ReadPicture(request.at("picture"));
   const View view = MakeView(request, static_cast<double>(drawn.Width) / drawn.Height);
-  const reference::RayCaster caster(MakeSoup(request.at("mesh"), MakePose(request)), view);
+  const reference::Pose pose =
+    checkcells::MakePose(request.at("eye"), request.at("focal"), request.at("up"));
+  const reference::RayCaster caster(checkcells::ReadSoup(request.at("mesh"), pose), view);
   const reference::HitPicture truth = caster.Render(drawn.Width, drawn.Height);
   // more mismatches than this are a broken picture, whose every pixel need not be searched
   constexpr std::size_t MostSearched = 300;

@@ -8,7 +8,7 @@ import subprocess
 import sys
 import traceback
 
-from paraview import simple
+from paraview import servermanager, simple
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkContourFilter, vtkTriangleFilter
@@ -49,6 +49,13 @@ def parse_arguments():
     options = parser.parse_args()
     os.makedirs(options.output, exist_ok=True)
     return options
+
+
+def save_extracts(folder, frames):
+    """Of all frames. ParaView 5.13 saves the first alone where it is not told."""
+    settings = servermanager.misc.SaveAnimationExtracts()
+    window = {"FrameWindow": [0, frames - 1]} if settings.GetProperty("FrameWindow") else {}
+    simple.SaveExtracts(ExtractsOutputDirectory=folder, **window)
 
 
 def load_plugin(options, remote=False):

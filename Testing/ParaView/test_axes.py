@@ -167,7 +167,9 @@ def check_polar(options, view, display):
     axes = display.PolarAxes
     # one apart, and the last to the corner of the box
     radii = (1, 2, 3, 4, 5, math.hypot(BOUNDS[0][1], BOUNDS[1][1]))
-    for kind in ("PolarLabel", "PolarAxisTitle", "RadialLabel", "PolarTicks", "AxisTick", "ArcTick"):
+    # ParaView 5.12 and 5.13 call it a title
+    radial = "RadialLabel" if "RadialLabelVisibility" in axes.ListProperties() else "RadialTitle"
+    for kind in ("PolarLabel", "PolarAxisTitle", radial, "PolarTicks", "AxisTick", "ArcTick"):
         setattr(axes, kind + "Visibility", 0)
     axes.Visibility = 1
     look_from(view, INSIDE)

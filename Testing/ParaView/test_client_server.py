@@ -29,7 +29,7 @@ def check_extracts(options, view, mesh):
     extractor.Writer.Size = scene.SIZE
     # of a single frame ParaView 5.11 divides by zero, and triggers no extractor at all
     simple.GetAnimationScene().NumberOfFrames = 2
-    simple.SaveExtracts(ExtractsOutputDirectory=folder)
+    scene.save_extracts(folder, 2)
     found = sorted(os.listdir(folder))
     scene.require(found == ["WideFoVView1_%06d.png" % i for i in range(2)], str(found))
     composited.check_file(options, view, mesh, os.path.join(folder, found[1]))

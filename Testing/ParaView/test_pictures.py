@@ -100,14 +100,14 @@ def check_frames(options, view, mesh):
     extractor.Writer.Eyes = "A file each, in folders left and right"
     scenes = simple.GetAnimationScene()
     scenes.NumberOfFrames = 3
-    simple.SaveExtracts(ExtractsOutputDirectory=folder)
+    scene.save_extracts(folder, 3)
     frames = ["WideFoVView1_%06d.png" % i for i in range(3)]
     for side in ("left", "right"):
         found = sorted(os.listdir(os.path.join(folder, side)))
         scene.require(found == frames, side + ": " + str(found))
     check_eye(options, view, mesh, os.path.join(folder, "right", frames[2]), 1, "frame")
     simple.SaveAnimation(os.path.join(options.output, "movie.png"), view, ImageResolution=DOME,
-                         StereoMode="Both Eyes", SuffixFormat=".%04d")
+                         StereoMode="Both Eyes", SuffixFormat=".%04d", FrameWindow=[0, 2])
     movie = sorted(n for n in os.listdir(options.output) if n.startswith("movie"))
     print(movie)
     expected = ["movie.%04d_%s.png" % (i, s) for i in range(3) for s in ("left", "right")]

@@ -7,7 +7,7 @@
 Rules: dependencies run one way; the mathematics knows no VTK; functions and sources
 stay short; shaders are .glsl files; every source names its licence; nothing names a
 folder of somebody's machine; what differs between versions of VTK, or between drivers of
-OpenGL, is guarded in one folder; headers declare VTK's classes in VTK's namespace. Prints `path:line: rule: what is wrong` for every breach
+OpenGL, is guarded in one folder, and what does between those of ParaView in another; headers declare VTK's classes in VTK's namespace. Prints `path:line: rule: what is wrong` for every breach
 and exits with 1 when there is one.
 """
 
@@ -42,13 +42,14 @@ REWRITES_SHADERS = ("Module/vtkWideFoVShaderBuilder.cxx",)
 
 # Guards, and the folders that they are looked for in and belong into.
 VERSION_GUARD = re.compile(
-    r"^[ \t]*#[ \t]*(?:el)?if\b.*\b(?:VTK_\w*VERSION\w*|__has_include)\b"
-    r"|^[ \t]*(?:else)?if *\(.*\bVTK_\w*VERSION",
+    r"^[ \t]*#[ \t]*(?:el)?if\b.*\b(?:(?:VTK|PARAVIEW|QT)_\w*VERSION\w*|__has_include)\b"
+    r"|^[ \t]*(?:else)?if *\(.*\b(?:VTK|ParaView|PARAVIEW|QT)_\w*VERSION",
     re.M,
 )
 DRIVER_GUARD = re.compile(r"\bGL_(?:VENDOR|RENDERER|VERSION)\b")  # elsewhere they are shown
-GUARDED = ("Module/", "Examples/", "Testing/")
-COMPAT = "Module/Compat/"
+GUARDED = ("Module/", "Examples/", "Testing/", "Plugin/")
+COMPAT = {"Module/": "Module/Compat/", "Plugin/": "Plugin/Compat/"}  # elsewhere the module's
+IN_NAMESPACE = ("Module/", "Examples/", "Testing/")  # ParaView's own classes are in none
 
 # VTK's own, or written beside them: in C++ headers these stand between two words of VTK's.
 VTK_CLASS = re.compile(r"^(?:class|struct)\s+(?:\w+_EXPORT\s+)?vtk\w+(?!\w|::)")
@@ -135,18 +136,21 @@ def check_versions(source):
     """One place for what differs between versions."""
     if not source.is_code or not source.path.startswith(GUARDED) or source.is_kind((".py", ".sh")):
         return
-    if source.path.startswith(COMPAT):
+    if source.path.startswith(tuple(COMPAT.values())):
         return
+    folder = source.path[: source.path.index("/") + 1]
     guards = list(VERSION_GUARD.finditer(source.text))
     if source.path.startswith("Module/"):
         guards += DRIVER_GUARD.finditer(source.text)
     for match in guards:
-        yield line_of(source.text, match.start()), "versions", "guards belong into " + COMPAT
+        yield line_of(source.text, match.start()), "versions", (
+            "guards belong into " + COMPAT.get(folder, COMPAT["Module/"])
+        )
 
 
 def check_namespace(source):
     """VTK may have a namespace, in which its classes are."""
-    if not source.path.startswith(GUARDED):
+    if not source.path.startswith(IN_NAMESPACE):
         return
     inside = False
     for number, line in enumerate(source.lines if source.is_kind((".h",)) else [], 1):
