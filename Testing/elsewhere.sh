@@ -74,6 +74,7 @@ say_versions() {
 
 prepare() {
   local flavours=" ${WIDEFOV_FLAVOURS:-vtk paraview} "
+  doing="installing packages, see above"
   in_root bash Utilities/install-packages.sh build examples test
   if [[ "$flavours" == *" paraview "* ]]; then
     in_root bash Utilities/install-packages.sh paraview
@@ -83,10 +84,12 @@ prepare() {
 
 run() {
   if [ "${WIDEFOV_ELSEWHERE:-}" != tests ]; then
-    in_root bash Examples/run.sh || fail "$suite: bash Examples/run.sh failed, see above"
+    doing="running bash Examples/run.sh, see above"
+    in_root bash Examples/run.sh
     echo "Testing/elsewhere.sh: $suite: pictures are in $root/srv/output"
   fi
-  in_root bash Testing/run.sh "$@" || fail "$suite: bash Testing/run.sh failed, see above"
+  doing="running bash Testing/run.sh, see above"
+  in_root bash Testing/run.sh "$@"
   echo "Testing/elsewhere.sh: $suite ($(say_versions)): built, and every test passed"
 }
 
@@ -94,12 +97,17 @@ run() {
 within() {
   suite="$2"
   root="$roots/$suite"
-  mount_all || fail "$suite: this may not mount; in a container give it the right to"
+  doing="mounting; in a container give it the right to"
+  trap '[ "$?" -eq 0 ] || fail "$suite: FAILED while $doing"' EXIT
+  mount_all
   cp --dereference /etc/resolv.conf /etc/hosts "$root/etc/" 2> /dev/null || true
   case "$1" in
-    prepare) prepare || fail "$suite: its packages could not be installed, see above" ;;
-    in) in_root "${@:3}" ;;
+    prepare) prepare ;;
     run) run "${@:3}" ;;
+    in)
+      trap - EXIT
+      in_root "${@:3}"
+      ;;
   esac
 }
 

@@ -89,8 +89,9 @@ command -v dpkg-query > /dev/null && command -v apt-get > /dev/null ||
   fail "this needs Debian's package tools; install what corresponds to: ${wanted[*]}"
 
 if [ "$1" = --satisfy ]; then
-  ! apt-get -q -q satisfy --simulate --no-install-recommends "$2" 2>&1 | grep -q '^\(Inst\|E:\)' ||
-    install satisfy "$2"
+  # an error as well: the lists may have to be fetched first
+  plan="$(apt-get -q -q satisfy --simulate --no-install-recommends "$2" 2>&1 || echo E:)"
+  ! grep -q '^\(Inst\|E:\)' <<< "$plan" || install satisfy "$2"
   exit 0
 fi
 mapfile -t missing < <(find_missing "${wanted[@]}")

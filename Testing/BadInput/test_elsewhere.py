@@ -96,6 +96,14 @@ class Elsewhere(unittest.TestCase):
         stand_ins = {**ROOT, "unshare": "echo no >&2; exit 1", "debootstrap": "exit 0"}
         self.check(stand_ins, ["trixie"], ["may not mount", "container"])
 
+    def test_mounts_that_are_refused(self):
+        with tempfile.TemporaryDirectory(prefix="elsewhere-") as folder:
+            scripts = Scripts(folder, {**ROOT, "mount": "exit 32"})
+            os.makedirs(os.path.join(scripts.top, "build-roots/trixie"))
+            done = scripts.run("Testing/elsewhere.sh", "trixie")
+            self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done)
+            self.assertIn("FAILED while mounting; in a container", done.stderr)
+
     def test_no_network(self):
         stand_ins = {**ROOT, "debootstrap": NO_NETWORK}
         self.check(stand_ins, ["trixie"], ["trixie", "Failed getting release file", "network"])
@@ -124,6 +132,18 @@ class Packages(unittest.TestCase):
             scripts = Scripts(folder, {})
             done = scripts.run("Utilities/install-packages.sh", "build", "paraview", WIDEFOV_SUITE=suite)
             return done.stderr.split(": ")[-1].split()
+
+    def test_satisfy_installs_what_is_missing(self):
+        """However much apt says, and nothing where nothing is missing."""
+        says = 'case "$*" in *--simulate*) %s;; *) echo "run $*"; esac'
+        many = "echo Inst first; for i in {1..20000}; do echo Conf $i; done"
+        for simulated, installs in [(many, True), ("exit 100", True), ("echo Nothing", False)]:
+            with tempfile.TemporaryDirectory(prefix="elsewhere-") as folder:
+                apt = {"apt-get": says % simulated, "dpkg-query": "exit 0"}
+                scripts = Scripts(folder, {**ROOT, **apt})
+                done = scripts.run("Utilities/install-packages.sh", "--satisfy", "first (>= 1)")
+                self.assertEqual((done.returncode, done.stderr), (0, ""), done)
+                self.assertEqual("first (>= 1)" in done.stdout, installs, simulated)
 
     def test_names(self):
         for suite, own, other in [
