@@ -99,11 +99,12 @@ void vtkWideFoVPolyDataMapper::SetCustomUniforms(vtkOpenGLHelper& cellBO, vtkAct
 {
   vtkWideFoVStage* const stage = this->Internal->Stage;
   if (stage && stage->GetVariant() == vtkWideFoVShaderBuilder::Variant::Tessellate &&
-    !cellBO.Program->GetGeometryShader()->GetSource().empty() &&
     !vtkWideFoVTessellation::IsIn(cellBO.Program))
   {
     const vtkWideFoVShaderBuilder::Request request = stage->MakeRequest(this, actor);
-    if (request.Stage == vtkWideFoVShaderBuilder::Variant::Tessellate)
+    // (one that draws nothing has no geometry stage)
+    if (request.Stage == vtkWideFoVShaderBuilder::Variant::Tessellate &&
+      !cellBO.Program->GetGeometryShader()->GetSource().empty())
     {
       const std::string log = vtkWideFoVTessellation::AddTo(cellBO.Program, request);
       if (!log.empty())

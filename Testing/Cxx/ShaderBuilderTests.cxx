@@ -230,12 +230,14 @@ TEST(ShaderBuilder, ALineKnowsItsNormal)
 // As VTK 9.1 writes it, and 9.4 and later, whose vertex stage works out ellipses.
 TEST(ShaderBuilder, ASplatHasARadius)
 {
-  const std::string head = "//VTK::System::Dec\nin vec4 vertexMC;\n";
+  const std::string head = "//VTK::System::Dec\n"
+                           "in vec4 vertexMC;\n";
   const std::string older = head +
     "in float radiusMC;\nout float radiusVCVSOutput;\nvoid main()\n{\n"
     "  radiusVCVSOutput = radiusMC;\n  gl_Position = MCVCMatrix * vertexMC;\n}\n";
   const std::string newer = head +
-    "uniform float scaleFactor;\nin float radiusMC;\nout mat2 transformVCVSOutput;\n"
+    "uniform float scaleFactor;\n"
+    "in float radiusMC;\nout mat2 transformVCVSOutput;\n"
     "void main()\n{\n  vec4 posVC = MCVCMatrix * vertexMC;\n"
     "float radius = scaleFactor * radiusMC;\n  gl_Position = VCDCMatrix * posVC;\n}\n";
   Builder::Request request;
