@@ -70,7 +70,7 @@ bool vtkWideFoVPass::MayShare(const vtkRenderState* s, vtkProp** props)
   return this->EyesAtOnce != NEVER && !this->Internal->Delegate && !s->GetFrameBuffer() &&
     !s->GetRequiredKeys() && wfv::RendererAccess::Has(renderer, props) && camera &&
     camera->HasMirroredEyes() && DrawsSimply(renderer) &&
-    (this->EyesAtOnce == ALWAYS || !wfv::IsSoftwareMesa());
+    (this->EyesAtOnce == ALWAYS || wfv::GainsByEyesAtOnce());
 }
 
 void vtkWideFoVPass::BeginShared(const vtkRenderState* s, vtkProp** props)

@@ -19,10 +19,9 @@ using Request = vtkWideFoVShaderBuilder::Request;
 // As in tess_control.glsl.
 constexpr int MaxLevel = 64;
 
-// Mesa's software renderers number the pieces of one draw with 16 bits, and the patches of
-// one draw anew every 1,024 indices. They get small draws: few patches, or for meshes of
-// many triangles, which are small as a rule, more patches of fewer pieces (past that they
-// go exact). n pieces an edge have 1 + 3 (n / 2) (n / 2 + 1) corners, n even.
+// Small draws, where a driver needs them: few patches, or for meshes of many triangles, which are
+// small as a rule, more patches of fewer pieces (past that they go exact). n pieces an edge have
+// 1 + 3 (n / 2) (n / 2 + 1) corners, n even.
 constexpr int SmallMesh = 10000; // triangles
 constexpr int FewPatches = 20;   // of 64 pieces an edge: 3,169 corners each
 constexpr int ManyPatches = 340; // of 14 pieces an edge: 169 corners each
@@ -195,7 +194,7 @@ std::string vtkWideFoVTessellation::AddTo(vtkShaderProgram* program, const Reque
 void vtkWideFoVTessellation::Draw(
   vtkShaderProgram* program, unsigned int vertices, int indices, int offset)
 {
-  const bool small = wfv::IsSoftwareMesa();
+  const bool small = wfv::NeedsSmallPatchDraws();
   const bool few = indices <= 3 * SmallMesh;
   const int most = !small ? indices : 3 * (few ? FewPatches : ManyPatches);
   program->SetUniformf("wfvMaxLevel", static_cast<float>(small && !few ? LessLevel : MaxLevel));

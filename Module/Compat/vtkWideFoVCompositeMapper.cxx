@@ -11,7 +11,7 @@
 
 namespace
 {
-bool Is(vtkObjectBase* object, const char* name)
+bool IsNamed(vtkObjectBase* object, const char* name)
 {
   return std::strcmp(object->GetClassName(), name) == 0;
 }
@@ -29,12 +29,12 @@ bool SortsBlocks(vtkObjectBase*)
 
 bool IsStockComposite(vtkObjectBase* mapper)
 {
-  return Is(mapper, "vtkCompositePolyDataMapper");
+  return IsNamed(mapper, "vtkCompositePolyDataMapper");
 }
 
 bool DrawsBlocks(vtkObjectBase* mapper)
 {
-  return Is(mapper, "vtkOpenGLBatchedPolyDataMapper");
+  return IsNamed(mapper, "vtkOpenGLBatchedPolyDataMapper");
 }
 #else
 void SortBlocksOf(vtkMapper* mapper, vtkWindow* window)
@@ -49,12 +49,13 @@ bool SortsBlocks(vtkObjectBase* mapper)
 
 bool IsStockComposite(vtkObjectBase* mapper)
 {
-  return Is(mapper, "vtkCompositePolyDataMapper2");
+  return IsNamed(mapper, "vtkCompositePolyDataMapper2");
 }
 
 bool DrawsBlocks(vtkObjectBase* mapper)
 {
-  return Is(mapper, "vtkCompositeMapperHelper2") || Is(mapper, "vtkWideFoVCompositeHelper");
+  return IsNamed(mapper, "vtkCompositeMapperHelper2") ||
+    IsNamed(mapper, "vtkWideFoVCompositeHelper");
 }
 #endif
 }

@@ -11,9 +11,11 @@
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
 #include "vtkCompositePolyDataMapper.h"
 using vtkWideFoVCompositeMapper = vtkCompositePolyDataMapper;
+#define WIDEFOV_SORTS_BLOCKS 0
 #else
 #include "vtkCompositePolyDataMapper2.h"
 using vtkWideFoVCompositeMapper = vtkCompositePolyDataMapper2;
+#define WIDEFOV_SORTS_BLOCKS 1
 #endif
 
 VTK_ABI_NAMESPACE_BEGIN

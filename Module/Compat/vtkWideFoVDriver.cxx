@@ -5,6 +5,15 @@
 
 #include <cstring>
 
+namespace
+{
+bool IsSoftwareMesa()
+{
+  const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  return renderer && (std::strstr(renderer, "llvmpipe") || std::strstr(renderer, "softpipe"));
+}
+}
+
 namespace wfv
 {
 bool HasExtension(const char* name)
@@ -23,9 +32,13 @@ bool HasExtension(const char* name)
   return false;
 }
 
-bool IsSoftwareMesa()
+bool NeedsSmallPatchDraws()
 {
-  const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  return renderer && (std::strstr(renderer, "llvmpipe") || std::strstr(renderer, "softpipe"));
+  return IsSoftwareMesa();
+}
+
+bool GainsByEyesAtOnce()
+{
+  return !IsSoftwareMesa();
 }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the OpenGL that is current is, and can.
+// What the OpenGL that is current can, and where a driver needs to be drawn with in another way.
 #ifndef vtkWideFoVDriver_h
 #define vtkWideFoVDriver_h
 
@@ -7,8 +7,12 @@ namespace wfv
 {
 bool HasExtension(const char* name);
 
-// Mesa's software renderers.
-bool IsSoftwareMesa();
+// Mesa's software renderers (seen with 22.3) number the pieces of one tessellated draw with 16
+// bits, and the patches of one draw anew every 1,024 indices: they need small draws.
+bool NeedsSmallPatchDraws();
+
+// Mesa's software renderers gain nothing by drawing both eyes at once.
+bool GainsByEyesAtOnce();
 }
 
 #endif

@@ -3,6 +3,8 @@
 #ifndef vtkWideFoVVersionCheck_h
 #define vtkWideFoVVersionCheck_h
 
+#include "Projections/Projection.h" // For WFV_EXPORT
+
 #include <string>
 
 namespace wfv
@@ -10,7 +12,7 @@ namespace wfv
 // What is to be said of the VTK that runs: that the module was compiled against another release
 // (9.3 is one, and 9.6; two VTKs are loaded then), or that it is newer than the newest that was
 // tested. Empty where neither is the case. Versions as "9.6.2".
-std::string RemarkOnVtk(
+WFV_EXPORT std::string RemarkOnVtk(
   const std::string& running, const std::string& compiled, const std::string& newest);
 
 // Says it of this VTK, once.

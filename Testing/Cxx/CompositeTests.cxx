@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Composite data under the pass are sorted block by block; text in the scene stands at its place.
+// Composite data under the pass are drawn as their blocks are, and sorted block by block where VTK
+// lets them; text in the scene stands at its place.
 #include "WideFoVTestScene.h"
 
 #include "vtkActor.h"
 #include "vtkBillboardTextActor3D.h"
+#include "vtkCellData.h"
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkHardwareSelector.h"
 #include "vtkWideFoVCompositeMapper.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPolyData.h"
@@ -17,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 #include <vector>
 
 namespace
@@ -83,6 +88,100 @@ Drawn Draw(bool composite, bool twice)
   return { TestPixels(test.Window).Data, test.Pass()->GetNumberOfClusters() };
 }
 
+// Colours of the cells: rows of the sphere.
+void ColorCells(vtkPolyData* mesh)
+{
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); i++)
+  {
+    const auto shade = static_cast<unsigned char>(i % 256);
+    const unsigned char color[3] = { shade, 128, 255 };
+    colors->InsertNextTypedTuple(color);
+  }
+  mesh->GetCellData()->SetScalars(colors);
+}
+
+// Block 0 red, 1 hidden, 2 translucent, 3 with colours of its cells, 4 as it is.
+vtkSmartPointer<vtkActor> MakeVariedBlock(int i)
+{
+  auto mesh = MakeBlock(i);
+  vtkNew<vtkWideFoVPolyDataMapper> mapper;
+  mapper->SetInputData(mesh);
+  auto actor = MakeActor(mapper);
+  if (i == 0)
+  {
+    actor->GetProperty()->SetColor(1, 0, 0);
+  }
+  if (i == 3)
+  {
+    ColorCells(mesh);
+  }
+  actor->SetVisibility(i != 1);
+  actor->GetProperty()->SetOpacity(i == 2 ? 0.4 : 1);
+  return actor;
+}
+
+vtkSmartPointer<vtkActor> MakeVariedBlocks()
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  for (int i = 0; i < Blocks; i++)
+  {
+    auto mesh = MakeBlock(i);
+    if (i == 3)
+    {
+      ColorCells(mesh);
+    }
+    blocks->SetBlock(i, mesh);
+  }
+  vtkNew<vtkCompositeDataDisplayAttributes> attributes;
+  vtkNew<vtkWideFoVCompositeMapper> mapper;
+  mapper->SetInputDataObject(blocks);
+  mapper->SetCompositeDataDisplayAttributes(attributes);
+  mapper->SetBlockColor(1, 1, 0, 0); // flat indices: the root is 0
+  mapper->SetBlockVisibility(2, false);
+  mapper->SetBlockOpacity(3, 0.4);
+  return MakeActor(mapper);
+}
+
+Drawn DrawVaried(bool composite)
+{
+  WideFoVTestWindow test("equirectangular", PartsWidth, PartsHeight);
+  for (int i = 0; i < (composite ? 0 : Blocks); i++)
+  {
+    test.Renderer->AddActor(MakeVariedBlock(i));
+  }
+  if (composite)
+  {
+    test.Renderer->AddActor(MakeVariedBlocks());
+  }
+  test.Window->Render();
+  return { TestPixels(test.Window).Data, test.Pass()->GetNumberOfClusters() };
+}
+
+// Block and cell at every pixel, by the hardware selector; -1 where there is none.
+using Selected = std::pair<int, vtkIdType>;
+
+std::vector<Selected> SelectAll(bool composite)
+{
+  WideFoVTestWindow test("equirectangular", PartsWidth, PartsHeight);
+  AddBlocks(test.Renderer, composite);
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(test.Renderer);
+  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  selector->SetArea(0, 0, PartsWidth - 1, PartsHeight - 1);
+  selector->CaptureBuffers();
+  std::vector<Selected> all;
+  for (unsigned int i = 0; i < PartsWidth * PartsHeight; i++)
+  {
+    const unsigned int place[2] = { i % PartsWidth, i / PartsWidth };
+    const vtkHardwareSelector::PixelInformation found = selector->GetPixelInformation(place);
+    const int block = composite ? static_cast<int>(found.CompositeID) - 1 : found.PropID;
+    all.push_back(found.Valid ? Selected(block, found.AttributeID) : Selected(-1, -1));
+  }
+  return all;
+}
+
 int CountDifferent(const Drawn& a, const Drawn& b)
 {
   int n = 0;
@@ -94,18 +193,39 @@ int CountDifferent(const Drawn& a, const Drawn& b)
 }
 }
 
-TEST(Composite, BlocksAreSortedAsOwnMappersAre)
+TEST(Composite, BlocksAreDrawnAsOwnMappersAre)
 {
   const Drawn own = Draw(false, false);
   const Drawn blocks = Draw(true, false);
   EXPECT_GT(own.Clusters, 100);
-  EXPECT_EQ(blocks.Clusters, own.Clusters);
+  EXPECT_EQ(blocks.Clusters, WIDEFOV_SORTS_BLOCKS ? own.Clusters : 0);
   EXPECT_EQ(CountDifferent(blocks, own), 0);
   EXPECT_EQ(CountDifferent(Draw(true, true), own), 0);
   const unsigned char* const pixels = own.Pixels->GetPointer(0);
   EXPECT_GT(std::count_if(pixels, pixels + own.Pixels->GetNumberOfValues(),
               [](unsigned char c) { return c > 50; }),
     PartsWidth * PartsHeight / 10);
+}
+
+// One block red, one hidden, one translucent and one coloured by its cells: as actors of their own.
+TEST(Composite, BlocksKeepWhatIsSetOfEach)
+{
+  const Drawn blocks = DrawVaried(true);
+  EXPECT_EQ(CountDifferent(blocks, DrawVaried(false)), 0);
+  EXPECT_GT(CountDifferent(blocks, Draw(true, false)), PartsWidth * PartsHeight / 20);
+}
+
+// The block and the cell of it that are selected are those that are seen, all round.
+TEST(Composite, TheSeenCellIsSelected)
+{
+  const std::vector<Selected> expected = SelectAll(false);
+  EXPECT_EQ(SelectAll(true), expected);
+  for (int i = 0; i < Blocks; i++)
+  {
+    EXPECT_GT(std::count_if(
+                expected.begin(), expected.end(), [i](const Selected& s) { return s.first == i; }),
+      100);
+  }
 }
 
 TEST(Billboards, StandWhereTheirPlaceIsShown)

@@ -42,8 +42,8 @@ REWRITES_SHADERS = ("Module/vtkWideFoVShaderBuilder.cxx",)
 
 # Guards, and the folders that they are looked for in and belong into.
 VERSION_GUARD = re.compile(
-    r"^[ \t]*#[ \t]*(?:el)?if\b.*\b(?:(?:VTK|PARAVIEW|QT)_(?:\w+_)?VERSION\w*|__has_include)\b"
-    r"|^[ \t]*(?:else)?if *\(.*\b(?:VTK|ParaView|PARAVIEW|QT)_(?:\w+_)?VERSION\w*",
+    r"^[ \t]*#[ \t]*(?:el)?if\b.*\b(?:(?:VTK|PARAVIEW|QT)_\w*VERSION\w*|__has_include)\b"
+    r"|^[ \t]*(?:else)?if *\(.*\b(?:VTK|ParaView|PARAVIEW|QT)_\w*VERSION",
     re.M,
 )
 DRIVER_GUARD = re.compile(r"\bGL_(?:VENDOR|RENDERER|VERSION)\b")  # elsewhere they are shown
