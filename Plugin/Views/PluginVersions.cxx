@@ -4,23 +4,25 @@
 #include "vtkNew.h"
 #include "vtkPVPluginsInformation.h"
 #include "vtkPVSession.h"
+#include "vtkPVWideFoVVersion.h"
 #include "vtkSMSession.h"
 
 namespace wfvplugin
 {
 namespace
 {
-// Empty where the plugin is not loaded.
-std::string VersionOf(vtkPVPluginsInformation* plugins)
+bool HasPlugin(vtkSMSession* session, vtkTypeUInt32 server)
 {
+  vtkNew<vtkPVPluginsInformation> plugins;
+  session->GatherInformation(server, plugins, 0);
   for (unsigned int i = 0; i < plugins->GetNumberOfPlugins(); i++)
   {
     if (plugins->GetPluginLoaded(i) && std::string(plugins->GetPluginName(i)) == "WideFoV")
     {
-      return plugins->GetPluginVersion(i);
+      return true;
     }
   }
-  return "";
+  return false;
 }
 }
 
@@ -30,15 +32,19 @@ std::string DescribeOtherVersion(vtkSMSession* session)
   {
     return "";
   }
-  vtkNew<vtkPVPluginsInformation> here;
+  vtkNew<vtkPVWideFoVVersion> here;
   here->CopyFromObject(nullptr);
-  const std::string ours = VersionOf(here);
+  const std::string& ours = here->GetVersion();
   for (vtkTypeUInt32 server : { vtkPVSession::DATA_SERVER_ROOT, vtkPVSession::RENDER_SERVER_ROOT })
   {
-    vtkNew<vtkPVPluginsInformation> there;
+    if (!HasPlugin(session, server))
+    {
+      continue; // ParaView says so
+    }
+    vtkNew<vtkPVWideFoVVersion> there;
     session->GatherInformation(server, there, 0);
-    const std::string theirs = VersionOf(there);
-    if (!ours.empty() && !theirs.empty() && ours != theirs)
+    const std::string& theirs = there->GetVersion();
+    if (ours != theirs)
     {
       return "No Wide FoV View: the client has version " + ours +
         " of the plugin WideFoV, the server version " + theirs + ". Load the same version in both.";

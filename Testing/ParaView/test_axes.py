@@ -165,12 +165,20 @@ def polar_points(radius, angles):
 def check_polar(options, view, display):
     """A quarter of polar axes: arcs, axes at 0, 45 and 90 degrees, and the numbers of the first."""
     axes = display.PolarAxes
-    # one apart, and the last to the corner of the box
-    radii = (1, 2, 3, 4, 5, math.hypot(BOUNDS[0][1], BOUNDS[1][1]))
-    # ParaView 5.12 and 5.13 call it a title
-    radial = "RadialLabel" if "RadialLabelVisibility" in axes.ListProperties() else "RadialTitle"
-    for kind in ("PolarLabel", "PolarAxisTitle", radial, "PolarTicks", "AxisTick", "ArcTick"):
-        setattr(axes, kind + "Visibility", 0)
+    # one apart, and the last to the corner of the box; ParaView 5.11 leaves out the last but one,
+    # and newer ones are told
+    radii = [1, 2, 3, 4, 5]
+    for number, step in (("NumberOfPolarAxes", "DeltaRangePolarAxes"), ("NumberOfArcs", "DeltaRangeArcs")):
+        if step in axes.ListProperties():
+            setattr(axes, number, 0)
+            setattr(axes, step, 1)
+            radii.append(6)
+    radii.append(math.hypot(BOUNDS[0][1], BOUNDS[1][1]))
+    # the radial ones are titles in ParaView 5.12 and 5.13, and since 6.0 the ticks are all ticks
+    for names in (("PolarLabel",), ("PolarAxisTitle",), ("RadialLabel", "RadialTitle"),
+                  ("PolarTicks", "AllTicks"), ("AxisTick",), ("ArcTick",)):
+        name = next(n for n in names if n + "Visibility" in axes.ListProperties())
+        setattr(axes, name + "Visibility", 0)
     axes.Visibility = 1
     look_from(view, INSIDE)
     quarter = [math.pi / 2 * i / 90 for i in range(91)]
@@ -184,7 +192,7 @@ def check_polar(options, view, display):
     without = pixels.lit_pixels(picture(options, view, "polar-lines"))
     axes.PolarLabelVisibility = 1
     found = pixels.lit_pixels(picture(options, view, "polar-numbers")) - without
-    check_texts(found, [(radius, 0, 0) for radius in (0,) + radii], LARGE, 1, 3)
+    check_texts(found, [(radius, 0, 0) for radius in [0] + radii], LARGE, 1, 3)
     axes.Visibility = 0
     view.ViewSize = SIZE
 

@@ -215,7 +215,7 @@ def check_axes(options, view, ball):
 
 def check_threads(view):
     """Triangles are sorted by threads, also where ParaView's own loops are not, as they are not
-    afterwards either."""
+    afterwards either. Where they are, by the same."""
     before, inside = vtkSMPTools.GetBackend(), []
     first = 1.0  # before the view's own observer
     renderer = view.GetRenderer()
@@ -223,7 +223,7 @@ def check_threads(view):
     simple.Render(view)
     renderer.RemoveObserver(tag)
     print("loops by", before, "in a frame", inside, "afterwards", vtkSMPTools.GetBackend())
-    scene.require(inside and set(inside) == {"STDThread"}, "no threads in a frame")
+    scene.require(inside and set(inside) == {"STDThread" if before == "Sequential" else before}, "no threads in a frame")
     scene.require(vtkSMPTools.GetBackend() == before, "another backend afterwards")
 
 
