@@ -102,10 +102,10 @@ public:
    * the horizontal one of round projections, or where UseHorizontalViewAngle says so. To set it
    * changes both fields by one factor (of a perspective: the sides of the picture), and to zoom
    * divides it. These are not virtual in vtkCamera: what is set through a pointer to vtkCamera
-   * changes nothing, with one warning.
+   * changes nothing, with one warning. GetViewAngle stays vtkCamera's own, 30: what places a camera
+   * by it, as vtkRenderer::ResetCamera does, places a wide one as a perspective of that angle.
    */
   void SetViewAngle(double degrees);
-  double GetViewAngle();
   void Zoom(double factor);
   ///@}
 
@@ -394,7 +394,10 @@ protected:
   void FindEye(vtkRenderer* renderer);
 
   // One warning a process for each property of vtkCamera that is set and that no view has.
-  void WarnOfWhatIsIgnored();
+  void WarnOfWhatIsIgnored(vtkRenderer* renderer);
+
+  // The field of view that SetViewAngle means, degrees.
+  double GetFieldOfViewAngle();
 
   // What of a perspective the window shows, where it is a tile.
   void FindPart(vtkRenderer* renderer);

@@ -5,6 +5,8 @@
 #include "vtkWideFoVCameraInternals.h"
 
 #include "vtkMath.h"
+#include "vtkRenderer.h"
+#include "vtkWindow.h"
 
 #include <cmath>
 #include <set>
@@ -12,9 +14,23 @@
 
 namespace
 {
-// vtkCamera's own, which a wide view leaves alone: GetViewAngle here tells the view's.
+// vtkCamera's own defaults, which a wide view leaves alone, and what a screenshot rounds the angle
+// by, degrees: vtkWindowToImageFilter takes it to float32 radians and back.
 constexpr double StockViewAngle = 30;
+constexpr double ViewAngleRounding = 1e-3;
 constexpr double StockEyeAngle = 2;
+
+// Whether a screenshot of several tiles is being made, for which VTK turns and narrows the camera;
+// a wide view knows its tiles by the window.
+bool IsTiled(vtkRenderer* renderer)
+{
+  int scale[2] = { 1, 1 };
+  if (vtkWindow* const window = renderer->GetVTKWindow())
+  {
+    window->GetTileScale(scale);
+  }
+  return scale[0] > 1 || scale[1] > 1;
+}
 
 // Once a process: screenshots draw with cameras of their own.
 void WarnOnce(vtkObject* self, const std::string& name, const std::string& instead)
@@ -28,7 +44,7 @@ void WarnOnce(vtkObject* self, const std::string& name, const std::string& inste
 }
 }
 
-double vtkWideFoVCamera::GetViewAngle()
+double vtkWideFoVCamera::GetFieldOfViewAngle()
 {
   const bool across =
     this->UseHorizontalViewAngle || this->Definition->Axis == wfv::Family::Azimuthal;
@@ -37,7 +53,7 @@ double vtkWideFoVCamera::GetViewAngle()
 
 void vtkWideFoVCamera::SetViewAngle(double degrees)
 {
-  const double now = this->GetViewAngle();
+  const double now = this->GetFieldOfViewAngle();
   const double h = this->GetHorizontalFieldOfView();
   const double v = this->GetVerticalFieldOfView();
   if (this->Definition->Axis == wfv::Family::Planar)
@@ -64,7 +80,7 @@ void vtkWideFoVCamera::Zoom(double factor)
 {
   if (factor > 0)
   {
-    this->SetViewAngle(this->GetViewAngle() / factor);
+    this->SetViewAngle(this->GetFieldOfViewAngle() / factor);
   }
 }
 
@@ -78,19 +94,20 @@ double vtkWideFoVCamera::GetEyeSeparation()
   return this->GetInterpupillaryDistance();
 }
 
-void vtkWideFoVCamera::WarnOfWhatIsIgnored()
+void vtkWideFoVCamera::WarnOfWhatIsIgnored(vtkRenderer* renderer)
 {
+  const bool tiled = IsTiled(renderer);
   const auto check = [this](bool set, const char* name, const char* instead) {
     if (set)
     {
       WarnOnce(this, name, instead);
     }
   };
-  check(this->ViewAngle != StockViewAngle, "ViewAngle, set by a pointer to vtkCamera,",
-    "; call SetViewAngle or Zoom of vtkWideFoVCamera");
+  check(!tiled && std::abs(this->ViewAngle - StockViewAngle) > ViewAngleRounding,
+    "ViewAngle, set by a pointer to vtkCamera,", "; call SetViewAngle or Zoom of vtkWideFoVCamera");
   check(this->ParallelProjection != 0, "ParallelProjection", "");
   check(this->UserTransform != nullptr, "UserTransform", "; SetUserViewTransform works");
-  check(this->WindowCenter[0] != 0 || this->WindowCenter[1] != 0, "WindowCenter", "");
+  check(!tiled && (this->WindowCenter[0] != 0 || this->WindowCenter[1] != 0), "WindowCenter", "");
   check(this->ViewShear[0] != 0 || this->ViewShear[1] != 0, "ViewShear (or ObliqueAngles)", "");
   check(this->UseOffAxisProjection != 0, "UseOffAxisProjection",
     "; vtkWideFoVScreenCamera sees through a screen");

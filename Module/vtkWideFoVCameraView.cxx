@@ -177,7 +177,7 @@ void vtkWideFoVCamera::PrepareFrame(vtkRenderer* renderer)
   {
     return;
   }
-  this->WarnOfWhatIsIgnored();
+  this->WarnOfWhatIsIgnored(renderer);
   this->FindEye(renderer);
   this->FindPart(renderer);
   if (this->AutomaticClipRadii)

@@ -153,7 +153,7 @@ public:
    */
   enum EyesAtOnceChoices
   {
-    AUTOMATIC = 0, ///< where that saves: not by Mesa's software renderers
+    AUTOMATIC = 0, ///< where a driver is known to be faster so: none is
     ALWAYS,        ///< wherever it can be
     NEVER          ///< two traversals, VTK's own
   };
@@ -161,7 +161,7 @@ public:
   ///@{
   /**
    * Draw opaque triangles for both eyes at once, while VTK's window draws the left one (default
-   * NEVER: no driver is known that it is faster on), and show the right one what is its own when
+   * NEVER: on no driver measured so far is it faster), and show the right one what is its own when
    * its turn comes; what else there is is drawn in each eye's turn. The picture is the same, to the
    * bit. That can be for the stereo models whose eyes differ by their side alone, for every stereo
    * type that shows both eyes, in a renderer that erases its background and has no delegate pass

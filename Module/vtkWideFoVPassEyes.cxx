@@ -67,10 +67,9 @@ bool vtkWideFoVPass::MayShare(const vtkRenderState* s, vtkProp** props)
 {
   vtkRenderer* const renderer = s->GetRenderer();
   auto* const camera = vtkWideFoVCamera::SafeDownCast(renderer->GetActiveCamera());
-  return this->EyesAtOnce != NEVER && !this->Internal->Delegate && !s->GetFrameBuffer() &&
+  return this->EyesAtOnce == ALWAYS && !this->Internal->Delegate && !s->GetFrameBuffer() &&
     !s->GetRequiredKeys() && wfv::RendererAccess::Has(renderer, props) && camera &&
-    camera->HasMirroredEyes() && DrawsSimply(renderer) &&
-    (this->EyesAtOnce == ALWAYS || wfv::GainsByEyesAtOnce());
+    camera->HasMirroredEyes() && DrawsSimply(renderer);
 }
 
 void vtkWideFoVPass::BeginShared(const vtkRenderState* s, vtkProp** props)

@@ -53,8 +53,8 @@ std::string InvocationsSource(
     Define("WFV_INVOCATIONS", turns * parts) +
     (turns > 1 ? "#define WFV_RUN (gl_InvocationID / WFV_PARTS)\n" : Define("WFV_RUN", 0)) +
     (parts > 1 ? emit_parts_glsl : "") + "#else\n#undef WFV_RUNS\n" + Define("WFV_RUNS", 1) +
-    Define("WFV_RUN", 0) + Define("WFV_INVOCATIONS", 1) + Define("WFV_PART_VERTICES", vertices) +
-    "#endif\n";
+    Define("WFV_RUN", 0) + Define("WFV_PARTS", 1) + Define("WFV_INVOCATIONS", 1) +
+    Define("WFV_PART_VERTICES", vertices) + "#endif\n";
 }
 }
 }

@@ -97,7 +97,7 @@ run() {
 within() {
   suite="$2"
   root="$roots/$suite"
-  doing="mounting; in a container give it the right to"
+  doing="mounting (a container needs the right to, CAP_SYS_ADMIN)"
   trap '[ "$?" -eq 0 ] || fail "$suite: FAILED while $doing"' EXIT
   mount_all
   cp --dereference /etc/resolv.conf /etc/hosts "$root/etc/" 2> /dev/null || true
@@ -175,19 +175,28 @@ main() {
     shift
   fi
   [ "$#" -gt 0 ] || fail "name a suite of Debian: $known"
+  [ "$step" != in ] || [ "$#" -gt 1 ] || fail "--in $1: name a command as well"
+  [ "$step" != prepare ] || [ "$#" -eq 1 ] || fail "--prepare $1 takes nothing more, not ${*:2}"
   suite="$1"
   [[ " $known " == *" $suite "* ]] || fail "no suite \"$suite\" here; there are $known"
   become_root "${all[@]}"
   [ -d "$roots/$suite" ] || need_debootstrap
   unshare --mount true 2> /dev/null ||
-    fail "this may not mount (unshare --mount); in a container give it the right to"
+    fail "this may not mount (unshare --mount); a container needs the right to, CAP_SYS_ADMIN"
   mkdir -p "$roots"
   # one at a time, so that two calls do not make one root
   exec 9< "$roots"
   flock 9
   [ -d "$roots/$suite" ] || make_root
   exec 9<&-
-  exec unshare --mount bash "${BASH_SOURCE[0]}" --within "$step" "$@"
+  # places to mount on; those that were made for it and stayed empty go again
+  local made=() folder code=0
+  for folder in "${made_by_builds[@]}"; do
+    [ -d "$checkout/$folder" ] || made+=("$checkout/$folder")
+  done
+  unshare --mount bash "${BASH_SOURCE[0]}" --within "$step" "$@" || code=$?
+  [ "${#made[@]}" -eq 0 ] || rmdir "${made[@]}" 2> /dev/null || true
+  exit "$code"
 }
 
 if [ "${1:-}" = --within ]; then

@@ -22,6 +22,7 @@ programs=(widefov-bench widefov-stress widefov-compare-tests widefov-gpu-tests)
 for program in "${programs[@]}"; do
   [ -x "$build/bin/$program" ] || fail "no program $build/bin/$program; build first: cmake --build $build"
 done
+[ "$(uname -m)" = x86_64 ] || fail "bundles are made for x86-64 alone, not for $(uname -m)"
 command -v patchelf > /dev/null || fail "patchelf is missing; as root: apt-get install patchelf"
 
 version="$("$build/bin/widefov-bench" --version | awk '{ print $NF; exit }')"
@@ -47,7 +48,7 @@ for program in "${programs[@]}"; do
   cp "$build/bin/$program" "$folder/bin/"
 done
 # (libXext is what NVIDIA's driver loads)
-needed="$(ldd "$folder"/bin/*; ldconfig -p | awk '/libXext.so.6 .*x86-64/ { print $1, $3, $4 }')"
+needed="$(ldd "$folder"/bin/*; /sbin/ldconfig -p | awk '/libXext.so.6 .*x86-64/ { print $1, $3, $4 }')"
 if grep -q 'not found' <<< "$needed"; then
   fail "a library is missing: $(grep --max-count=1 'not found' <<< "$needed" | xargs)"
 fi

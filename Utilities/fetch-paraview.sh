@@ -48,7 +48,7 @@ needed() {
 name_as_built() {
   local module
   find "$1" -name '*.cpython-*.so' | while read -r module; do
-    ln -s "$(basename "$module")" "${module%%.cpython-*}.so"
+    ln -s -f "$(basename "$module")" "${module%%.cpython-*}.so"
   done
 }
 

@@ -36,9 +36,4 @@ bool NeedsSmallPatchDraws()
 {
   return IsSoftwareMesa();
 }
-
-bool GainsByEyesAtOnce()
-{
-  return !IsSoftwareMesa();
-}
 }

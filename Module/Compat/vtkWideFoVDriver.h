@@ -10,9 +10,6 @@ bool HasExtension(const char* name);
 // Mesa's software renderers (seen with 22.3) number the pieces of one tessellated draw with 16
 // bits, and the patches of one draw anew every 1,024 indices: they need small draws.
 bool NeedsSmallPatchDraws();
-
-// Mesa's software renderers gain nothing by drawing both eyes at once.
-bool GainsByEyesAtOnce();
 }
 
 #endif

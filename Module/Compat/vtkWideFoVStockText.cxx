@@ -134,7 +134,7 @@ bool ReportMissing(
     if (IsNews(edit))
     {
       const std::string words =
-        Sentence(edit) + ": " + instead + ", first of a " + mapper->GetClassName();
+        Sentence(edit) + ": " + instead + " (first seen with a " + mapper->GetClassName() + ")";
       vtkErrorWithObjectMacro(object, << words);
     }
   }
@@ -144,7 +144,8 @@ bool ReportMissing(
 void LeaveOutUnedited(vtkObject* object, vtkAbstractMapper* mapper, std::string& vertex,
   std::string& geometry, std::string& fragment)
 {
-  if (ReportMissing(object, mapper, vertex + geometry + fragment, "what needs it is not drawn"))
+  if (ReportMissing(
+        object, mapper, vertex + geometry + fragment, "props that need this edit are not drawn"))
   {
     vertex = nothing_vertex_glsl;
     geometry.clear();

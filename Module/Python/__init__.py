@@ -11,7 +11,8 @@ from ._built_for import VTK_VERSION as _BUILT_FOR
 
 # Another VTK, from a package index say, has libraries of its own, and two VTKs in one process
 # crash sooner or later; so before anything else of either is loaded.
-if _vtkVersion.GetVTKVersion() != _BUILT_FOR:
+# Versions that differ in their third number alone fit each other.
+if _vtkVersion.GetVTKVersion().split(".")[:2] != _BUILT_FOR.split(".")[:2]:
     raise ImportError(
         "widefov was built for VTK %s, but this Python's vtkmodules is VTK %s (%s)"
         % (_BUILT_FOR, _vtkVersion.GetVTKVersion(), __import__("vtkmodules").__path__[0])

@@ -5,30 +5,15 @@
 int wfvVertexOfAll = 0;   // in all strips
 int wfvVertexOfStrip = 0;
 
-void wfvEmitOwnPart()
+// How often this part emits the next vertex.
+int wfvCopiesOfVertex()
 {
   int first = (gl_InvocationID % WFV_PARTS) * (WFV_PART_VERTICES - 3);
   int here = wfvVertexOfAll - first;
-  if (here >= 0 && here < WFV_PART_VERTICES - 1)
-  {
-    // every second triangle of a strip turns the other way: a part that begins with such a one
-    // begins with an empty one
-    if (here == 0 && (wfvVertexOfStrip & 1) == 1)
-    {
-      vec4 position = gl_Position;
-      EmitVertex();
-      gl_Position = position;
-    }
-    EmitVertex();
-  }
+  // every second triangle of a strip turns the other way: a part that begins with such a one
+  // begins with an empty one
+  bool twice = here == 0 && (wfvVertexOfStrip & 1) == 1;
   wfvVertexOfAll++;
   wfvVertexOfStrip++;
+  return here < 0 || here >= WFV_PART_VERTICES - 1 ? 0 : (twice ? 2 : 1);
 }
-
-void wfvEndOwnPart()
-{
-  EndPrimitive();
-  wfvVertexOfStrip = 0;
-}
-#define EmitVertex() wfvEmitOwnPart()
-#define EndPrimitive() wfvEndOwnPart()

@@ -82,7 +82,7 @@ vec2 wfvC[3]; // corners in the picture
 vec4 wfvSeamPlaces;
 float wfvReach; // pixels: how far the edges surely stay from their chords
 bool wfvBent;   // an edge bends by more than the tolerance
-int wfvEmitted;
+int wfvEmitted = 0;
 
 #if WFV_EXACT
 // order_fragment.glsl
@@ -174,12 +174,9 @@ bool wfvMute;
 const bool wfvMute = false;
 #endif
 
-void wfvEmitVertex(vec4 position, vec3 bary)
+// Everything anew for each vertex: what was written before one was emitted is not kept.
+void wfvWriteVertex(vec4 position, vec3 bary)
 {
-  if (wfvMute)
-  {
-    return;
-  }
   gl_Position = position;
 #if WFV_BOTH_EYES
   gl_Layer = WFV_RUN;
@@ -195,14 +192,34 @@ void wfvEmitVertex(vec4 position, vec3 bary)
     wfvWriteCorners();
     gl_PrimitiveID = gl_PrimitiveIDIn;
   }
-  wfvEmitted++;
+}
+
+void wfvEmitVertex(vec4 position, vec3 bary)
+{
+  if (wfvMute)
+  {
+    return;
+  }
+#if WFV_PARTS > 1
+  for (int i = wfvCopiesOfVertex(); i > 0; i--)
+  {
+    wfvWriteVertex(position, bary);
+    EmitVertex();
+  }
+#else
+  wfvWriteVertex(position, bary);
   EmitVertex();
+#endif
+  wfvEmitted++;
 }
 
 void wfvEndShape()
 {
   EndPrimitive();
   wfvEmitted = 0;
+#if WFV_PARTS > 1
+  wfvVertexOfStrip = 0;
+#endif
 }
 
 #if WFV_WARPED

@@ -116,8 +116,8 @@ vtkSmartPointer<vtkPolyData> MakeGraticule(double radius, double step, bool coar
 namespace
 {
 // VTK's comparison forgives a shift of a pixel and adds up what is left, so a picture that is
-// darker all over may pass. Steps of 255 that a colour may be off, whichever VTK and OpenGL draw,
-// and the share of pixels, whose edges a rasterizer may place otherwise, that may be off by more.
+// darker all over may pass. So: how far a colour may be off, of 255, and the share of pixels that
+// may be off by more: rasterizers place edges differently.
 constexpr int ColorTolerance = 2;
 constexpr double ShareOfOthers = 0.001;
 
