@@ -28,7 +28,9 @@ view.CameraFocalPoint = [0, 0, -1]
 view.CameraViewUp = [0, 1, 0]
 
 # a layer of the neighbours' cells, without which slopes differ where two ranks meet
-whole = simple.GhostCellsGenerator(Input=wave)
+# its name up to ParaView 5.11, and since
+ghosts = "GhostCells" if hasattr(simple, "GhostCells") else "GhostCellsGenerator"
+whole = getattr(simple, ghosts)(Input=wave)
 crests = simple.Contour(Input=whole, ContourBy=["POINTS", "wave"], Isosurfaces=[0.8])
 # all round the eye, but open ahead
 open_crests = simple.Clip(Input=crests, ClipType="Sphere")

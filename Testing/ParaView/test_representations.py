@@ -165,8 +165,21 @@ def check_gaussian(options, view):
     simple.Delete(reader)
 
 
+def errors_in_render_view(options, source, kind):
+    """Of ParaView itself: 6.1 says of Surface LIC that there are no vectors."""
+    view = simple.CreateView("RenderView")
+    display = simple.Show(source, view)
+    display.SetRepresentationType(kind)
+    with Log(options, kind + " stock") as log:
+        simple.Render(view)
+        errors = log.count("ERR")
+    simple.Delete(view)
+    return errors
+
+
 def check_others(options, view, wavelet):
-    """Whatever else this ParaView offers, with one warning for volumes and no error."""
+    """Whatever else this ParaView offers, with one warning for volumes and no error but those of
+    its Render View."""
     display = show_white(wavelet, view, "Surface")
     for kind in display.GetProperty("Representation").GetAvailable():
         display.SetRepresentationType(kind)
@@ -175,7 +188,8 @@ def check_others(options, view, wavelet):
             warnings = log.count("WARN") + log.count("Warning"), log.count("ERR")
         print(kind, "lit", lit, "warnings and errors", warnings)
         volume = kind == "Volume"
-        scene.require(warnings == (int(volume), 0) and (lit > 0) != volume, kind)
+        expected = errors_in_render_view(options, wavelet, kind) if warnings[1] else 0
+        scene.require(warnings == (int(volume), expected) and (lit > 0) != volume, kind)
     simple.Hide(wavelet, view)
 
 
