@@ -48,13 +48,13 @@ std::string InvocationsSource(
   const int parts = vertices <= allowed ? 1 : (vertices - 2 + own - 1) / own;
   const int turns = r.BothEyes ? 2 : r.Runs;
   // (a stage without invocations writes all at once, and the driver decides)
-  return "#ifdef GL_ARB_gpu_shader5\n" + Define("WFV_PARTS", parts) +
-    Define("WFV_PART_VERTICES", std::min(vertices, allowed)) +
+  return "#ifdef GL_ARB_gpu_shader5\n" + Define("WFV_EMIT_PARTS", parts) +
+    Define("WFV_EMIT_VERTICES", std::min(vertices, allowed)) +
     Define("WFV_INVOCATIONS", turns * parts) +
-    (turns > 1 ? "#define WFV_RUN (gl_InvocationID / WFV_PARTS)\n" : Define("WFV_RUN", 0)) +
+    (turns > 1 ? "#define WFV_RUN (gl_InvocationID / WFV_EMIT_PARTS)\n" : Define("WFV_RUN", 0)) +
     (parts > 1 ? emit_parts_glsl : "") + "#else\n#undef WFV_RUNS\n" + Define("WFV_RUNS", 1) +
-    Define("WFV_RUN", 0) + Define("WFV_PARTS", 1) + Define("WFV_INVOCATIONS", 1) +
-    Define("WFV_PART_VERTICES", vertices) + "#endif\n";
+    Define("WFV_RUN", 0) + Define("WFV_EMIT_PARTS", 1) + Define("WFV_INVOCATIONS", 1) +
+    Define("WFV_EMIT_VERTICES", vertices) + "#endif\n";
 }
 }
 }

@@ -8,12 +8,12 @@ int wfvVertexOfStrip = 0;
 // How often this part emits the next vertex.
 int wfvCopiesOfVertex()
 {
-  int first = (gl_InvocationID % WFV_PARTS) * (WFV_PART_VERTICES - 3);
+  int first = (gl_InvocationID % WFV_EMIT_PARTS) * (WFV_EMIT_VERTICES - 3);
   int here = wfvVertexOfAll - first;
   // every second triangle of a strip turns the other way: a part that begins with such a one
   // begins with an empty one
   bool twice = here == 0 && (wfvVertexOfStrip & 1) == 1;
   wfvVertexOfAll++;
   wfvVertexOfStrip++;
-  return here < 0 || here >= WFV_PART_VERTICES - 1 ? 0 : (twice ? 2 : 1);
+  return here < 0 || here >= WFV_EMIT_VERTICES - 1 ? 0 : (twice ? 2 : 1);
 }

@@ -13,7 +13,7 @@ layout(triangles, invocations = WFV_INVOCATIONS) in;
 #else
 layout(triangles) in;
 #endif
-layout(triangle_strip, max_vertices = WFV_PART_VERTICES) out;
+layout(triangle_strip, max_vertices = WFV_EMIT_VERTICES) out;
 
 #if WFV_WHOLE && defined(GL_ARB_gpu_shader_fp64)
 #define WFV_DOUBLES 1
@@ -200,7 +200,7 @@ void wfvEmitVertex(vec4 position, vec3 bary)
   {
     return;
   }
-#if WFV_PARTS > 1
+#if WFV_EMIT_PARTS > 1
   for (int i = wfvCopiesOfVertex(); i > 0; i--)
   {
     wfvWriteVertex(position, bary);
@@ -217,7 +217,7 @@ void wfvEndShape()
 {
   EndPrimitive();
   wfvEmitted = 0;
-#if WFV_PARTS > 1
+#if WFV_EMIT_PARTS > 1
   wfvVertexOfStrip = 0;
 #endif
 }

@@ -102,7 +102,7 @@ class Elsewhere(unittest.TestCase):
             os.makedirs(os.path.join(scripts.top, "build-roots/trixie"))
             done = scripts.run("Testing/elsewhere.sh", "trixie")
             self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done)
-            self.assertIn("FAILED while mounting; in a container", done.stderr)
+            self.assertIn("FAILED while mounting (a container", done.stderr)
 
     def test_no_network(self):
         stand_ins = {**ROOT, "debootstrap": NO_NETWORK}
