@@ -90,7 +90,6 @@ const char* const SampleMasks = "#extension GL_ARB_sample_shading : enable\n";
 // For a stage that is invoked several times for a triangle; and for a vertex stage that says for
 // which one a vertex is, without it there is one alone.
 const char* const Invocations = "#extension GL_ARB_gpu_shader5 : enable\n";
-const char* const Layers = "#extension GL_ARB_shader_viewport_layer_array : enable\n";
 
 // The geometry stage of points, lines or triangles, behind what all have.
 std::string PrimitiveSource(const Request& r, const std::vector<Varying>& varyings)
@@ -112,13 +111,13 @@ std::string PrimitiveSource(const Request& r, const std::vector<Varying>& varyin
   // copies of every vertex output at the three corners, which the fragment stage weighs:
   // exact wherever the geometry stage cuts
   return InvocationsSource(r, varyings, KnownOf(r)) + CornerOutputs(varyings, 3, KnownOf(r)) +
-    (r.BothEyes ? both_eyes_glsl : "") + preclip_emit_glsl + preclip_planes_glsl +
+    preclip_emit_glsl + preclip_planes_glsl +
     (OwnRays(r)     ? own_rays_glsl
         : Warped(r) ? warped_cover_glsl
                     : "") +
     preclip_cover_glsl + preclip_narrow_glsl + CoverSource(*r.Projection) +
     (r.DebugView ? preclip_kinds_glsl : "") +
-    (r.Calm ? calm_triangles_glsl : preclip_triangles_glsl);
+    preclip_triangles_glsl;
 }
 
 // toView: the name of the matrix from the vertex buffer to view coordinates; empty where the
@@ -152,10 +151,9 @@ void FinishVertices(const Request& r, const std::vector<Varying>& varyings, std:
   }
   else
   {
-    vtkWideFoVShaderBuilder::WrapMain(vertex, r.BothEyes ? "  wfvChooseEye();\n" : "",
-      "  gl_Position = wfvProjectVertex(gl_Position.xyz);\n");
-    vtkWideFoVShaderBuilder::Declare(vertex,
-      (r.BothEyes ? Layers : "") + ViewSource(r) + (r.BothEyes ? both_eyes_vertex_glsl : ""));
+    vtkWideFoVShaderBuilder::WrapMain(
+      vertex, "", "  gl_Position = wfvProjectVertex(gl_Position.xyz);\n");
+    vtkWideFoVShaderBuilder::Declare(vertex, ViewSource(r));
   }
 }
 
@@ -178,8 +176,7 @@ std::string CoverFragment(
     return wfv::point::FragmentSource(r, varyings, fragment);
   }
   RewriteFlatNormal(r, fragment);
-  return std::string(r.BothEyes ? "flat in float wfvEye; // that the fragment is for\n" : "") +
-    ray_fragment_glsl + (r.Whole ? WholeSource(*r.Projection) : "") + cover_fragment_glsl +
+  return ray_fragment_glsl + (r.Whole ? WholeSource(*r.Projection) : "") + cover_fragment_glsl +
     (Warped(r) ? warped_fragment_glsl : "") + chord_fragment_glsl + order_fragment_glsl +
     (r.Whole ? fine_depth_glsl : "") + (r.Edges || r.DebugView ? edge_distance_glsl : "") +
     CornerInputs(varyings, { "wfvB.x", "wfvB.y", "wfvB.z" }, KnownOf(r));
@@ -220,7 +217,7 @@ std::string BorderSource(const Request& r)
 // True where depth is not what the rasterizer interpolates: places are, on the surface.
 bool WritesDepth(const Request& r)
 {
-  return r.DepthMapping != wfv::WFV_DEPTH_LINEAR || r.SurfaceDepth;
+  return r.DepthMapping != wfv::WFV_DEPTH_LINEAR;
 }
 
 // What the fragment stage has as its place in view coordinates: the stock position, which light
@@ -245,7 +242,7 @@ bool KeepsPlace(const Request& r, const std::string& fragment)
 // What is needed for that.
 std::string PlaceSource(const Request& r, const std::string& fragment)
 {
-  const bool tells = MovesVertices(r) && !r.RayDepth; // else depth_fragment.glsl says it
+  const bool tells = MovesVertices(r);
   const std::string distance = tells ? "#define WFV_DISTANCE length(" + OwnPlace + ")\n" : "";
   return KeepsPlace(r, fragment) ? "in vec3 " + OwnPlace + ";\n" + distance : "";
 }
@@ -256,31 +253,23 @@ std::string Extensions(const Request& r)
   return Covers(r) ? std::string(SampleMasks) + (r.Whole ? Doubles : "") : "";
 }
 
-// Writes the depth of what is not covered.
-std::string DepthSource(const Request& r)
-{
-  return Define("WFV_RAY_DEPTH", r.RayDepth) + (r.RayDepth ? ray_fragment_glsl : "") +
-    depth_fragment_glsl;
-}
-
-void FinishFragment(Request r, const std::vector<Varying>& varyings, std::string& fragment)
+void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
 {
   const bool covers = Covers(r);
-  r.BothEyes = r.BothEyes && covers; // to others both see alike
   std::string declarations = PlaceSource(r, fragment);
   std::string before, after;
   if (covers)
   {
     RemoveInputs(r, fragment, varyings);
     declarations = CoverFragment(r, varyings, fragment);
-    before = std::string(r.BothEyes ? "  wfvSeeBy(wfvEye);\n" : "") + "  wfvPrepare();\n";
+    before = "  wfvPrepare();\n";
     after = "  if (wfvHide) { discard; }\n";
     stock::Replace(fragment, Edit::FrontFacing, "wfvFront", stock::Found::May);
     before += RewriteDepth(r, fragment);
   }
   else if (WritesDepth(r))
   {
-    declarations += DepthSource(r);
+    declarations += depth_fragment_glsl;
     before = "  wfvPrepareDepth(" + PlaceOf(r, fragment) + ".xyz);\n" + RewriteDepth(r, fragment);
   }
   const std::string border = BorderSource(r);

@@ -63,14 +63,9 @@ public:
     Material Surface;          // of triangles
     int Headlights = 0;        // which lights are at the eye, one bit each
     int DepthMapping = 0;      // wfv::DepthMapping; all but linear by the fragment stage
-    bool Calm = false;         // covered triangles are small, and nothing is torn where they are
-    bool SurfaceDepth = false; // depth is the surface's, not interpolated along chords
+    bool MeetsChords = false;  // triangles that are drawn by their chords may be beside these
     bool Whole = false;        // covered triangles are decided in double, where OpenGL has that
-    bool Folds = false;        // of triangles that are sorted is known where they fold
     int Runs = 1;              // of the geometry stage, which share in covering a triangle
-    bool RayDepth = false;     // with it, of triangles: where the pixel's ray meets it
-    bool BothEyes = false; // triangles are drawn for both eyes at once, a layer each; or, by the
-                           // vertex stage, may be
 
     // Of wfv::SteadyLights; none: all of every light is uniforms.
     const std::string* Lights = nullptr;

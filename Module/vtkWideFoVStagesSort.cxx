@@ -2,12 +2,11 @@
 // vtkWideFoVStages: what a view need not draw.
 #include "vtkWideFoVStages.h"
 
+#include "Clusters/ClusterDraw.h"
 #include "vtkWideFoVCamera.h"
 #include "vtkWideFoVCompositeMapper.h"
-#include "vtkWideFoVEyesAtOnce.h"
 #include "vtkWideFoVPass.h"
 #include "vtkWideFoVPolyDataMapper.h"
-#include "vtkWideFoVSortedDraw.h"
 
 #include "vtkActor.h"
 #include "vtkActor2D.h"
@@ -61,13 +60,6 @@ bool DrawsOutlines(vtkActor* actor)
     property->GetVertexVisibility();
 }
 
-// Actors of a kind that is known; what lies flat on the picture is drawn behind all that is opaque.
-bool Tells(vtkProp* prop)
-{
-  auto* const actor = vtkActor::SafeDownCast(prop);
-  return actor ? wfv::DrawsAsStock(actor) : vtkActor2D::SafeDownCast(prop) != nullptr;
-}
-
 // Of blocks it is not known, nor asked for.
 void FindTriangles(vtkActor* actor, wfv::PropFacts& facts)
 {
@@ -75,7 +67,7 @@ void FindTriangles(vtkActor* actor, wfv::PropFacts& facts)
   auto* const mesh = mapper ? vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0)) : nullptr;
   const bool surface = actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
   facts.Surface = mesh && surface && mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0;
-  const bool many = mesh && wfv::SortedDraw::IsWorthIt(mesh);
+  const bool many = mesh && wfv::ClusterDraw::IsWorthIt(mesh);
   facts.Sorts = facts.Surface && many && vtkWideFoVPolyDataMapper::SafeDownCast(mapper);
   facts.Few = facts.Surface && !many ? mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() : 0;
 }
@@ -86,18 +78,13 @@ void vtkWideFoVStages::SetPart(vtkRenderer* renderer, const float tile[4])
   int size[2];
   int origin[2];
   renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
-  wfv::vec2 scale;
-  wfv::vec2 shift;
   for (int i = 0; i < 2; i++)
   {
     const double pixels = std::max(1, size[i]) * static_cast<double>(tile[i]);
     this->Pixels[i] = pixels;
-    scale[i] = 0.5 * pixels;
-    shift[i] = 0.5 * std::max(1, size[i]) * (1.0 + tile[i + 2]);
     this->Part.Low[i] = (-1.0 - tile[i + 2]) / tile[i] - 2 * Margin / pixels;
     this->Part.High[i] = (1.0 - tile[i + 2]) / tile[i] + 2 * Margin / pixels;
   }
-  this->Samples.SetPlace(scale, shift, wfv::vec2(size[0], size[1]));
 }
 
 void vtkWideFoVStages::SetEyes(vtkWideFoVCamera* camera, const wfv::StereoModel* stereo)
@@ -140,13 +127,11 @@ void vtkWideFoVStages::FindFacts(vtkProp* prop, wfv::PropFacts& facts)
   {
     vtkProperty* const property = actor->GetProperty();
     facts.Bounded = KeepsItsBounds(actor) && !wfv::HasOwnShaders(actor);
-    facts.Shareable = wfv::MayShareEyes(actor);
     facts.PointSize = property->GetPointSize();
     const double width = std::max<double>(property->GetLineWidth(), facts.PointSize);
     facts.Reach = facts.Bounded && DrawsOutlines(actor) ? WidthMargin * width : 0;
     FindTriangles(actor, facts);
   }
-  facts.Tells = facts.Known ? facts.Tells : Tells(prop);
   facts.Known = true;
 }
 
@@ -176,7 +161,7 @@ bool vtkWideFoVStages::IsUnseen(vtkProp* prop, const double* b, wfv::PropFacts& 
   return wfv::IsUnseen(*this->Projection, this->View, box, window);
 }
 
-std::shared_ptr<const wfv::LocalBend> vtkWideFoVStages::GetBends()
+std::shared_ptr<const wfv::ChordLimits> vtkWideFoVStages::GetLimits(double tolerance)
 {
   const wfv::WfvView& a = this->View;
   const wfv::WfvView& b = this->BendsView;
@@ -188,11 +173,17 @@ std::shared_ptr<const wfv::LocalBend> vtkWideFoVStages::GetBends()
     this->BendsView = a;
     this->BendsProjection = this->Projection;
   }
-  return this->Bends;
+  if (!same || this->LimitsPixels != this->Pixels || this->LimitsTolerance != tolerance)
+  {
+    this->Limits = std::make_shared<wfv::ChordLimits>(*this->Bends, this->Pixels, tolerance);
+    this->LimitsPixels = this->Pixels;
+    this->LimitsTolerance = tolerance;
+  }
+  return this->Limits;
 }
 
-bool vtkWideFoVStages::GetSortView(
-  const vtkWideFoVStage* stage, vtkActor* actor, wfv::SortView& view)
+bool vtkWideFoVStages::GetClassifierView(
+  const vtkWideFoVStage* stage, vtkActor* actor, wfv::ClassifierView& view)
 {
   if (this->Technique == vtkWideFoVPass::VERTEX || wfv::HasOwnShaders(actor))
   {
@@ -200,34 +191,20 @@ bool vtkWideFoVStages::GetSortView(
   }
   view.Map = this->Projection;
   view.View = this->View;
-  const bool far = this->IsFar(stage);
-  view.View.stereo.x = far ? 0 : std::abs(this->View.stereo.x); // the same for both eyes
+  view.View.stereo.x = std::abs(this->View.stereo.x); // the same for both eyes
   view.Part = this->Part;
-  view.Pixels = this->Pixels;
   view.Culls = this->Culling;
-  view.Reach = far ? 0 : this->Reach;
-  view.Samples = this->Samples;
-  view.Samples.TakeBound();
-  // of eyes whose rays are no straight lines all are alike, and where their circle fades
-  const bool own =
-    !far && this->Stereo && this->Stereo->OwnRays && !this->Stereo->Fades(this->View);
-  view.Own = own ? this->Stereo : nullptr;
-  const bool looks = (!this->ByPixels || own || far) &&
-    (this->Technique == vtkWideFoVPass::AUTO ||
-      (this->Technique == vtkWideFoVPass::EXACT && this->Culling));
-  view.Bends = looks && this->Projection->Axis != wfv::Family::Sampled ? this->GetBends() : nullptr;
-  const bool exact = stage == this->Exact || stage == this->ExactOfBoth;
-  const bool cut = stage == this->PreClip || stage == this->FarPreClip;
-  // what shines through is mixed in its own order, and would be twice where it is drawn both ways
-  const bool opaque = view.Bends && !actor->HasTranslucentPolygonalGeometry();
-  view.Plain = opaque && view.Samples.AreKnown() && this->Technique == vtkWideFoVPass::AUTO &&
-    (cut || (own && AllowsChords(this->Tolerance)));
-  view.Cheap = stage == this->Plain || stage == this->PlainAlone || stage == this->FarPlainAlone;
+  view.Reach = this->Reach;
+  const bool own = this->Stereo && this->Stereo->OwnRays && !this->Stereo->Fades(this->View);
+  view.EyeRadius = own ? std::abs(this->View.stereo.x) : 0;
+  // what shines through would be twice where two ways of drawing meet, and is mixed in its own order
+  const bool projects = this->Technique == vtkWideFoVPass::AUTO && AllowsChords(this->Tolerance) &&
+    stage != this->Plain && (!this->ByPixels || own) && !this->DebugView &&
+    this->Projection->Axis != wfv::Family::Sampled && !actor->HasTranslucentPolygonalGeometry();
   view.Tolerance = this->Tolerance;
-  view.Moving = view.Plain && this->Hurries ? this->Tolerance : 0;
-  view.Calm = opaque && !this->DebugView && (cut || exact);
-  view.Rays = view.Calm && exact;
-  view.Folds = (view.Rays || view.Plain) && stage->KnowsFolds();
+  view.Limits = projects
+    ? this->GetLimits(own ? (1 - wfv::Classifier::EyeShare) * this->Tolerance : this->Tolerance)
+    : nullptr;
   return true;
 }
 

@@ -122,7 +122,7 @@ std::string StatsText(const Options& options, const Scene& scene, const RenderSt
         { "tessellate", Known(stats.TessellateDraws) }, { "exact", Known(stats.ExactDraws) } } },
     { "sorted_triangles",
       { { "total", Known(stats.TrianglesSorted) }, { "culled", Known(stats.TrianglesCulled) } } },
-    { "anew", { { "props", Known(stats.ChosenProps) }, { "meshes", Known(stats.SortedMeshes) } } },
+    { "anew", { { "props", Known(stats.ChosenProps) }, { "meshes", Known(stats.ClassifiedMeshes) } } },
     { "shaders",
       { { "programs", Known(stats.Shaders.Programs) }, { "ms", Known(stats.Shaders.Milliseconds) },
         { "later", Known(stats.Shaders.Later) },

@@ -14,7 +14,7 @@ void TakeCounts(vtkWideFoVPass* pass, int others, RenderStats& stats)
   stats.TrianglesSorted = pass->GetNumberOfTriangles();
   stats.TrianglesCulled = pass->GetNumberOfCulledTriangles();
   stats.ChosenProps = pass->GetNumberOfChosenProps();
-  stats.SortedMeshes = pass->GetNumberOfSortedMeshes();
+  stats.ClassifiedMeshes = pass->GetNumberOfClassifiedMeshes();
   stats.PlainDraws = pass->GetNumberOfPlainDraws();
   stats.PreClipDraws = pass->GetNumberOfPreClipDraws();
   stats.TessellateDraws = pass->GetNumberOfTessellateDraws();

@@ -42,7 +42,7 @@ struct RenderStats
   std::optional<long long> TrianglesSorted; // those of runs
   std::optional<long long> TrianglesCulled;
   std::optional<int> ChosenProps;  // anew in the last frame
-  std::optional<int> SortedMeshes; // anew in the last frame
+  std::optional<int> ClassifiedMeshes; // anew in the last frame
   ShaderCost Shaders;
   std::optional<int> PlainDraws;
   std::optional<int> PreClipDraws;

@@ -4,10 +4,14 @@
 // Both must end at the same line. An edge that neighbours draw as a chord therefore ends
 // the covered triangle at that chord too, found from the same two corners in the picture.
 
-#if !WFV_EXACT
+#define WFV_CHORDS (!WFV_EXACT || WFV_MEETS_CHORDS)
+#if WFV_EXACT && WFV_MEETS_CHORDS
+flat in vec3 wfvSlack; // preclip_emit.glsl
+#endif
+#if WFV_CHORDS
 flat in vec4 wfvCorners01; // corners 0 and 1 in the picture, pixels from the tile's centre
 flat in vec2 wfvCorner2;
-#if WFV_MERIDIAN && WFV_STRAIGHT_SEAM
+#if WFV_MERIDIAN && WFV_STRAIGHT_SEAM && !WFV_EXACT
 flat in vec4 wfvSeam; // where the edges cross the seam: three heights, and the seam's x
 #endif
 #endif
@@ -35,7 +39,7 @@ bool wfvInside(float e, WFV_EDGE n)
   return e > 0.0 || (e == 0.0 && shifted > 0.0);
 }
 
-#if !WFV_EXACT
+#if WFV_CHORDS
 // This sample, from the tile's centre as the corners are.
 vec2 wfvHere()
 {
@@ -66,7 +70,7 @@ const int WFV_AT_SEAM = 128;
 // two parts, which end where the edge crosses; this pixel's side has one of them, if any.
 float wfvToChordOf(int i, float e, vec2 slope, float slack, vec2 a, vec2 b)
 {
-#if WFV_MERIDIAN && WFV_STRAIGHT_SEAM
+#if WFV_MERIDIAN && WFV_STRAIGHT_SEAM && !WFV_EXACT
   if ((wfvMode & WFV_AT_SEAM) != 0)
   {
     vec2 half_ = 0.5 * wfvViewport.zw;
@@ -96,7 +100,7 @@ float wfvToChordOf(int i, float e, vec2 slope, float slack, vec2 a, vec2 b)
 // Pixels from each edge within which its chord counts.
 vec3 wfvChordReach()
 {
-#if WFV_EXACT
+#if !WFV_CHORDS
   return vec3(0.0);
 #else
   return step(0.0, wfvSlack) * (WFV_LENS_SAFETY * wfvSlack + WFV_LENS_PAD);
@@ -107,7 +111,7 @@ vec3 wfvChordReach()
 // of the chords; 0 where no chord decides.
 vec3 wfvToChords(vec3 e, vec3 dx, vec3 dy)
 {
-#if WFV_EXACT
+#if !WFV_CHORDS
   return vec3(0.0);
 #else
   vec2 c0 = vec2(wfvCorners01.x, wfvCorners01.y);
@@ -126,7 +130,7 @@ bool wfvAllInside(vec3 e, vec3 toChords)
 {
   bvec3 edge =
     bvec3(wfvInside(e.x, wfvEdge0), wfvInside(e.y, wfvEdge1), wfvInside(e.z, wfvEdge2));
-#if WFV_EXACT
+#if !WFV_CHORDS
   return all(edge);
 #else
   vec3 c = e + toChords;

@@ -62,7 +62,6 @@ vec2 wfvSample = vec2(0.0); // looked at, pixels from the centre
 
 // order_fragment.glsl
 void wfvOrder(float approach, vec3 e);
-bool wfvYieldsBehind();
 
 // chord_fragment.glsl
 vec3 wfvChordReach();
@@ -317,7 +316,7 @@ bool wfvCoverage(WfvRay ray, vec3 e, vec3 x, vec3 y, bool rim)
 
 bool wfvCovered(WfvRay ray, vec3 e)
 {
-#if WFV_EXACT && !WFV_MULTISAMPLE
+#if WFV_EXACT && !WFV_MULTISAMPLE && !WFV_MEETS_CHORDS
   return wfvCoverage(ray, e, vec3(0.0), vec3(0.0), false);
 #else
   bool rim;
@@ -326,8 +325,9 @@ bool wfvCovered(WfvRay ray, vec3 e)
 #else
   mat2x3 pixel = wfvRaySteps(ray, rim);
 #endif
-  return wfvCoverage(
-    ray, e, wfvEdgeStep(ray.direction, pixel[0]), wfvEdgeStep(ray.direction, pixel[1]), rim);
+  vec3 x = wfvEdgeStep(ray.direction, pixel[0]);
+  vec3 y = wfvEdgeStep(ray.direction, pixel[1]);
+  return wfvCoverage(ray, e, x, y, rim);
 #endif
 }
 
@@ -380,8 +380,8 @@ void wfvPrepare()
 #endif
   wfvInterpolate();
   wfvHide = !(covered && meets && wfvDepth >= 0.0 && wfvDepth <= 1.0);
-#if WFV_EXACT
+#if WFV_EXACT && !WFV_MEETS_CHORDS
   wfvOrder(approach, e);
 #endif
-  wfvDepth += !wfvFront && wfvYieldsBehind() ? WFV_BEHIND : 0.0;
+  wfvDepth += !wfvFront ? WFV_BEHIND : 0.0;
 }

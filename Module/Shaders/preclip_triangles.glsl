@@ -177,7 +177,7 @@ void wfvCoverEasy()
   wfvMustCover();
   wfvVertexMode += WFV_KIND_UNIT * wfvCoverKind(false, false);
 #endif
-  wfvCoverTight(reach + WFV_TIGHT_PAD, wfvT.w < 0.0);
+  wfvCoverTight(reach + WFV_LENS + WFV_TIGHT_PAD, wfvT.w < 0.0);
 }
 #endif
 
@@ -239,6 +239,35 @@ bool wfvGrazes()
 }
 #endif
 
+#if WFV_MEETS_CHORDS
+// Squared radians, and a little more than that: edges of triangles that are drawn by their chords are no
+// longer (ChordLimits::LongestChord).
+const float WFV_LONGEST_CHORD = 0.0066;
+
+// Of the tolerance: what is measured here of an edge whose bound there is within it. The same for both
+// triangles that it is of, so that both end alike.
+const float WFV_WITHIN = 1.1;
+
+void wfvFindChords(vec3 lengths)
+{
+  vec3 nearest = min(lengths.yzx, lengths.zxy);
+  vec3 edges = vec3(dot(wfvP[1] - wfvP[2], wfvP[1] - wfvP[2]), dot(wfvP[2] - wfvP[0], wfvP[2] - wfvP[0]),
+    dot(wfvP[0] - wfvP[1], wfvP[0] - wfvP[1])) / (nearest * nearest);
+  for (int i = 0; i < 3; i++)
+  {
+    wfvChordEnds[i] = wfvPixel(wfvP[i]);
+  }
+  for (int i = 0; i < 3; i++)
+  {
+    int j = i == 2 ? 0 : i + 1;
+    int k = i == 0 ? 2 : i - 1;
+    vec2 middle = wfvPixel(wfvP[j] * lengths[k] + wfvP[k] * lengths[j]);
+    float off = length(middle - 0.5 * (wfvChordEnds[j] + wfvChordEnds[k]));
+    wfvSlackHere[i] = edges[i] < WFV_LONGEST_CHORD && off < WFV_WITHIN * wfvTolerance ? off : -1.0;
+  }
+}
+#endif
+
 void main()
 {
   wfvReadCorners();
@@ -255,6 +284,9 @@ void main()
     return;
   }
   wfvFacePlanes(lengths);
+#if WFV_MEETS_CHORDS
+  wfvFindChords(lengths);
+#endif
 #if WFV_OWN_RAYS
   wfvSetOwn(lengths, wfvT.w > 0.0 ? 1.0 : -1.0);
 #elif WFV_WARPED

@@ -85,7 +85,6 @@ void SetUp(BenchEntry& entry, const widefov::Scene& scene)
     entry.WidePass = vtkSmartPointer<vtkWideFoVPass>::New();
     widefov::SetUpWidePass(entry.WidePass, o);
     // a standing view as it is drawn from the eleventh frame on, without ten to warm up
-    entry.WidePass->SetSortWhileMoving(entry.Run.Turn == 0);
     entry.Renderer->SetPass(entry.WidePass);
   }
   for (const widefov::SceneProp& prop : scene.Props)

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The triangles of a polydata as its mapper draws them, in runs of neighbours with their bounds.
-#ifndef vtkWideFoVClusters_h
-#define vtkWideFoVClusters_h
+#ifndef WideFoVClusters_h
+#define WideFoVClusters_h
 
 #include "vtkWideFoVAbi.h"
 #include "vtkType.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -55,9 +56,6 @@ public:
   // before anything is asked for, for corners may be the cells' own.
   void Update(vtkPolyData* data);
 
-  // Frees what a sort needs and can be found anew, but for places, which sorting in haste needs.
-  void LetGo();
-
   // The cells that they are of.
   vtkCellArray* GetCells(vtkPolyData* data) const;
 
@@ -67,17 +65,18 @@ public:
   // xmin, xmax, ymin, ymax, zmin, zmax; infinite where a point is no number.
   const std::array<double, 6>& GetBounds(int cluster) const { return this->Bounds[cluster]; }
 
+  // Of the triangles of a cluster, the longest edge.
+  double GetLongestEdge(int cluster) const { return this->Edges[cluster]; }
+
+  // The triangles of a cluster: the first, and the one behind the last.
+  vtkIdType GetFirst(int cluster) const { return static_cast<vtkIdType>(cluster) * Size; }
+  vtkIdType GetEnd(int cluster) const
+  {
+    return std::min<vtkIdType>(this->GetFirst(cluster) + Size, this->Triangles);
+  }
+
   // Points of the triangles, three each: what the mapper's index buffer holds.
   const Corners& GetCorners() const { return this->All; }
-
-  // For each edge of each triangle, from corner j to the next, the triangle on its other side;
-  // NoTriangle where there is none, more than one, or one that is turned the other way. Points at
-  // one place are one. Found when it is first asked for.
-  static constexpr unsigned int NoTriangle = ~0u;
-  const std::vector<unsigned int>& GetNeighbours();
-
-  // For each point the first one at its place; found when it is first asked for.
-  const std::vector<unsigned int>& GetPlaces();
 
 private:
   void Build(vtkPolyData* data);
@@ -93,9 +92,8 @@ private:
   bool AsTheyAre = false; // the cells are the triangles, one each
   Corners All;
   std::vector<unsigned int> Copy; // unless they are
-  std::vector<unsigned int> Neighbours;
-  std::vector<unsigned int> Places;
   std::vector<std::array<double, 6>> Bounds;
+  std::vector<double> Edges;
 };
 }
 

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Clusters/Classifier.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wfv
+{
+namespace
+{
+// Relative to the distance: so near a discontinuity float32 may place a point beyond it.
+constexpr double Beside = 1e-5;
+
+// Cosine of the angle from the axis of a perspective: nearer to the plane of the eye no chord has
+// a bound.
+constexpr double LeastAhead = 0.02;
+
+// Of rays that begin on a circle: how many of its radii a triangle is away at least, and how many
+// of its edges is its distance from the circle's axis. Nearer ones are ray-tested.
+constexpr double LeastRadii = 32;
+constexpr double LeastEdges = 4;
+
+double Longest2(const vec3& a, const vec3& b, const vec3& c)
+{
+  const vec3 ab = b - a;
+  const vec3 bc = c - b;
+  const vec3 ca = a - c;
+  return std::max({ glm::dot(ab, ab), glm::dot(bc, bc), glm::dot(ca, ca) });
+}
+}
+
+bool ClassifierView::operator==(const ClassifierView& o) const
+{
+  const WfvView& a = this->View;
+  const WfvView& b = o.View;
+  return this->Map == o.Map && a.halfFov == b.halfFov && a.scale == b.scale && a.tilt == b.tilt &&
+    a.radii == b.radii && a.lens == b.lens && a.lens5 == b.lens5 && a.maxAngle == b.maxAngle &&
+    a.map == b.map && this->Part.Low == o.Part.Low && this->Part.High == o.Part.High &&
+    this->Limits == o.Limits && this->Culls == o.Culls && this->EyeRadius == o.EyeRadius &&
+    this->Reach == o.Reach;
+}
+
+Classifier::Classifier(const ClassifierView& view)
+  : V(view)
+  , Axis(view.Map->Axis)
+{
+  // a chord dips by an eighth of its squared angle below the distance of its ends
+  const double dip = 1 + ChordLimits::LongestChord * ChordLimits::LongestChord;
+  const double inner = std::max(view.View.radii.x * dip, LeastRadii * view.EyeRadius);
+  const double outer = view.View.radii.y * (1 - 10 * Beside);
+  this->Inner2 = inner * inner;
+  this->Outer2 = outer * outer;
+  this->RimCosine = std::cos(view.View.maxAngle);
+}
+
+// Unless all corners are well on one face of the cube round the eye.
+bool Classifier::IsOnOneFace(const vec3 p[3], double beside) const
+{
+  const vec3 a = glm::abs(p[0]);
+  const int axis = a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
+  const double sign = p[0][axis] < 0 ? -1 : 1;
+  bool one = true;
+  for (int i = 0; i < 3; i++)
+  {
+    const double others = std::max(std::abs(p[i][(axis + 1) % 3]), std::abs(p[i][(axis + 2) % 3]));
+    one = one && sign * p[i][axis] > others + beside;
+  }
+  return one;
+}
+
+// Whether a triangle may meet a discontinuity of the map, or reach beyond its rim. angle: of its
+// longest edge, radians, at least.
+bool Classifier::MayTear(const vec3 p[3], double farthest, double angle) const
+{
+  const double beside = farthest * Beside + this->V.EyeRadius;
+  switch (this->Axis)
+  {
+    case Family::Meridian:
+      return std::min({ p[0].x, p[1].x, p[2].x }) <= beside &&
+        std::max({ p[0].x, p[1].x, p[2].x }) >= -beside &&
+        std::max({ p[0].z, p[1].z, p[2].z }) >= -beside;
+    case Family::Planar:
+      return std::max({ p[0].z, p[1].z, p[2].z }) > -LeastAhead * farthest - beside;
+    case Family::Faces:
+      return !this->IsOnOneFace(p, beside);
+    case Family::Azimuthal:
+    {
+      const double rim = this->RimCosine + angle;
+      for (int i = 0; i < 3; i++)
+      {
+        if (!(-p[i].z - beside >= rim * glm::length(p[i])))
+        {
+          return true;
+        }
+      }
+      return false;
+    }
+    default:
+      return true;
+  }
+}
+
+bool Classifier::SphereMayTear(const vec3& c, double radius, double angle) const
+{
+  const double distance = glm::length(c);
+  const double beside = (distance + radius) * Beside + this->V.EyeRadius + radius;
+  switch (this->Axis)
+  {
+    case Family::Meridian:
+      return std::abs(c.x) <= beside && c.z >= -beside;
+    case Family::Planar:
+      return c.z + beside > -LeastAhead * (distance + radius);
+    case Family::Faces:
+    {
+      const vec3 same[3] = { c, c, c };
+      return !this->IsOnOneFace(same, 2 * beside); // it changes by no more along any two axes
+    }
+    case Family::Azimuthal:
+      return !(-c.z - beside >= (this->RimCosine + angle) * (distance + radius) &&
+        -c.z - beside >= (this->RimCosine + angle) * std::max(0.0, distance - radius));
+    default:
+      return true;
+  }
+}
+
+// Seen by rays that begin on a circle an edge is no great circle: from each place another ray looks,
+// by as much as the circle turns between them. True where that moves it by too much.
+bool Classifier::BendsFromEye(const vec3& p, double nearest2, double longest2) const
+{
+  const WfvView& v = this->V.View;
+  const vec3 up(0, v.tilt.x, -v.tilt.y);
+  const double height = glm::dot(p, up);
+  const double level2 = glm::dot(p, p) - height * height - longest2;
+  if (!(level2 > LeastEdges * LeastEdges * longest2))
+  {
+    return true;
+  }
+  const double off = this->V.EyeRadius * longest2 / level2 / std::sqrt(nearest2);
+  return !(off * this->V.Limits->StretchAt(p) <= EyeShare * this->V.Tolerance);
+}
+
+DrawClass Classifier::OfTriangle(const vec3& a, const vec3& b, const vec3& c) const
+{
+  const double away2[3] = { glm::dot(a, a), glm::dot(b, b), glm::dot(c, c) };
+  const double nearest2 = std::min({ away2[0], away2[1], away2[2] });
+  const double farthest2 = std::max({ away2[0], away2[1], away2[2] });
+  const double longest2 = Longest2(a, b, c);
+  // seen from the eye no edge looks longer than it would at its nearer end
+  if (!(longest2 <= this->V.Limits->At(a) * nearest2) || !(nearest2 > this->Inner2) ||
+    !(farthest2 < this->Outer2))
+  {
+    return DrawClass::RayTested;
+  }
+  const vec3 p[3] = { a, b, c };
+  const bool bends = this->V.EyeRadius > 0 && this->BendsFromEye(a, nearest2, longest2);
+  return bends || this->MayTear(p, std::sqrt(farthest2), ChordLimits::LongestChord)
+    ? DrawClass::RayTested
+    : DrawClass::Projected;
+}
+
+DrawClass Classifier::OfCluster(const Box& box, double radius, double edge) const
+{
+  Box seen = box;
+  seen.Grow(this->V.Reach);
+  if (this->V.Culls && IsUnseen(*this->V.Map, this->V.View, seen, this->V.Part))
+  {
+    return DrawClass::Culled;
+  }
+  if (!this->V.Limits)
+  {
+    return DrawClass::RayTested;
+  }
+  const vec3 centre = 0.5 * (box.Low + box.High);
+  const double distance = glm::length(centre);
+  const double nearest = distance - radius;
+  const double farthest = distance + radius;
+  if (!(nearest > 0 && nearest * nearest > this->Inner2 && farthest * farthest < this->Outer2) ||
+    this->V.EyeRadius > 0)
+  {
+    return DrawClass::Mixed;
+  }
+  const double limit = this->V.Limits->LeastAround(centre, radius / distance);
+  const bool all = edge * edge <= limit * nearest * nearest &&
+    !this->SphereMayTear(centre, radius, ChordLimits::LongestChord);
+  return all ? DrawClass::Projected : DrawClass::Mixed;
+}
+}

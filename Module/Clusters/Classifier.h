@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Decides for clusters, and where a cluster is mixed for its triangles, how a view draws them.
+#ifndef WideFoVClassifier_h
+#define WideFoVClassifier_h
+
+#include "Projections/ChordLimits.h"
+#include "Projections/Visibility.h"
+
+#include <memory>
+
+namespace wfv
+{
+// How triangles are drawn.
+enum class DrawClass : unsigned char
+{
+  Culled,    // not at all: outside the window or the clip spheres
+  Projected, // by the vertex stage and the rasterizer: chords are within the tolerance of edges
+  RayTested, // a geometry stage covers them, the fragment stage decides by rays
+  Mixed      // a cluster: each of its triangles has a class of its own
+};
+
+// What the classes depend on, but for the mesh.
+struct ClassifierView
+{
+  const Projection* Map = nullptr;
+  WfvView View;
+  Window Part;                               // of the picture
+  std::shared_ptr<const ChordLimits> Limits; // none: nothing is projected
+  double Tolerance = 0.25;                   // pixels; that of Limits
+  bool Culls = true;
+  double EyeRadius = 0; // of the circle that rays begin on, scene units
+  double Reach = 0;     // of the rays' beginnings from the origin, scene units
+
+  bool operator==(const ClassifierView& other) const;
+};
+
+// A triangle's corners, or a cluster, in the map's own frame.
+class WFV_EXPORT Classifier
+{
+public:
+  // Of the tolerance: what the turning of the eyes' circle may take, beside what the map itself
+  // bends.
+  static constexpr double EyeShare = 0.5;
+
+  explicit Classifier(const ClassifierView& view);
+
+  // box: of the cluster; radius: of a sphere round the middle of the box that holds it; edge: the
+  // longest of its triangles.
+  DrawClass OfCluster(const Box& box, double radius, double edge) const;
+
+  // Projected or RayTested.
+  DrawClass OfTriangle(const vec3& a, const vec3& b, const vec3& c) const;
+
+private:
+  bool MayTear(const vec3 p[3], double farthest, double angle) const;
+  bool SphereMayTear(const vec3& centre, double radius, double angle) const;
+  bool IsOnOneFace(const vec3 p[3], double beside) const;
+  bool BendsFromEye(const vec3& p, double nearest2, double longest2) const;
+
+  const ClassifierView& V;
+  Family Axis;
+  double Inner2; // squared distances: nothing is projected beyond
+  double Outer2;
+  double RimCosine; // of the angle at which a round map ends
+};
+}
+
+#endif
