@@ -149,14 +149,15 @@ void vtkWideFoVPolyDataMapper::DrawClusters(int primitive, vtkRenderer* renderer
   part.Vertices = static_cast<unsigned int>(this->VBOs->GetNumberOfTuples("vertexMC"));
   part.Indices = own.IBO->IndexCount;
   vtkWideFoVStage* const stage = vtkWideFoVStages::FindAttached(actor);
-  for (const auto kind : { wfv::ClusterDraw::ByStage, wfv::ClusterDraw::Projected })
+  for (int i = 0; i < wfv::ClusterDraw::NumberOfKinds; i++)
   {
+    const auto kind = static_cast<wfv::ClusterDraw::Kind>(i);
     if (!clusters.Has(kind))
     {
       continue;
     }
     const bool byStage = kind == wfv::ClusterDraw::ByStage;
-    vtkWideFoVStage* const other = byStage ? stage : stage->GetStages()->Plain.Get();
+    vtkWideFoVStage* const other = wfv::ClusterDraw::GetStage(kind, stage);
     vtkOpenGLHelper& helper = byStage ? own : clusters.GetHelper(kind);
     helper.IBO->IndexCount = own.IBO->IndexCount; // the other has none of its own
     vtkWideFoVStages::Replace(actor, stage, other);

@@ -58,9 +58,46 @@ std::string LineOutputs(const std::vector<Varying>& varyings)
   return declarations + "void wfvWriteMix(float t)\n{\n" + body + "}\n";
 }
 
+// True where the geometry stage cuts triangles into smaller ones, which are projected.
+bool CutsTriangles(const Request& r)
+{
+  return r.Stage == vtkWideFoVShaderBuilder::Variant::Split2 ||
+    r.Stage == vtkWideFoVShaderBuilder::Variant::Split4 ||
+    r.Stage == vtkWideFoVShaderBuilder::Variant::Strip;
+}
+
 bool CoversTriangles(const Request& r)
 {
-  return vtkWideFoVShaderBuilder::NeedsGeometryStage(r) && r.Kind == Primitive::Triangles;
+  return vtkWideFoVShaderBuilder::NeedsGeometryStage(r) && r.Kind == Primitive::Triangles &&
+    !CutsTriangles(r);
+}
+
+// Triangles carry every output on, mixed between the corners.
+std::string CutSource(const Request& r, const std::vector<Varying>& varyings)
+{
+  std::string declarations;
+  std::string body;
+  for (const Varying& v : varyings)
+  {
+    std::string out = v.Name;
+    ReplaceAll(out, "VSOut", "GSOut");
+    if (out == v.Name)
+    {
+      continue;
+    }
+    declarations += v.Input();
+    declarations += (v.Flat ? "flat out " : "out ") + v.Declaration(out);
+    body += "  " + out + " = ";
+    body += v.Flat ? v.Name + "[2];\n"
+                   : "w.x * " + v.Name + "[0] + w.y * " + v.Name + "[1] + w.z * " + v.Name + "[2];\n";
+  }
+  const int rows = r.Stage == vtkWideFoVShaderBuilder::Variant::Split2 ? 2 : 4;
+  return declarations + "void wfvWriteMix(vec3 w)\n{\n" + body + "}\n" + edge_chords_glsl +
+    cut_triangles_glsl +
+    (r.Stage == vtkWideFoVShaderBuilder::Variant::Strip
+        ? strip_triangles_glsl
+        : Define("WFV_ROWS", rows) + Define("WFV_ROWS_VERTICES", rows * (rows + 2)) +
+          split_triangles_glsl);
 }
 
 // True where an eye whose rays begin in several places is served by moving the vertices.
@@ -102,6 +139,10 @@ std::string PrimitiveSource(const Request& r, const std::vector<Varying>& varyin
   {
     return wfv::line::GeometrySource(r, varyings);
   }
+  if (CutsTriangles(r))
+  {
+    return CutSource(r, varyings);
+  }
   if (r.Kind == Primitive::Lines)
   {
     return LineOutputs(varyings) + preclip_lines_glsl +
@@ -116,7 +157,7 @@ std::string PrimitiveSource(const Request& r, const std::vector<Varying>& varyin
         : Warped(r) ? warped_cover_glsl
                     : "") +
     preclip_cover_glsl + preclip_narrow_glsl + CoverSource(*r.Projection) +
-    (r.DebugView ? preclip_kinds_glsl : "") +
+    (r.DebugView ? preclip_kinds_glsl : "") + (r.MeetsChords ? edge_chords_glsl : "") +
     preclip_triangles_glsl;
 }
 
@@ -128,7 +169,7 @@ std::string GeometrySource(
   std::string source = std::string("//VTK::System::Dec\n") + (CoversTriangles(r) ? Doubles : "") +
     (CoversTriangles(r) ? Invocations : "") + Define("WFV_MODEL", !toView.empty()) +
     "#define WFV_TO_VIEW " + toView + "\n" + ViewSource(r) +
-    (r.Kind == Primitive::Points ? "" : preclip_glsl) + (r.DebugView ? debug_kinds_glsl : "") +
+    (r.Kind == Primitive::Points || CutsTriangles(r) ? "" : preclip_glsl) + (r.DebugView ? debug_kinds_glsl : "") +
     PrimitiveSource(r, varyings);
   if (r.Stage == vtkWideFoVShaderBuilder::Variant::Tessellate)
   {

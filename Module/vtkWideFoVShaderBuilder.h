@@ -17,6 +17,9 @@ public:
   enum class Variant
   {
     Plain,     // the vertex stage projects
+    Split2,    // a geometry stage does, and cuts triangles in two along their edges
+    Split4,    // or in up to four
+    Strip,     // or long ones into strips
     PreClip,   // a geometry stage clips, then projects
     Exact,     // the same, every triangle by the ray of each pixel, lines as exact strips
     Tessellate // triangles cut finer before the pre-clip (vtkWideFoVTessellation)

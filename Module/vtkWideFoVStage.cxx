@@ -164,6 +164,15 @@ bool WarnOfBodies()
 }
 }
 
+namespace
+{
+bool IsProjected(vtkWideFoVShaderBuilder::Variant variant)
+{
+  using Variant = vtkWideFoVShaderBuilder::Variant;
+  return variant == Variant::Plain || variant == Variant::Split2 || variant == Variant::Split4 || variant == Variant::Strip;
+}
+}
+
 void vtkWideFoVStage::FinishTriangles(vtkWideFoVShaderBuilder::Request& request) const
 {
   request.Stereo = this->Stereo;
@@ -192,7 +201,7 @@ void vtkWideFoVStage::FinishTriangles(vtkWideFoVShaderBuilder::Request& request)
   // how far edges are is asked of float32 alone
   request.Whole = this->IsWhole() && !request.Edges && !this->DebugView;
   if ((!straight || (this->Stereo && this->Stereo->OwnRays)) &&
-    request.Stage != vtkWideFoVShaderBuilder::Variant::Plain)
+    !IsProjected(request.Stage))
   {
     // their edges are no great circles, which is what chords are chosen by
     request.Stage = vtkWideFoVShaderBuilder::Variant::Exact;

@@ -38,6 +38,9 @@ constexpr double PixelSafety = 8;
 
 vtkWideFoVStages::vtkWideFoVStages()
 {
+  this->Split2->SetVariant(vtkWideFoVShaderBuilder::Variant::Split2);
+  this->Split4->SetVariant(vtkWideFoVShaderBuilder::Variant::Split4);
+  this->Strip->SetVariant(vtkWideFoVShaderBuilder::Variant::Strip);
   this->PreClip->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
   this->PreClipOfFew->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
   this->PreClipOfFew->SetRuns(RunsOfFew);
@@ -47,9 +50,9 @@ vtkWideFoVStages::vtkWideFoVStages()
   this->Tessellate->SetVariant(vtkWideFoVShaderBuilder::Variant::Tessellate);
 }
 
-std::array<vtkWideFoVStage*, 6> vtkWideFoVStages::GetAll()
+std::array<vtkWideFoVStage*, 9> vtkWideFoVStages::GetAll()
 {
-  return { this->Plain, this->PreClip, this->PreClipOfFew, this->Exact, this->ExactInSingle,
+  return { this->Plain, this->Split2, this->Split4, this->Strip, this->PreClip, this->PreClipOfFew, this->Exact, this->ExactInSingle,
     this->Tessellate };
 }
 

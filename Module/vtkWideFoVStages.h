@@ -97,6 +97,9 @@ public:
   static vtkWideFoVStage* FindAttached(vtkProp* prop);
 
   vtkNew<vtkWideFoVStage> Plain;         // vertex, preclip; auto: what is projected
+  vtkNew<vtkWideFoVStage> Split2;         // auto: what is projected once it is cut
+  vtkNew<vtkWideFoVStage> Split4;
+  vtkNew<vtkWideFoVStage> Strip;
   vtkNew<vtkWideFoVStage> PreClip;       // auto: covers triangles that are not
   vtkNew<vtkWideFoVStage> PreClipOfFew;  // auto: of few triangles
   vtkNew<vtkWideFoVStage> Exact;
@@ -140,7 +143,7 @@ private:
   wfv::Window Part;      // of the picture, with a margin
   wfv::vec2 Pixels{ 1 }; // of the whole picture
   bool Culling = true;
-  std::array<vtkWideFoVStage*, 6> GetAll();
+  std::array<vtkWideFoVStage*, 9> GetAll();
   void Instruct(vtkWideFoVStage* stage);
   void SetEyes(vtkWideFoVCamera* camera, const wfv::StereoModel* stereo); // after SetPart
   double Reach = 0; // of the rays' beginnings from the middle between the eyes, scene units

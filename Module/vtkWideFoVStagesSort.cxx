@@ -175,7 +175,8 @@ std::shared_ptr<const wfv::ChordLimits> vtkWideFoVStages::GetLimits(double toler
   }
   if (!same || this->LimitsPixels != this->Pixels || this->LimitsTolerance != tolerance)
   {
-    this->Limits = std::make_shared<wfv::ChordLimits>(*this->Bends, this->Pixels, tolerance);
+    this->Limits = std::make_shared<wfv::ChordLimits>(
+      *this->Projection, this->View, *this->Bends, this->Pixels, tolerance);
     this->LimitsPixels = this->Pixels;
     this->LimitsTolerance = tolerance;
   }

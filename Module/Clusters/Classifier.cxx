@@ -20,6 +20,11 @@ constexpr double LeastAhead = 0.02;
 constexpr double LeastRadii = 32;
 constexpr double LeastEdges = 4;
 
+// Chords that stand for an edge, at the most; and radians, that a triangle of several is long.
+constexpr int MostChords = 16;
+constexpr int MostRows = 4; // of a grid
+constexpr double LongestSplit = 1;
+
 double Longest2(const vec3& a, const vec3& b, const vec3& c)
 {
   const vec3 ab = b - a;
@@ -44,8 +49,7 @@ Classifier::Classifier(const ClassifierView& view)
   : V(view)
   , Axis(view.Map->Axis)
 {
-  // a chord dips by an eighth of its squared angle below the distance of its ends
-  const double dip = 1 + ChordLimits::LongestChord * ChordLimits::LongestChord;
+  constexpr double dip = 1 + ChordLimits::LongestChord * ChordLimits::LongestChord;
   const double inner = std::max(view.View.radii.x * dip, LeastRadii * view.EyeRadius);
   const double outer = view.View.radii.y * (1 - 10 * Beside);
   this->Inner2 = inner * inner;
@@ -125,37 +129,95 @@ bool Classifier::SphereMayTear(const vec3& c, double radius, double angle) const
 
 // Seen by rays that begin on a circle an edge is no great circle: from each place another ray looks,
 // by as much as the circle turns between them. True where that moves it by too much.
-bool Classifier::BendsFromEye(const vec3& p, double nearest2, double longest2) const
+bool Classifier::BendsFromEye(const vec3& p, const vec3& q) const
 {
   const WfvView& v = this->V.View;
   const vec3 up(0, v.tilt.x, -v.tilt.y);
+  const vec3 way = q - p;
+  const double edge2 = glm::dot(way, way);
   const double height = glm::dot(p, up);
-  const double level2 = glm::dot(p, p) - height * height - longest2;
-  if (!(level2 > LeastEdges * LeastEdges * longest2))
+  const double level2 = glm::dot(p, p) - height * height - edge2;
+  if (!(level2 > LeastEdges * LeastEdges * edge2))
   {
     return true;
   }
-  const double off = this->V.EyeRadius * longest2 / level2 / std::sqrt(nearest2);
+  const double off = this->V.EyeRadius * edge2 / level2 / glm::length(p);
   return !(off * this->V.Limits->StretchAt(p) <= EyeShare * this->V.Tolerance);
 }
 
-DrawClass Classifier::OfTriangle(const vec3& a, const vec3& b, const vec3& c) const
+// Seen from the eye no part of an edge looks longer than it would at its nearer end.
+bool Classifier::FitChords(const vec3& p, const vec3& q, int chords) const
 {
-  const double away2[3] = { glm::dot(a, a), glm::dot(b, b), glm::dot(c, c) };
+  const vec3 step = (q - p) / double(chords);
+  const double step2 = glm::dot(step, step);
+  double before = this->V.Limits->At(p) * glm::dot(p, p);
+  for (int i = 1; i <= chords; i++)
+  {
+    const vec3 at = i < chords ? p + double(i) * step : q;
+    const double here = this->V.Limits->At(at) * glm::dot(at, at);
+    if (!(step2 <= std::min(before, here)))
+    {
+      return false;
+    }
+    before = here;
+  }
+  return !(this->V.EyeRadius > 0 && this->BendsFromEye(p, p + step));
+}
+
+int Classifier::ChordsOf(const vec3& p, const vec3& q) const
+{
+  // from the same end for both triangles, or they were rounded apart
+  const bool ordered = p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : p.z < q.z;
+  const vec3& from = ordered ? p : q;
+  const vec3& to = ordered ? q : p;
+  const vec3 way = q - p;
+  const double least = std::min(
+    this->V.Limits->At(p) * glm::dot(p, p), this->V.Limits->At(q) * glm::dot(q, q));
+  const double parts2 = glm::dot(way, way) / least; // of the ends: none needs fewer
+  if (!(parts2 <= MostChords * MostChords))
+  {
+    return 0;
+  }
+  int chords = std::max(1, static_cast<int>(std::ceil(std::sqrt(parts2))));
+  while (chords <= MostChords && !this->FitChords(from, to, chords))
+  {
+    chords++;
+  }
+  return chords <= MostChords ? chords : 0;
+}
+
+// Whether nothing speaks against it but how long the edges are.
+bool Classifier::MayProject(const vec3 p[3]) const
+{
+  const double away2[3] = { glm::dot(p[0], p[0]), glm::dot(p[1], p[1]), glm::dot(p[2], p[2]) };
   const double nearest2 = std::min({ away2[0], away2[1], away2[2] });
   const double farthest2 = std::max({ away2[0], away2[1], away2[2] });
-  const double longest2 = Longest2(a, b, c);
-  // seen from the eye no edge looks longer than it would at its nearer end
-  if (!(longest2 <= this->V.Limits->At(a) * nearest2) || !(nearest2 > this->Inner2) ||
-    !(farthest2 < this->Outer2))
-  {
-    return DrawClass::RayTested;
-  }
+  const double angle2 = Longest2(p[0], p[1], p[2]) / nearest2;
+  // an edge comes nearer than its ends by an eighth of its squared angle
+  const double least = 1 + 0.5 * angle2;
+  return nearest2 > least * this->Inner2 && farthest2 < this->Outer2 &&
+    angle2 <= LongestSplit * LongestSplit &&
+    !this->MayTear(p, std::sqrt(farthest2), std::sqrt(angle2));
+}
+
+Classifier::Triangle Classifier::OfTriangle(const vec3& a, const vec3& b, const vec3& c) const
+{
   const vec3 p[3] = { a, b, c };
-  const bool bends = this->V.EyeRadius > 0 && this->BendsFromEye(a, nearest2, longest2);
-  return bends || this->MayTear(p, std::sqrt(farthest2), ChordLimits::LongestChord)
-    ? DrawClass::RayTested
-    : DrawClass::Projected;
+  Triangle t;
+  for (int i = 0; i < 3; i++)
+  {
+    t.Chords[i] = this->ChordsOf(p[(i + 1) % 3], p[(i + 2) % 3]);
+  }
+  const int most = std::max({ t.Chords[0], t.Chords[1], t.Chords[2] });
+  const int least = std::min({ t.Chords[0], t.Chords[1], t.Chords[2] });
+  if (least == 0 || (most > MostRows && least > 1) || !this->MayProject(p))
+  {
+    return t;
+  }
+  t.Class = most == 1 ? DrawClass::Projected : most == 2 ? DrawClass::Split2
+    : most <= MostRows                                      ? DrawClass::Split4
+                                                            : DrawClass::Strip;
+  return t;
 }
 
 DrawClass Classifier::OfCluster(const Box& box, double radius, double edge) const

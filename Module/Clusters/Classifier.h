@@ -15,6 +15,9 @@ enum class DrawClass : unsigned char
 {
   Culled,    // not at all: outside the window or the clip spheres
   Projected, // by the vertex stage and the rasterizer: chords are within the tolerance of edges
+  Split2,    // likewise, after a geometry stage has cut edges in two
+  Split4,    // or in up to four
+  Strip,     // likewise, the two long edges in up to sixteen
   RayTested, // a geometry stage covers them, the fragment stage decides by rays
   Mixed      // a cluster: each of its triangles has a class of its own
 };
@@ -48,14 +51,24 @@ public:
   // longest of its triangles.
   DrawClass OfCluster(const Box& box, double radius, double edge) const;
 
-  // Projected or RayTested.
-  DrawClass OfTriangle(const vec3& a, const vec3& b, const vec3& c) const;
+  // Of a triangle: a class of its own; and for the edge opposite to each corner the chords that
+  // stand for it, 1 to 16 for parts of it that are alike, or 0, where so few do not do. Both
+  // triangles at an edge have the same there, so that what is drawn in two ways meets.
+  struct Triangle
+  {
+    DrawClass Class = DrawClass::RayTested;
+    int Chords[3] = { 0, 0, 0 };
+  };
+  Triangle OfTriangle(const vec3& a, const vec3& b, const vec3& c) const;
 
 private:
+  int ChordsOf(const vec3& p, const vec3& q) const;
+  bool FitChords(const vec3& p, const vec3& q, int chords) const;
+  bool MayProject(const vec3 p[3]) const;
   bool MayTear(const vec3 p[3], double farthest, double angle) const;
   bool SphereMayTear(const vec3& centre, double radius, double angle) const;
   bool IsOnOneFace(const vec3 p[3], double beside) const;
-  bool BendsFromEye(const vec3& p, double nearest2, double longest2) const;
+  bool BendsFromEye(const vec3& p, const vec3& q) const;
 
   const ClassifierView& V;
   Family Axis;

@@ -72,6 +72,63 @@ struct Affine
 
 namespace wfv
 {
+namespace
+{
+// Of a code.
+constexpr int KindBits = 3;
+constexpr int EdgeBits = 5;
+
+ClusterDraw::Kind KindOf(DrawClass class_)
+{
+  switch (class_)
+  {
+    case DrawClass::Projected:
+      return ClusterDraw::Projected;
+    case DrawClass::Split2:
+      return ClusterDraw::Split2;
+    case DrawClass::Split4:
+      return ClusterDraw::Split4;
+    case DrawClass::Strip:
+      return ClusterDraw::Strip;
+    default:
+      return ClusterDraw::ByStage;
+  }
+}
+
+int KindOf(unsigned int code)
+{
+  return static_cast<int>(code & ((1u << KindBits) - 1));
+}
+
+unsigned int CodeOf(const Classifier::Triangle& triangle)
+{
+  int code = KindOf(triangle.Class);
+  for (int i = 0; i < 3; i++)
+  {
+    code |= triangle.Chords[i] << (KindBits + EdgeBits * i);
+  }
+  return static_cast<unsigned int>(code);
+}
+}
+
+vtkWideFoVStage* ClusterDraw::GetStage(Kind kind, vtkWideFoVStage* stage)
+{
+  vtkWideFoVStages* const stages = stage->GetStages();
+  switch (kind)
+  {
+    case Projected:
+      return stages->Plain;
+    case Split2:
+      return stages->Split2;
+    case Split4:
+      return stages->Split4;
+    case Strip:
+      return stages->Strip;
+    default:
+      return stage;
+  }
+}
+
 bool ClusterDraw::IsWorthIt(vtkPolyData* data, bool strips)
 {
   vtkCellArray* const cells = strips ? data->GetStrips() : data->GetPolys();
@@ -145,7 +202,7 @@ void ClusterDraw::ClassifyPoints(const Real* points)
   const double scale = toMap.GetScale();
   const Classifier classifier(this->View);
   this->Classes.resize(mesh.GetNumberOfClusters());
-  this->Singles.resize(mesh.GetNumberOfTriangles());
+  this->Codes.resize(mesh.GetNumberOfTriangles());
   const auto place = [&](vtkIdType corner) {
     const Real* const p = points + 3 * static_cast<std::size_t>(corners[corner]);
     return toMap.Of(p[0], p[1], p[2]);
@@ -164,9 +221,8 @@ void ClusterDraw::ClassifyPoints(const Real* points)
       for (vtkIdType i = mesh.GetFirst(c);
            this->Classes[c] == DrawClass::Mixed && i < mesh.GetEnd(c); i++)
       {
-        const bool projected = classifier.OfTriangle(place(3 * i), place(3 * i + 1),
-                                 place(3 * i + 2)) == DrawClass::Projected;
-        this->Singles[i] = projected ? Projected : ByStage;
+        this->Codes[i] = CodeOf(
+          classifier.OfTriangle(place(3 * i), place(3 * i + 1), place(3 * i + 2)));
       }
     }
   };
@@ -200,19 +256,19 @@ void ClusterDraw::AddMixed(int cluster)
 {
   const vtkIdType first = this->Mesh.GetFirst(cluster);
   const vtkIdType end = this->Mesh.GetEnd(cluster);
-  const auto projected =
-    std::count(this->Singles.begin() + first, this->Singles.begin() + end, Projected);
-  if (projected == 0 || projected == end - first)
+  const auto codes = this->Codes.begin();
+  const int kind = KindOf(codes[first]);
+  if (std::all_of(codes + first, codes + end, [kind](auto code) { return KindOf(code) == kind; }))
   {
-    this->Draws[projected > 0 ? Projected : ByStage].AddRun(first, end - first);
+    this->Draws[kind].AddRun(first, end - first);
     return;
   }
   for (vtkIdType i = first; i < end; i++)
   {
-    this->Draws[this->Singles[i]].Singles.push_back(static_cast<unsigned int>(i));
+    KindDraw& draw = this->Draws[KindOf(codes[i])];
+    draw.Singles.push_back(static_cast<unsigned int>(i));
+    draw.Triangles++;
   }
-  this->Draws[Projected].Triangles += projected;
-  this->Draws[ByStage].Triangles += end - first - projected;
 }
 
 // What has been found, in lists.
@@ -237,13 +293,13 @@ void ClusterDraw::Gather()
         this->AddMixed(c);
         break;
       default:
-        this->Draws[this->Classes[c] == DrawClass::Projected ? Projected : ByStage].AddRun(
-          first, count);
+        this->Draws[KindOf(this->Classes[c])].AddRun(first, count);
     }
   }
   this->Found.Clusters = n;
   this->Found.Triangles = this->Mesh.GetNumberOfTriangles();
-  this->Found.ProjectedTriangles = this->Draws[Projected].Triangles;
+  this->Found.ProjectedTriangles = this->Draws[Projected].Triangles +
+    this->Draws[Split2].Triangles + this->Draws[Split4].Triangles + this->Draws[Strip].Triangles;
 }
 
 std::vector<unsigned int> ClusterDraw::KindDraw::ListAll() const
@@ -337,9 +393,27 @@ void ClusterDraw::Draw(vtkOpenGLIndexBufferObject* all, const DrawnPart& part)
   }
 }
 
+// What programs ask for of the triangles of a kind, in the order that they are drawn in.
+void ClusterDraw::LoadLists(KindDraw& draw, vtkOpenGLRenderWindow* window)
+{
+  if (draw.Numbers.IsLoadedFor(window) && draw.Loaded && draw.Numbered)
+  {
+    return;
+  }
+  this->Load(draw, true);
+  const std::vector<unsigned int> triangles = draw.ListAll();
+  std::vector<unsigned int> codes(triangles.size());
+  std::transform(triangles.begin(), triangles.end(), codes.begin(),
+    [this](unsigned int triangle) { return this->Codes[triangle] >> KindBits; });
+  draw.Numbers.Load(window, triangles);
+  draw.Chords.Load(window, codes);
+}
+
 void ClusterDraw::SetParameters(vtkShaderProgram* program, vtkWindow* window)
 {
-  this->Numbered = program->IsUniformUsed("wfvNumbers");
+  const bool numbers = program->IsUniformUsed("wfvNumbers");
+  const bool chords = program->IsUniformUsed("wfvChords");
+  this->Numbered = numbers || chords;
   if (!this->Numbered)
   {
     return;
@@ -347,22 +421,24 @@ void ClusterDraw::SetParameters(vtkShaderProgram* program, vtkWindow* window)
   this->Bound = true;
   auto* const context = static_cast<vtkOpenGLRenderWindow*>(window);
   const bool own = this->IsOwn();
-  BufferTexture& numbers = own ? this->NoNumbers : this->Draws[this->Chosen].Numbers;
   if (!own)
   {
-    KindDraw& draw = this->Draws[this->Chosen];
-    if (!numbers.IsLoadedFor(context) || !draw.Loaded || !draw.Numbered)
-    {
-      this->Load(draw, true);
-      numbers.Load(context, draw.ListAll());
-    }
+    this->LoadLists(this->Draws[this->Chosen], context);
   }
-  else if (!numbers.IsLoadedFor(context))
+  else if (!this->Nothing.IsLoadedFor(context))
   {
-    numbers.Load(context, std::vector<unsigned int>(1, 0)); // a texture there has to be
+    this->Nothing.Load(context, std::vector<unsigned int>(1, 0));
   }
-  numbers.Activate(program, "wfvNumbers");
-  program->SetUniformi("wfvFirstNumber", own ? -1 : 0);
+  if (numbers)
+  {
+    (own ? this->Nothing : this->Draws[this->Chosen].Numbers).Activate(program, "wfvNumbers");
+    program->SetUniformi("wfvFirstNumber", own ? -1 : 0);
+  }
+  if (chords)
+  {
+    (own ? this->Nothing : this->Draws[this->Chosen].Chords).Activate(program, "wfvChords");
+    program->SetUniformi("wfvHasChords", !own);
+  }
 }
 
 void ClusterDraw::Finish()
@@ -373,10 +449,11 @@ void ClusterDraw::Finish()
     return; // of many small props each would be asked
   }
   this->Bound = false;
-  this->NoNumbers.Deactivate();
+  this->Nothing.Deactivate();
   for (KindDraw& draw : this->Draws)
   {
     draw.Numbers.Deactivate();
+    draw.Chords.Deactivate();
   }
 }
 
@@ -386,13 +463,14 @@ void ClusterDraw::ReleaseGraphicsResources(vtkWindow* window)
   {
     draw.Indices->ReleaseGraphicsResources();
     draw.Numbers.ReleaseGraphicsResources(window);
+    draw.Chords.ReleaseGraphicsResources(window);
     draw.Loaded = false;
   }
   for (vtkOpenGLHelper& helper : this->Helpers)
   {
     helper.ReleaseGraphicsResources(window);
   }
-  this->NoNumbers.ReleaseGraphicsResources(window);
+  this->Nothing.ReleaseGraphicsResources(window);
 }
 
 void TakeTriangleNumbers(std::string& fragment)

@@ -18,6 +18,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
+class vtkOpenGLRenderWindow;
 class vtkPolyData;
 class vtkWideFoVStage;
 VTK_ABI_NAMESPACE_END
@@ -51,11 +52,15 @@ public:
   bool Prepare(vtkPolyData* data, vtkActor* actor, vtkWideFoVStage* stage);
 
   // The triangles that a program draws: those that the stage of the prop draws, those that the
-  // vertex stage projects; All: every triangle, in the mapper's own order.
+  // vertex stage projects, those that are cut into smaller ones or strips before; All: every
+  // triangle, in the mapper's own order.
   enum Kind
   {
     ByStage,
     Projected,
+    Split2,
+    Split4,
+    Strip,
     NumberOfKinds,
     All = NumberOfKinds
   };
@@ -72,6 +77,9 @@ public:
 
   // After the mapper has drawn.
   void Finish();
+
+  // What draws a kind of the triangles of a prop that has this stage.
+  static vtkWideFoVStage* GetStage(Kind kind, vtkWideFoVStage* stage);
 
   // The programs of a mapper for what does not have its own.
   vtkOpenGLHelper& GetHelper(Kind kind) { return this->Helpers[kind]; }
@@ -95,6 +103,7 @@ private:
     bool Loaded = false;
     bool Numbered = false;
     BufferTexture Numbers;
+    BufferTexture Chords;
 
     void Clear();
     void AddRun(vtkIdType first, vtkIdType count);
@@ -109,6 +118,7 @@ private:
   void AddMixed(int cluster);
   void Load(KindDraw& draw, bool numbered);
   void DrawRuns(const KindDraw& draw, std::size_t firstIndex) const;
+  void LoadLists(KindDraw& draw, vtkOpenGLRenderWindow* window);
   bool IsOwn() const; // the chosen ones are all of the mesh, in the mapper's order
 
   const bool ForStrips;
@@ -122,15 +132,16 @@ private:
   ClassifierView View;
   bool Known = false;
 
-  std::vector<DrawClass> Classes;     // of the clusters
-  std::vector<unsigned char> Singles; // of the triangles of mixed clusters, Kind
+  std::vector<DrawClass> Classes;   // of the clusters
+  std::vector<unsigned int> Codes;  // of the triangles of mixed clusters: KindBits, and of each
+                                    // edge EdgeBits for its chords
   KindDraw Draws[NumberOfKinds];
   FrameCounts Found;
 
   Kind Chosen = All;
   bool Numbered = false; // the program that is bound asks for numbers
   bool Bound = false;    // a texture is, to a unit of its own
-  BufferTexture NoNumbers;
+  BufferTexture Nothing; // a texture there has to be
   vtkOpenGLHelper Helpers[NumberOfKinds];
 };
 

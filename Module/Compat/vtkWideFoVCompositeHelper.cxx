@@ -273,8 +273,9 @@ void vtkWideFoVCompositeHelper::DrawClusters(
 {
   vtkOpenGLHelper& own = this->Primitives[primitive];
   Internals::Surfaces& surfaces = this->Internal->Of(primitive);
-  for (const auto kind : { ClusterDraw::ByStage, ClusterDraw::Projected })
+  for (int i = 0; i < ClusterDraw::NumberOfKinds; i++)
   {
+    const auto kind = static_cast<ClusterDraw::Kind>(i);
     const bool byStage = kind == ClusterDraw::ByStage;
     const bool any = std::any_of(surfaces.Blocks.begin(), surfaces.Blocks.end(),
       [kind](const auto& b) { return b.second->Classified && b.second->Triangles.Has(kind); });
@@ -282,7 +283,7 @@ void vtkWideFoVCompositeHelper::DrawClusters(
     {
       continue;
     }
-    vtkWideFoVStage* const other = byStage ? stage : stage->GetStages()->Plain.Get();
+    vtkWideFoVStage* const other = ClusterDraw::GetStage(kind, stage);
     vtkOpenGLHelper& helper = byStage ? own : surfaces.Helpers[kind];
     helper.IBO->IndexCount = own.IBO->IndexCount; // the others have none of their own
     vtkWideFoVStages::Replace(actor, stage, other);

@@ -11,6 +11,10 @@ namespace
 // Radians: no cell is narrower, in the corners of the cube's faces.
 constexpr double NarrowestCell = 0.03;
 
+// Of the angle from a pole or an antipode: no part of an edge is nearer than this share of what its
+// ends are.
+constexpr double Farther = 0.75;
+
 float LimitOf(const LocalBend& bends, std::size_t cell, const vec2& half, double tolerance)
 {
   double limit = 0;
@@ -19,10 +23,11 @@ float LimitOf(const LocalBend& bends, std::size_t cell, const vec2& half, double
   {
     const LocalBend::Cell& bend = bends.OfCell(cell, level);
     const double pixels = std::hypot(bend[0] * half.x, bend[1] * half.y);
-    limit = std::max(limit, std::min(longest2, 8 * tolerance / pixels)); // 0 where it is infinite
+    // (0 where it is infinite)
+    limit = std::max(limit, std::min(longest2, 8 * tolerance / pixels));
   }
-  return static_cast<float>(
-    std::min(limit, ChordLimits::LongestChord * ChordLimits::LongestChord));
+  constexpr double longest = ChordLimits::LongestChord * ChordLimits::LongestChord;
+  return static_cast<float>(std::min(limit, longest));
 }
 
 std::vector<float> LeastAroundEach(const std::vector<float>& limits)
@@ -40,36 +45,55 @@ std::vector<float> LeastAroundEach(const std::vector<float>& limits)
 }
 }
 
-ChordLimits::ChordLimits(const LocalBend& bends, const vec2& pixels, double tolerance)
+ChordLimits::ChordLimits(const Projection& projection, const WfvView& view, const LocalBend& bends,
+  const vec2& pixels, double tolerance)
+  : Axis(projection.Axis)
+  , PerSine2(0)
 {
+  const bool singular = Axis == Family::Meridian || (Axis == Family::Azimuthal && !projection.FlatRim);
+  if (singular && view.bend > 0)
+  {
+    this->PerSine2 = Farther * Farther * 8 * tolerance / (view.bend * 0.5 * glm::length(pixels));
+  }
   const vec2 half = 0.5 * pixels;
-  this->Limits[0].resize(LocalBend::NumberOfCells);
+  this->Limits.resize(LocalBend::NumberOfCells);
   this->Stretches.resize(LocalBend::NumberOfCells);
   for (std::size_t cell = 0; cell < LocalBend::NumberOfCells; cell++)
   {
-    this->Limits[0][cell] = LimitOf(bends, cell, half, tolerance);
+    this->Limits[cell] = LimitOf(bends, cell, half, tolerance);
     this->Stretches[cell] =
       static_cast<float>(bends.OfCell(cell, 0)[2] * std::max(half.x, half.y));
   }
-  for (int ring = 1; ring <= Rings; ring++)
+  std::vector<float> least(this->Limits);
+  for (int ring = 0; ring < Rings; ring++)
   {
     // one more than twice as far, for across the faces' borders cells do not lie in rows
-    this->Limits[ring] = this->Limits[ring - 1];
-    for (int i = 0; i <= 1 << (ring - 1); i++)
+    for (int i = 0; i <= 1 << ring; i++)
     {
-      this->Limits[ring] = LeastAroundEach(this->Limits[ring]);
+      least = LeastAroundEach(least);
     }
+    this->Least[ring] = least;
   }
+}
+
+float ChordLimits::NearSingularity(const vec3& direction) const
+{
+  const vec3 d = glm::normalize(direction);
+  const double sine2 = Axis == Family::Meridian ? d.x * d.x + d.z * d.z
+                                                : d.z > 0 ? d.x * d.x + d.y * d.y : 1;
+  constexpr double share = (1 - Farther) * (1 - Farther);
+  constexpr double longest = LongestChord * LongestChord;
+  return static_cast<float>(std::min({ this->PerSine2, share, longest / sine2 }) * sine2);
 }
 
 float ChordLimits::LeastAround(const vec3& direction, double sine) const
 {
   double reach = NarrowestCell;
-  for (int ring = 1; ring <= Rings; ring++, reach *= 2)
+  for (int ring = 0; ring < Rings; ring++, reach *= 2)
   {
     if (sine <= reach)
     {
-      return this->Limits[ring][LocalBend::CellOf(direction)];
+      return this->Least[ring][LocalBend::CellOf(direction)];
     }
   }
   return 0;

@@ -11,20 +11,25 @@ namespace wfv
 {
 // For each cell of directions (wfv::LocalBend) the largest angle that an edge there may have so
 // that its chord error, the distance between the edge and its chord in the picture, is within a
-// tolerance. One number a cell: to classify a triangle is to look up one of them.
+// tolerance. One number a cell: to classify an edge is to look up two of them.
 class WFV_EXPORT ChordLimits
 {
 public:
-  // Radians: no longer edge has a limit, whatever the map. Depth and attributes are interpolated
+  // Radians: no chord is longer, whatever the map. Depth and attributes are interpolated
   // along chords; a distance is then off by a quarter of the squared angle at the most.
   static constexpr double LongestChord = 0.08;
 
   // pixels: of the whole picture; tolerance: pixels.
-  ChordLimits(const LocalBend& bends, const vec2& pixels, double tolerance);
+  ChordLimits(const Projection& projection, const WfvView& view, const LocalBend& bends,
+    const vec2& pixels, double tolerance);
 
   // Squared radians, 0 where no edge may. direction: of any length but 0, in the map's own frame,
-  // of any point of the triangle.
-  float At(const vec3& direction) const { return this->Limits[0][LocalBend::CellOf(direction)]; }
+  // of any point of the edge.
+  float At(const vec3& direction) const
+  {
+    const float limit = this->Limits[LocalBend::CellOf(direction)];
+    return limit < Coarse ? std::max(limit, this->NearSingularity(direction)) : limit;
+  }
 
   // The least of all directions that are no farther from this one than an angle whose sine this is;
   // 0 where the angle is too large to say.
@@ -37,9 +42,19 @@ public:
   }
 
 private:
+  // Squared radians: beside a pole or an antipode a cell has as little as this, if any, for all that is
+  // in it, though most is farther from there than its nearest place.
+  static constexpr float Coarse = 0.02f * 0.02f;
+
+  // By the bound of wfv::Bend, which knows how near a direction is.
+  float NearSingularity(const vec3& direction) const;
+
+  Family Axis;
+  double PerSine2; // squared radians over the squared sine of the angle from there; 0: no bound
   static constexpr int Rings = 4; // a table of the least round each cell, of 1, 2, 4, .. cells
 
-  std::vector<float> Limits[Rings + 1];
+  std::vector<float> Limits;
+  std::vector<float> Least[Rings];
   std::vector<float> Stretches;
 };
 }

@@ -45,6 +45,10 @@ flat in vec3 wfvSlack;
 flat in int wfvMode;
 #endif
 
+#if WFV_MEETS_CHORDS
+flat in vec3 wfvWiden; // preclip_emit.glsl
+#endif
+
 vec3 wfvB;       // barycentric coordinates here
 float wfvRho;    // distance from the eye here, in the stage's own units
 float wfvDepth;  // window depth here, 0 to 1
@@ -271,6 +275,16 @@ bool wfvTurns(vec3 direction)
 }
 #endif
 
+// The edge functions of edges that are widened, from how they change from pixel to pixel.
+vec3 wfvWidened(vec3 e, vec3 x, vec3 y)
+{
+#if WFV_MEETS_CHORDS
+  return e + wfvWiden * sqrt(x * x + y * y);
+#else
+  return e;
+#endif
+}
+
 #if WFV_MULTISAMPLE
 // By which ray the fragment has its depth and its attributes: the centre's, or that of a sample
 // where the centre is not covered. A face seen nearly edge-on, continued to there, would come out
@@ -297,7 +311,7 @@ bool wfvCoverage(WfvRay ray, vec3 e, vec3 x, vec3 y, bool rim)
   {
     WfvRay at = wfvSurfaceRay(wfvSampleOffsets[i]);
     wfvSample = wfvSampleOffsets[i];
-    vec3 there = wfvEdgesAt(at.direction);
+    vec3 there = wfvWidened(wfvEdgesAt(at.direction), x, y);
     bool covered = at.inside && wfvAllInside(there, wfvToChords(there, x, y));
     mask |= covered ? 1 << i : 0;
     wfvShown = covered && !centre ? at.direction : wfvShown;
@@ -327,7 +341,7 @@ bool wfvCovered(WfvRay ray, vec3 e)
 #endif
   vec3 x = wfvEdgeStep(ray.direction, pixel[0]);
   vec3 y = wfvEdgeStep(ray.direction, pixel[1]);
-  return wfvCoverage(ray, e, x, y, rim);
+  return wfvCoverage(ray, wfvWidened(e, x, y), x, y, rim);
 #endif
 }
 

@@ -59,9 +59,11 @@ const int WFV_COVERED = 1;
 // Neighbours may be drawn by their chords: edges whose chord error is within the tolerance end there
 // (chord_fragment.glsl).
 flat out vec3 wfvSlack; // pixels between edge i and its chord, at the most; < 0: it ends at the edge
+flat out vec3 wfvWiden; // pixels by which it is widened
 flat out vec4 wfvCorners01;
 flat out vec2 wfvCorner2;
 vec3 wfvSlackHere;
+vec3 wfvWidenHere;
 vec2 wfvChordEnds[3];
 #define WFV_LENS wfvTolerance
 #else
@@ -140,6 +142,7 @@ void wfvWriteFlat()
   wfvWriteRises();
 #if WFV_MEETS_CHORDS
   wfvSlack = wfvSlackHere;
+  wfvWiden = wfvWidenHere;
   wfvCorners01 = vec4(wfvChordEnds[0], wfvChordEnds[1]);
   wfvCorner2 = wfvChordEnds[2];
 #endif

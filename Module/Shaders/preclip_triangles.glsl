@@ -240,30 +240,16 @@ bool wfvGrazes()
 #endif
 
 #if WFV_MEETS_CHORDS
-// Squared radians, and a little more than that: edges of triangles that are drawn by their chords are no
-// longer (ChordLimits::LongestChord).
-const float WFV_LONGEST_CHORD = 0.0066;
-
-// Of the tolerance: what is measured here of an edge whose bound there is within it. The same for both
-// triangles that it is of, so that both end alike.
-const float WFV_WITHIN = 1.1;
-
-void wfvFindChords(vec3 lengths)
+// An edge that one chord stands for ends there; one of more is widened by as much as these may be from
+// it, which overlaps a little with the neighbour; another is as it is.
+void wfvFindChords()
 {
-  vec3 nearest = min(lengths.yzx, lengths.zxy);
-  vec3 edges = vec3(dot(wfvP[1] - wfvP[2], wfvP[1] - wfvP[2]), dot(wfvP[2] - wfvP[0], wfvP[2] - wfvP[0]),
-    dot(wfvP[0] - wfvP[1], wfvP[0] - wfvP[1])) / (nearest * nearest);
+  ivec3 chords = wfvReadChords();
   for (int i = 0; i < 3; i++)
   {
     wfvChordEnds[i] = wfvPixel(wfvP[i]);
-  }
-  for (int i = 0; i < 3; i++)
-  {
-    int j = i == 2 ? 0 : i + 1;
-    int k = i == 0 ? 2 : i - 1;
-    vec2 middle = wfvPixel(wfvP[j] * lengths[k] + wfvP[k] * lengths[j]);
-    float off = length(middle - 0.5 * (wfvChordEnds[j] + wfvChordEnds[k]));
-    wfvSlackHere[i] = edges[i] < WFV_LONGEST_CHORD && off < WFV_WITHIN * wfvTolerance ? off : -1.0;
+    wfvWidenHere[i] = chords[i] > 1 ? wfvTolerance : 0.0;
+    wfvSlackHere[i] = chords[i] == 1 ? wfvTolerance : -1.0;
   }
 }
 #endif
@@ -285,7 +271,7 @@ void main()
   }
   wfvFacePlanes(lengths);
 #if WFV_MEETS_CHORDS
-  wfvFindChords(lengths);
+  wfvFindChords();
 #endif
 #if WFV_OWN_RAYS
   wfvSetOwn(lengths, wfvT.w > 0.0 ? 1.0 : -1.0);

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A triangle as a grid of up to so many rows.
+layout(triangle_strip, max_vertices = WFV_ROWS_VERTICES) out;
+
+// The weights of the corners at a grid's node, on an edge at one of its own.
+vec3 wfvNode(int i, int j, ivec3 chords, int most)
+{
+  vec3 w = vec3(most - i - j, j, i) / float(most);
+  if (i + j == most)
+  {
+    float share = wfvOnEdge(j, chords.x, most);
+    w = vec3(0.0, share, 1.0 - share);
+  }
+  else if (j == 0)
+  {
+    float share = wfvOnEdge(i, chords.y, most);
+    w = vec3(1.0 - share, 0.0, share);
+  }
+  else if (i == 0)
+  {
+    float share = wfvOnEdge(most - j, chords.z, most);
+    w = vec3(share, 1.0 - share, 0.0);
+  }
+  return w;
+}
+
+void main()
+{
+  ivec3 chords = clamp(wfvReadChords(), 1, WFV_ROWS);
+  int most = max(chords.x, max(chords.y, chords.z));
+  for (int j = 0; j < most; j++)
+  {
+    for (int i = 0; i < most - j; i++)
+    {
+      wfvEmitWeighed(wfvNode(i, j, chords, most));
+      wfvEmitWeighed(wfvNode(i, j + 1, chords, most));
+    }
+    wfvEmitWeighed(wfvNode(most - j, j, chords, most));
+    EndPrimitive();
+  }
+}
