@@ -14,8 +14,8 @@ in vec4 wfvLastSteps[];
 
 const int WFV_INTERVALS = 8;
 
-vec3 wfvP[3];
-vec3 wfvLengths;
+vec3 wfvP[3] = vec3[3](vec3(0.0), vec3(0.0), vec3(0.0));
+vec3 wfvLengths = vec3(0.0);
 
 // Where on the chord, 0 to 1, a place at the share s of the pieces of an edge lies.
 float wfvSpread(int edge, float s)
