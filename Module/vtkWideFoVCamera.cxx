@@ -20,9 +20,6 @@ vtkStandardNewMacro(vtkWideFoVCamera);
 
 namespace
 {
-// Smallest field of view, degrees: below it float32 cannot tell pixels apart.
-constexpr double MinFieldOfView = 0.01;
-
 // Near over far of the automatic clip spheres, where the bounds reach the eye. Depth
 // is linear in the distance, so this costs no precision far away; it only keeps the
 // eye itself out.

@@ -8,6 +8,7 @@
 #include "vtkRenderer.h"
 #include "vtkWindow.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <string>
@@ -33,15 +34,34 @@ bool IsTiled(vtkRenderer* renderer)
 }
 
 // Once a process: screenshots draw with cameras of their own.
-void WarnOnce(vtkObject* self, const std::string& name, const std::string& instead)
+std::set<std::string>& Told()
 {
   static std::set<std::string> told;
-  if (told.insert(name).second)
+  return told;
+}
+
+void WarnOnce(vtkObject* self, const std::string& name, const std::string& instead)
+{
+  if (Told().insert(name).second)
   {
     vtkWarningWithObjectMacro(
       self, << "vtkCamera's " << name << " has no meaning in this view and is ignored" << instead);
   }
 }
+
+// Of two that are too large, or too small, one warning is enough.
+void SetBothFields(vtkWideFoVCamera* camera, const wfv::Projection& p, double wide, double high)
+{
+  camera->SetHorizontalFieldOfView(wide);
+  const bool said = camera->GetHorizontalFieldOfView() != wide;
+  const double least = std::max(MinFieldOfView, p.MinVerticalFov);
+  camera->SetVerticalFieldOfView(said ? std::clamp(high, least, p.MaxVerticalFov) : high);
+}
+}
+
+void wfv::ForgetWhatIsIgnored()
+{
+  Told().clear();
 }
 
 double vtkWideFoVCamera::GetFieldOfViewAngle()
@@ -68,12 +88,10 @@ void vtkWideFoVCamera::SetViewAngle(double degrees)
     };
     const double wide = degrees < 180 ? scaled(h) : degrees;
     const double high = degrees < 180 ? scaled(v) : degrees;
-    this->SetHorizontalFieldOfView(wide);
-    this->SetVerticalFieldOfView(high);
+    SetBothFields(this, *this->Definition, wide, high);
     return;
   }
-  this->SetHorizontalFieldOfView(h * degrees / now);
-  this->SetVerticalFieldOfView(v * degrees / now);
+  SetBothFields(this, *this->Definition, h * degrees / now, v * degrees / now);
 }
 
 void vtkWideFoVCamera::Zoom(double factor)

@@ -9,6 +9,15 @@
 #include <array>
 #include <optional>
 
+// Smallest field of view, degrees: below it float32 cannot tell pixels apart.
+constexpr double MinFieldOfView = 0.01;
+
+namespace wfv
+{
+// As if no camera had said yet what it ignores: for tests.
+WFV_EXPORT void ForgetWhatIsIgnored();
+}
+
 struct vtkWideFoVCamera::Internals
 {
   wfv::ViewOptions Options;

@@ -40,7 +40,7 @@ void Finish(const stock::Facts& facts, bool wide, std::string& vertex, std::stri
   vtkWideFoVShaderBuilder::Declare(
     fragment, (wide ? "" : std::string(data_perspective_glsl)) + data_fragment_glsl);
   const bool lit = facts.Light != stock::Lit::No && (facts.Normals || !facts.Wireframe);
-  const bool has = stock::Look(fragment, Edit::DataNormal, facts.If(lit)) >= 0;
+  const bool has = stock::Look(fragment, Edit::DataNormal, facts.If(lit)).Number >= 0;
   const std::string normal = has ? "wfvDataNormal(normalVCVSOutput)" : "wfvFlatNormal()";
   // balls and sticks work their surface out; elsewhere it is what is interpolated
   const bool ball = fragment.find("centerVCVSOutput") != std::string::npos;

@@ -48,11 +48,11 @@ void vtkWideFoVHeadlights::Rewrite(const wfv::stock::Facts& facts, std::string& 
   const bool lit = facts.Light != stock::Lit::No;
   const bool alone = facts.Light == stock::Lit::Headlight;
   // what is behind it knows the place; imposters work it out before the light
-  if (stock::Look(fragment, stock::Edit::LightPlace, facts.If(lit)) < 0)
+  const size_t inside = stock::Look(fragment, stock::Edit::LightPlace, facts.If(lit)).At;
+  if (inside == std::string::npos)
   {
     return;
   }
-  const size_t inside = stock::Find(fragment, stock::Edit::LightPlace).At;
   std::string head = fragment.substr(0, inside);
   std::string body = fragment.substr(inside);
   vtkWideFoVShaderBuilder::Declare(head, headlight_fragment_glsl);

@@ -184,7 +184,8 @@ std::string LookForShape(const Request& r, std::string& vertex)
     stock::Look(vertex, Edit::BallRadius, r.Stock.If(true));
     stock::Look(vertex, Edit::StickAxis, r.Stock.If(r.Kind == Primitive::Sticks));
   }
-  if (r.Kind != Primitive::Splats || stock::Look(vertex, Edit::SplatRadius, r.Stock.If(true)) < 1)
+  if (r.Kind != Primitive::Splats ||
+    stock::Look(vertex, Edit::SplatRadius, r.Stock.If(true)).Number < 1)
   {
     return "triangleScale"; // which is in the radius
   }
@@ -203,7 +204,7 @@ std::string Before(const Request& r, std::string& fragment)
     : "0";
   // of tubes and points, where the stock text adds it to a depth of its own
   const bool offset = (IsSegment(r) || r.Kind == Primitive::PointSpheres) &&
-    stock::Look(fragment, Edit::DepthOffset, stock::Found::May) >= 0;
+    stock::Look(fragment, Edit::DepthOffset, stock::Found::May).Number >= 0;
   return "  wfvPrepare(" + side + ");\n  gl_FragDepth = wfvDepth" +
     (offset ? " + cOffset / 65000.0" : "") + ";\n";
 }

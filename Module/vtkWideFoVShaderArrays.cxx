@@ -42,8 +42,7 @@ namespace wfv
 {
 void FlattenArrays(const stock::Facts& facts, std::string& vertex, std::string& fragment)
 {
-  stock::Look(vertex, stock::Edit::OutputArray, facts.If(facts.Clips));
-  stock::Span found = stock::Find(vertex, stock::Edit::OutputArray);
+  stock::Span found = stock::Look(vertex, stock::Edit::OutputArray, facts.If(facts.Clips));
   for (int i = 0; found.Number >= 0; i++)
   {
     const std::string& name = found.Groups[0];

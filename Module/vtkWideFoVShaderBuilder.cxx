@@ -351,9 +351,9 @@ void vtkWideFoVShaderBuilder::WrapMain(
     depth++;
   }
   const std::string name = "wfvStockMain" + std::to_string(depth) + "()";
-  if (stock::Look(source, Edit::MainFunction) >= 0)
+  const stock::Span main = stock::Look(source, Edit::MainFunction);
+  if (main.Number >= 0)
   {
-    const stock::Span main = stock::Find(source, Edit::MainFunction);
     source.replace(main.At, main.Length, "void " + name);
   }
   source += "\nvoid main()\n{\n" + before + "  " + name + ";\n" + after + "}\n";

@@ -214,11 +214,11 @@ void RewriteLights(const Request& r, std::string& fragment)
   const bool lit = r.Stock.Light != stock::Lit::No;
   const bool alone = r.Stock.Light == stock::Lit::Headlight;
   // the first statement of the stock main, whatever main is called by now
-  if (stock::Look(fragment, Edit::LightPlace, r.Stock.If(lit)) < 0)
+  const size_t inside = stock::Look(fragment, Edit::LightPlace, r.Stock.If(lit)).At;
+  if (inside == std::string::npos)
   {
     return;
   }
-  const size_t inside = stock::Find(fragment, Edit::LightPlace).At;
   std::string head = fragment.substr(0, inside);
   std::string body = fragment.substr(inside);
   FoldLights(r.Lights ? *r.Lights : "", head);
@@ -271,8 +271,7 @@ void vtkWideFoVShaderBuilder::Declare(std::string& source, const std::string& te
 {
   // what has any of VTK's tags has this one; what has none begins with the text
   const bool tags = source.find("//VTK::") != std::string::npos;
-  const bool has = wfv::stock::Look(source, wfv::stock::Edit::Declarations,
-                     tags ? wfv::stock::Found::Must : wfv::stock::Found::May) >= 0;
-  const size_t at = has ? wfv::stock::Find(source, wfv::stock::Edit::Declarations).At : 0;
-  source.insert(has ? source.find('\n', at) + 1 : 0, text);
+  const wfv::stock::Found found = tags ? wfv::stock::Found::Must : wfv::stock::Found::May;
+  const size_t at = wfv::stock::Look(source, wfv::stock::Edit::Declarations, found).At;
+  source.insert(at != std::string::npos ? source.find('\n', at) + 1 : 0, text);
 }

@@ -136,7 +136,7 @@ std::string vtkWideFoVTessellation::ControlSource(
 std::string vtkWideFoVTessellation::EvaluationSource(
   const Request& request, const std::string& geometry)
 {
-  std::string declarations = "vec3 wfvWeights; // of the three corners at this place\n";
+  std::string declarations = "vec3 wfvWeights = vec3(0.0); // of the three corners at this place\n";
   std::string body;
   for (const Varying& v : FindInputs(geometry))
   {

@@ -10,7 +10,7 @@
 # SUITE is bookworm (Debian 12), trixie (13) or forky (testing). The root stays in
 # build-roots/SUITE for the next call, with its own builds and pictures in srv/ there; what was
 # downloaded stays in build-roots/cache. The checkout is seen from it and not written to. Nothing
-# stays mounted. This needs root, or sudo.
+# stays mounted. One call at a time works in a suite; another ends at once. This needs root, or sudo.
 #
 # Environment:
 #   WIDEFOV_ELSEWHERE=tests     leaves out Examples/run.sh
@@ -188,6 +188,9 @@ main() {
   exec 9< "$roots"
   flock 9
   [ -d "$roots/$suite" ] || make_root
+  # and up to the end of what this call starts, so that two do not build in one folder
+  exec 8< "$roots/$suite"
+  flock --nonblock 8 || fail "$suite: another call is at work there; wait for its end"
   exec 9<&-
   # places to mount on; those that were made for it and stayed empty go again
   local made=() folder code=0

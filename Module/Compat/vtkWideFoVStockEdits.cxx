@@ -30,93 +30,93 @@ Wording Matching(int since, const char* pattern)
 }
 
 // What was compared for it: VTK 9.1.0, 9.2.6, 9.3.0, 9.4.2, 9.5.2, 9.6.2, 9.7.0 and the master of
-// August 2026, which is 98 here. Where there is one wording, all of them have it.
+// August 2026. Where there is one wording, all of them have it.
 const std::vector<Entry> AllEdits{
   // of any stage
   { Edit::MainFunction, "main function", "every stage that does more than VTK's", Required,
-    { Matching(91, R"(void\s+main\s*\(\s*(void)?\s*\))") } },
+    { Matching(901, R"(void\s+main\s*\(\s*(void)?\s*\))") } },
   { Edit::Declarations, "declarations", "every stage made from VTK's templates", Required,
-    { Literal(91, "//VTK::System::Dec") } },
+    { Literal(901, "//VTK::System::Dec") } },
 
   // of the vertex stage
   { Edit::FromEye, "vertex from the eye", "all but glyphs, which have two matrices", Required,
-    { Matching(91, R"(\bMC[DV]CMatrix\s*\*\s*vertexMC\b)") } },
+    { Matching(901, R"(\bMC[DV]CMatrix\s*\*\s*vertexMC\b)") } },
   { Edit::OutputArray, "array of outputs", "with clipping planes", Required,
-    { Matching(91, R"(\bout\s+float\s+(\w+)\s*\[\s*(\d+)\s*\]\s*;)") } },
+    { Matching(901, R"(\bout\s+float\s+(\w+)\s*\[\s*(\d+)\s*\]\s*;)") } },
   { Edit::BallRadius, "radius of a ball", "sphere and stick mappers", Required,
-    { Literal(91, "out float radiusVCVSOutput;") } },
+    { Literal(901, "out float radiusVCVSOutput;") } },
   { Edit::StickAxis, "axis of a stick", "stick mappers", Required,
-    { Matching(91, R"(out float lengthVCVSOutput;\s*out vec3 orientVCVSOutput;)") } },
+    { Matching(901, R"(out float lengthVCVSOutput;\s*out vec3 orientVCVSOutput;)") } },
   // 9.4 draws ellipses in squares that the vertex stage works out; not those of ellipsoids
   { Edit::SplatRadius, "radius of a splat", "point gaussians", Required,
-    { Literal(91, "radiusVCVSOutput = radiusMC;"),
-      Literal(94, "float radius = scaleFactor * radiusMC;") } },
+    { Literal(901, "radiusVCVSOutput = radiusMC;"),
+      Literal(904, "float radius = scaleFactor * radiusMC;") } },
 
   // of the fragment stage: what it takes in
   { Edit::Input, "input", "where it uses an output of the vertex stage", Required,
-    { Matching(91, R"((flat\s+|smooth\s+|noperspective\s+)?\bin\s+@\s*;)") } },
+    { Matching(901, R"((flat\s+|smooth\s+|noperspective\s+)?\bin\s+@\s*;)") } },
   { Edit::InputArray, "array of inputs", "with clipping planes", Required,
-    { Matching(91, R"(\bin\s+float\s+@\s*\[\s*\d+\s*\]\s*;)") } },
+    { Matching(901, R"(\bin\s+float\s+@\s*\[\s*\d+\s*\]\s*;)") } },
 
   // light
   { Edit::LightPlace, "place that light falls on", "with light", Required,
-    { Literal(91, "vec4 vertexVC = vertexVCVSOutput;"),
-      Literal(98, "vec4 vertexVC = vertexVCGSOutput;") } }, // behind VTK's geometry stages
+    { Literal(901, "vec4 vertexVC = vertexVCVSOutput;"),
+      Literal(Unreleased, "vec4 vertexVC = vertexVCGSOutput;") } }, // behind VTK's geometry stages
   { Edit::HeadlightCosine, "cosine of a headlight", "with one headlight alone, not PBR", Required,
-    { Matching(91, R"(max\((0\.0),normalVCVSOutput\.z\))"),
-      Matching(92, R"(max\((0\.000001), normalVCVSOutput\.z\))") } },
+    { Matching(901, R"(max\((0\.0),normalVCVSOutput\.z\))"),
+      Matching(902, R"(max\((0\.000001), normalVCVSOutput\.z\))") } },
   { Edit::LightDirection, "direction of a light", "with any other light, PBR or not", Required,
-    { Matching(91, R"(\blightDirectionVC(\d+))") } },
+    { Matching(901, R"(\blightDirectionVC(\d+))") } },
   { Edit::LightUniform, "uniform of a light", "for speed: as a constant", Optional,
-    { Literal(91, "uniform vec3 @;") } },
+    { Literal(901, "uniform vec3 @;") } },
   { Edit::MaterialUniform, "uniform of a material", "for speed: as a constant", Optional,
-    { Literal(91, "uniform float @;") } },
+    { Literal(901, "uniform float @;") } },
 
   // normals; up to 9.2 from either derivative of a line, since 9.3 from one vector
   { Edit::FlatNormal, "normal of a flat triangle", "lit triangles without normals", Required,
-    { Literal(91, "normalize(cross(fdx,fdy))") } },
+    { Literal(901, "normalize(cross(fdx,fdy))") } },
   { Edit::LineNormal, "normal of a line", "lit wireframes without normals", Required,
-    { Matching(91, R"(normalize\(cross\(vec3\((fdx|fdy)\.y, -\1\.x, 0\.0\), \1\)\))"),
-      Literal(93, "normalize(cross(vec3(lineVec.y, -lineVec.x, 0.0), lineVec))") } },
+    { Matching(901, R"(normalize\(cross\(vec3\((fdx|fdy)\.y, -\1\.x, 0\.0\), \1\)\))"),
+      Literal(903, "normalize(cross(vec3(lineVec.y, -lineVec.x, 0.0), lineVec))") } },
   // before, VTK asks gl_FrontFacing of lines too
   { Edit::LineFacing, "facing of a line", "lines with normals, of VTKs that look at z", Optional,
-    { Literal(98, "if (normalVCVSOutput.z < 0)") } },
+    { Literal(Unreleased, "if (normalVCVSOutput.z < 0)") } },
 
   // GLSL's own variables, which no VTK can rename: where there is none, nothing is to be edited
   { Edit::FrontFacing, "gl_FrontFacing", "GLSL's own", Optional,
-    { Literal(91, "gl_FrontFacing") } },
+    { Literal(901, "gl_FrontFacing") } },
   { Edit::FragmentDepth, "gl_FragCoord.z", "GLSL's own", Optional,
-    { Literal(91, "gl_FragCoord.z") } },
+    { Literal(901, "gl_FragCoord.z") } },
   { Edit::PointCoordinate, "gl_PointCoord", "GLSL's own", Optional,
-    { Literal(91, "gl_PointCoord") } },
+    { Literal(901, "gl_PointCoord") } },
   { Edit::PrimitiveNumber, "gl_PrimitiveID", "GLSL's own", Optional,
-    { Literal(91, "gl_PrimitiveID") } },
+    { Literal(901, "gl_PrimitiveID") } },
 
   // VTK's places for text
   { Edit::DepthPlace, "place of the depth", "where nothing has set gl_FragDepth", Required,
-    { Literal(91, "//VTK::Depth::Impl") } },
+    { Literal(901, "//VTK::Depth::Impl") } },
   { Edit::NormalDeclaration, "declaration of a normal", "tubes, points as spheres", Required,
-    { Literal(91, "//VTK::Normal::Dec") } },
+    { Literal(901, "//VTK::Normal::Dec") } },
   { Edit::NormalPlace, "place of the normal", "tubes, points as spheres", Required,
-    { Literal(91, "//VTK::Normal::Impl") } },
+    { Literal(901, "//VTK::Normal::Impl") } },
   { Edit::EdgesDeclaration, "declaration of edges", "surfaces with edges; data pass", Required,
-    { Literal(91, "//VTK::Edges::Dec") } },
+    { Literal(901, "//VTK::Edges::Dec") } },
   { Edit::EdgesPlace, "place of edges", "surfaces with edges; data pass", Required,
-    { Literal(91, "//VTK::Edges::Impl") } },
+    { Literal(901, "//VTK::Edges::Impl") } },
   { Edit::ColorsLightPlace, "place of light", "debug view", Required,
-    { Literal(91, "//VTK::Light::Impl") } },
+    { Literal(901, "//VTK::Light::Impl") } },
   { Edit::TextureColorPlace, "place of textures", "debug view", Required,
-    { Literal(91, "//VTK::TCoord::Impl") } },
+    { Literal(901, "//VTK::TCoord::Impl") } },
   { Edit::DataPlace, "place of the data", "data pass", Required,
-    { Literal(91, "//VTK::DepthPeeling::Impl") } },
+    { Literal(901, "//VTK::DepthPeeling::Impl") } },
 
   // what other text of ours follows
   { Edit::ImposterMeeting, "meeting of ray and imposter", "sphere and stick mappers", Required,
-    { { 91, "  vec3 EyePos;", false, "gl_FragDepth = (pos.z / pos.w + 1.0) / 2.0;" } } },
+    { { 901, "  vec3 EyePos;", false, "gl_FragDepth = (pos.z / pos.w + 1.0) / 2.0;" } } },
   { Edit::DataNormal, "normal for the data", "data pass, with light; not wireframes", Required,
-    { Literal(91, "vec3 normalVCVSOutput =") } },
+    { Literal(901, "vec3 normalVCVSOutput =") } },
   { Edit::DepthOffset, "offset of the depth", "where VTK shifts lines and points", Optional,
-    { Literal(91, "uniform float cOffset;") } },
+    { Literal(901, "uniform float cOffset;") } },
 };
 
 std::array<std::atomic<int>, static_cast<std::size_t>(Edit::Count)>& Counts()
@@ -196,7 +196,7 @@ std::string Replacement(const std::string& text, const Span& span, const std::st
   return span.Groups.empty() ? out : Put(out, "$1", span.Groups[0]);
 }
 
-int Count(std::string& text, Edit edit, Found found, int number)
+void Count(std::string& text, Edit edit, Found found, int number)
 {
   if (number >= 0)
   {
@@ -207,7 +207,6 @@ int Count(std::string& text, Edit edit, Found found, int number)
   {
     text += "\n" + MarkOf(edit);
   }
-  return number;
 }
 }
 
@@ -231,9 +230,11 @@ Span Find(const std::string& text, Edit edit, const std::string& name)
   return Span();
 }
 
-int Look(std::string& text, Edit edit, Found found, const std::string& name)
+Span Look(std::string& text, Edit edit, Found found, const std::string& name)
 {
-  return Count(text, edit, found, Find(text, edit, name).Number);
+  Span span = Find(text, edit, name);
+  Count(text, edit, found, span.Number);
+  return span;
 }
 
 int Replace(
@@ -247,7 +248,8 @@ int Replace(
     text.replace(span.At, span.Length, put);
     span = FindWording(text, EntryOf(edit).Wordings[number], name, span.At + put.size());
   }
-  return Count(text, edit, found, number);
+  Count(text, edit, found, number);
+  return number;
 }
 
 std::vector<Edit> Missing(const std::string& text)

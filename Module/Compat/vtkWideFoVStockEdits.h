@@ -61,10 +61,13 @@ enum class Edit
   Count
 };
 
+// What the master of August 2026 has, and not 9.7.
+constexpr int Unreleased = 99999;
+
 // One way in which VTK writes it.
 struct Wording
 {
-  int Since;        // the first VTK that has it, 91 for 9.1
+  int Since;        // the first VTK that has it, 901 for 9.1; or Unreleased
   const char* Text; // "@" stands for the name that the edit is called with
   bool Pattern;     // a regular expression
   const char* Last; // or all up to the end of this, which follows; null: Text alone
@@ -117,12 +120,7 @@ struct Facts
 WFV_EXPORT int Replace(std::string& text, Edit edit, const std::string& by,
   Found found = Found::Must, const std::string& name = "");
 
-// Where the edit's text is, without a change: the number of the wording, or -1. Marks as Replace
-// does.
-WFV_EXPORT int Look(
-  std::string& text, Edit edit, Found found = Found::Must, const std::string& name = "");
-
-// The first that is found.
+// The first text of an edit that is found.
 struct Span
 {
   int Number = -1; // of the wording; -1: none
@@ -131,6 +129,10 @@ struct Span
   std::vector<std::string> Groups; // of a pattern
 };
 WFV_EXPORT Span Find(const std::string& text, Edit edit, const std::string& name = "");
+
+// The same, and marks the text as Replace does.
+WFV_EXPORT Span Look(
+  std::string& text, Edit edit, Found found = Found::Must, const std::string& name = "");
 
 // The edits whose marks are in a text.
 WFV_EXPORT std::vector<Edit> Missing(const std::string& text);

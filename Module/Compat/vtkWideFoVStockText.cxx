@@ -84,7 +84,9 @@ bool IsNews(Edit edit)
 
 std::string Version(int number)
 {
-  return std::to_string(number / 10) + "." + std::to_string(number % 10);
+  return number == Unreleased
+    ? "VTK after 9.7"
+    : "VTK " + std::to_string(number / 100) + "." + std::to_string(number % 100);
 }
 
 std::string Sentence(Edit edit)
@@ -95,7 +97,7 @@ std::string Sentence(Edit edit)
         << entry.Name << "\" (" << entry.Where << "), which looks for";
   for (const Wording& wording : entry.Wordings)
   {
-    words << (&wording == &entry.Wordings.front() ? " " : " or ") << wording.Text << " (VTK "
+    words << (&wording == &entry.Wordings.front() ? " " : " or ") << wording.Text << " ("
           << Version(wording.Since) << ")";
   }
   return words.str();

@@ -5,6 +5,7 @@
 #include "vtkVersion.h"
 
 #include <cstdlib>
+#include <mutex>
 #include <utility>
 
 namespace
@@ -17,17 +18,6 @@ std::pair<int, int> Release(const std::string& version)
   const long minor = *end == '.' ? std::strtol(end + 1, nullptr, 10) : 0;
   return { static_cast<int>(major), static_cast<int>(minor) };
 }
-
-bool Warn()
-{
-  const std::string remark =
-    wfv::RemarkOnVtk(vtkVersion::GetVTKVersion(), VTK_VERSION, WIDEFOV_NEWEST_VTK);
-  if (!remark.empty())
-  {
-    vtkGenericWarningMacro(<< remark);
-  }
-  return true;
-}
 }
 
 namespace wfv
@@ -37,8 +27,8 @@ std::string RemarkOnVtk(
 {
   if (Release(running) != Release(compiled))
   {
-    return "VTK " + running + " draws, but the module was compiled against VTK " + compiled +
-      "; two VTKs are loaded, and what comes of it is not defined";
+    return "the module was compiled against VTK " + compiled + ", but VTK " + running +
+      " draws: two VTKs are loaded, and the program may crash or draw wrong pictures";
   }
   if (Release(running) > Release(newest))
   {
@@ -48,9 +38,18 @@ std::string RemarkOnVtk(
   return "";
 }
 
+void WarnWith(const std::string& remark)
+{
+  if (!remark.empty())
+  {
+    vtkGenericWarningMacro(<< remark);
+  }
+}
+
 void WarnOfVtk()
 {
-  static const bool said = Warn();
-  (void)said;
+  static std::once_flag said;
+  std::call_once(said,
+    [] { WarnWith(RemarkOnVtk(vtkVersion::GetVTKVersion(), VTK_VERSION, WIDEFOV_NEWEST_VTK)); });
 }
 }

@@ -15,6 +15,9 @@ namespace wfv
 WFV_EXPORT std::string RemarkOnVtk(
   const std::string& running, const std::string& compiled, const std::string& newest);
 
+// Warns of a remark that is not empty.
+WFV_EXPORT void WarnWith(const std::string& remark);
+
 // Says it of this VTK, once.
 void WarnOfVtk();
 }

@@ -19,7 +19,7 @@ const float WFV_FACE_STEEP = 2.0;
 #endif
 
 vec3 wfvPolygon[WFV_FACE_CORNERS];
-int wfvPolygonSize;
+int wfvPolygonSize = 0;
 
 // Which side of a pyramid's plane number k (right, left, above, below) q is on; positive:
 // inside. q in the frame of the face.

@@ -31,7 +31,7 @@ flat in vec2 wfvMeets;
 flat in vec3 wfvSpan0;
 flat in vec3 wfvSpan1;
 flat in vec3 wfvSpan2;
-float wfvTurn; // of the ray asked for last: -1 where it sees the other side than the origin
+float wfvTurn = 0.0; // of the ray asked for last: -1 where it sees the other side than the origin
 float wfvFacing = 1.0; // that of the pixel's centre
 #else
 const float wfvFacing = 1.0;
@@ -49,14 +49,14 @@ flat in int wfvMode;
 flat in vec3 wfvWiden; // preclip_emit.glsl
 #endif
 
-vec3 wfvB;       // barycentric coordinates here
-float wfvRho;    // distance from the eye here, in the stage's own units
-float wfvDepth;  // window depth here, 0 to 1
-bool wfvHide;    // not covered: discarded once the stock shader has run
-bool wfvFront;   // seen from its front
+vec3 wfvB = vec3(0.0); // barycentric coordinates here
+float wfvRho = 0.0; // distance from the eye here, in the stage's own units
+float wfvDepth = 0.0; // window depth here, 0 to 1
+bool wfvHide = false; // not covered: discarded once the stock shader has run
+bool wfvFront = false; // seen from its front
 
 #if WFV_EDGES
-vec3 wfvEdgePixels; // distance in pixels to the edge opposite to corner 0, 1, 2
+vec3 wfvEdgePixels = vec3(0.0); // distance in pixels to the edge opposite to corner 0, 1, 2
 vec3 wfvEdgeDistances(); // edge_distance.glsl
 #endif
 
@@ -197,7 +197,7 @@ float wfvMeet(vec3 direction, float approach)
 // The same, from the known direction on: of a surface seen nearly edge-on the terms of a product
 // with the whole direction would cancel, and what they are rounded by would decide its distance.
 #if WFV_DOUBLES
-double wfvOfPlane; // the edges' planes add up to the triangle's
+double wfvOfPlane = 0.0lf; // the edges' planes add up to the triangle's
 
 float wfvApproach(vec3 direction)
 {
@@ -229,8 +229,8 @@ float wfvMeet(vec3 direction, float approach)
 
 #if WFV_EXACT
 // The point itself and the direction from the eye to it, view coordinates.
-vec3 wfvSurface;
-vec3 wfvSight;
+vec3 wfvSurface = vec3(0.0);
+vec3 wfvSight = vec3(0.0);
 #define WFV_FROM_EYE wfvSight
 
 void wfvSetSurface(vec3 direction)
@@ -257,7 +257,7 @@ const float WFV_BEHIND = 2.0 / 16777216.0;
 #if WFV_EXACT
 const bool wfvByChord = false;
 #else
-bool wfvByChord; // drawn with chords: a chord decides which pixels are covered
+bool wfvByChord = false; // drawn with chords: a chord decides which pixels are covered
 #endif
 
 #if WFV_OWN_RAYS
@@ -289,7 +289,7 @@ vec3 wfvWidened(vec3 e, vec3 x, vec3 y)
 // By which ray the fragment has its depth and its attributes: the centre's, or that of a sample
 // where the centre is not covered. A face seen nearly edge-on, continued to there, would come out
 // before the one that hides it.
-vec3 wfvShown;
+vec3 wfvShown = vec3(0.0);
 
 // Coverage by the ray of each sample, or by that of the pixel's centre where all samples
 // agree with it. e: the edge functions there; x, y: how they change from pixel to pixel.

@@ -17,7 +17,7 @@ const float WFV_COLUMN_SNAP = 1.0 / 64.0;
 // Radians: a column widened by more on both sides is no longer less than half a turn wide.
 const float WFV_WIDEST_TURN = 0.9;
 
-float wfvTurnPad; // radians of azimuth that the bounds are widened by
+float wfvTurnPad = 0.0; // radians of azimuth that the bounds are widened by
 #endif
 
 // Range of the tangent of the latitude that one edge leaves the triangle between two
@@ -40,7 +40,7 @@ vec2 wfvEdgeRange(vec3 n, vec2 lambda)
 }
 
 #if WFV_OWN_RAYS
-vec2 wfvLatitudes; // of all of the triangle, seen from the circle
+vec2 wfvLatitudes = vec2(0.0); // of all of the triangle, seen from the circle
 #endif
 
 // NDC of the lowest and the highest latitude of the triangle between two longitudes, or as near to

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Depth of what the pre-clip does not cover (points, lines, props without a geometry
 // stage), where the mapping is not what the rasterizer interpolates.
-float wfvDepth; // window depth here, 0 to 1
-float wfvRho;   // distance from the eye here, in the stage's own units
+float wfvDepth = 0.0; // window depth here, 0 to 1
+float wfvRho = 0.0; // distance from the eye here, in the stage's own units
 
 // Of the distance: by so much at the most a face seen from behind is put back, more than the rasterizer errs
 // when it interpolates places. Beside an outline a front and a back may meet in one pixel at one

@@ -4,7 +4,7 @@ uniform int wfvHeadlights; // one bit a light; made a constant where the shader 
 #ifndef WFV_FROM_EYE
 #define WFV_FROM_EYE normalize(vertexVC.xyz)
 #endif
-vec3 wfvFromEye;           // unit vector from the eye to this fragment, view coordinates
+vec3 wfvFromEye = vec3(0.0); // unit vector from the eye to this fragment, view coordinates
 
 vec3 wfvLightDirection(int light, vec3 direction)
 {

@@ -9,16 +9,16 @@
 
 uniform float wfvLineWidth; // pixels
 
-vec3 wfvArcTop;
-vec3 wfvArcSide;
-vec4 wfvArcEnds;   // angles of the two ends, a0 <= a1, and their distances from the eye
-vec2 wfvArcRange;  // of these angles, those that the map shows
-float wfvArcDelta; // scale of the angles at which the image bends, radians
-float wfvArcCut;   // angle at which the image jumps, or WFV_NO_CUT
+vec3 wfvArcTop = vec3(0.0);
+vec3 wfvArcSide = vec3(0.0);
+vec4 wfvArcEnds = vec4(0.0); // angles of the two ends, a0 <= a1, and their distances from the eye
+vec2 wfvArcRange = vec2(0.0); // of these angles, those that the map shows
+float wfvArcDelta = 0.0; // scale of the angles at which the image bends, radians
+float wfvArcCut = 0.0; // angle at which the image jumps, or WFV_NO_CUT
 #if WFV_FACES
-int wfvArcFace;    // the face of the cube whose map this is
+int wfvArcFace = 0; // the face of the cube whose map this is
 #endif
-bool wfvArcJump;   // it jumps because the arc runs through a pole: azimuths stay constant
+bool wfvArcJump = false; // it jumps because the arc runs through a pole: azimuths stay constant
 
 const float WFV_NO_CUT = 1e9;
 

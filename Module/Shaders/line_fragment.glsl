@@ -24,10 +24,10 @@ flat in int wfvLineMode;
 flat in vec2 wfvLineRange;
 #endif
 
-int wfvLineKind;  // of wfvLineMode, the mode alone
-float wfvAlong;   // parameter of the nearest point, from the first end to the second
-float wfvDepth;   // window depth there, 0 to 1
-bool wfvHide;     // not covered: discarded once the stock shader has run
+int wfvLineKind = 0; // of wfvLineMode, the mode alone
+float wfvAlong = 0.0; // parameter of the nearest point, from the first end to the second
+float wfvDepth = 0.0; // window depth there, 0 to 1
+bool wfvHide = false; // not covered: discarded once the stock shader has run
 const bool wfvFront = true; // as lines are
 
 void wfvInterpolate(); // generated: sets the stock shader's inputs from wfvAlong
@@ -45,9 +45,9 @@ const vec2 WFV_LINE_TIE = vec2(0.007, 0.011);
 const float WFV_LINE_SAMPLE = 0.8;
 
 // The nearest point found so far.
-float wfvBestAngle;
-float wfvBestDistance;
-vec2 wfvBestOffset; // from it, pixels
+float wfvBestAngle = 0.0;
+float wfvBestDistance = 0.0;
+vec2 wfvBestOffset = vec2(0.0); // from it, pixels
 
 // Parameter, 0 to 1, of the point of a chord nearest to p, both from its first end.
 float wfvOnChord(vec2 p, vec2 chord)

@@ -11,7 +11,7 @@ const float WFV_LEVEL = 0.9999;
 // Radians: latitudes of such arcs, rounded up; sqrt(2 (1 - WFV_LEVEL)).
 const float WFV_LEVEL_REACH = 0.015;
 
-bool wfvLevel; // the arc keeps to its latitude
+bool wfvLevel = false; // the arc keeps to its latitude
 
 // Angle at which the arc crosses a seam that is not straight, or WFV_NO_CUT.
 float wfvSeamAngle()

@@ -46,9 +46,9 @@ const float WFV_LINE_ANGLE_PAD = 2e-6;
 // Cosine of the longest arc that is judged by three points between its ends: 60 degrees.
 const float WFV_LINE_LONG = 0.5;
 
-vec4 wfvMapOut;
-int wfvModeOut;
-int wfvQuadsLeft;
+vec4 wfvMapOut = vec4(0.0);
+int wfvModeOut = 0;
+int wfvQuadsLeft = 0;
 
 // A rectangle in pixels of the tile, wound to be seen from its front.
 void wfvEmitPixels(vec2 corner, vec2 right, vec2 up)

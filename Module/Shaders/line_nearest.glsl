@@ -13,12 +13,12 @@ struct WfvStart
 };
 
 WfvStart wfvStarts[2];
-int wfvStartCount;
+int wfvStartCount = 0;
 
 // Radians by which the part in front of a jump ends before it: a nearest point at the jump
 // then belongs to one part, whose shape is on the right side.
 const float WFV_CUT_GAP = 1e-6;
-float wfvBeforeCut;
+float wfvBeforeCut = 0.0;
 
 // Newton's steps: from a chord, and from the centre of the pixel to a sample of it.
 #if WFV_FLAT_RIM

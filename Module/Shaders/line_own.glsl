@@ -9,17 +9,17 @@
 // this point but about that of the line from the circle, so that also a line towards the origin
 // has angles, which grow as those under which the eye sees it do. Lengths are in the stage's unit.
 
-float wfvArcFoot;     // radians
-float wfvArcDistance; // above 0
-vec2 wfvArcGap;       // the angles between which no ray sees the line, or WFV_NO_CUT twice
-vec2 wfvArcInner;     // the same, or farther apart where the map does not show what is beside them
+float wfvArcFoot = 0.0; // radians
+float wfvArcDistance = 0.0; // above 0
+vec2 wfvArcGap = vec2(0.0); // the angles between which no ray sees the line, or WFV_NO_CUT twice
+vec2 wfvArcInner = vec2(0.0); // the same, or farther apart where the map does not show what is beside them
 
 // Beyond this cosine of its angle from the foot a line goes on no farther.
 const float WFV_OWN_END = 1e-9;
 
 // Two angles, on either side of 0, near which the image bends most, where top alone is not enough.
-vec2 wfvArcTops;
-bool wfvTwoTops;
+vec2 wfvArcTops = vec2(0.0);
+bool wfvTwoTops = false;
 
 bool wfvHasGap()
 {
@@ -27,7 +27,7 @@ bool wfvHasGap()
 }
 
 // Where the knots begin and end, in the turns of wfvFromTop; of two tops those of the second too.
-vec4 wfvOwnKnots;
+vec4 wfvOwnKnots = vec4(0.0);
 
 vec3 wfvOwnAhead(float a)
 {
@@ -37,10 +37,10 @@ vec3 wfvOwnAhead(float a)
 // Of the line: its point at the top or, where that is very far, its foot; its direction; and what
 // makes the squared level way to the circle of the way s from there: x + s (y + s z). Beside a gap
 // that is z times the product of the ways from its ends, for the azimuth turns as the root of them.
-vec3 wfvOwnBegin;
-vec3 wfvOwnAlong;
-vec3 wfvOwnWay;
-float wfvOwnScale; // one over the cosine of the angle between the two; 0: the foot
+vec3 wfvOwnBegin = vec3(0.0);
+vec3 wfvOwnAlong = vec3(0.0);
+vec3 wfvOwnWay = vec3(0.0);
+float wfvOwnScale = 0.0; // one over the cosine of the angle between the two; 0: the foot
 
 // The least such cosine of which float32 leaves enough.
 const float WFV_OWN_FAR = 0.01;

@@ -4,8 +4,8 @@
 
 flat in vec4 wfvLineFoot;
 
-vec3 wfvLineSight;      // unit vector from the eye, view coordinates
-float wfvLineSightFar;  // how far along, scene units
+vec3 wfvLineSight = vec3(0.0); // unit vector from the eye, view coordinates
+float wfvLineSightFar = 0.0; // how far along, scene units
 #define WFV_FROM_EYE wfvLineSight
 #define WFV_DISTANCE wfvLineSightFar
 

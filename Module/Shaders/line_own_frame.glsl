@@ -32,10 +32,10 @@ const float WFV_OWN_NONE = 1e-3;
 const int WFV_OWN_PARTS = 8;
 const float WFV_OWN_BETWEEN = 0.25;
 
-bool wfvLevel;     // see line_frame.glsl: false, for angles are looked at all along
-bool wfvOwnAxial;  // the axis of the circle is near
-bool wfvOwnMapped; // the axis of the map counts
-bool wfvOwnWindow; // nothing less than the window surely holds it
+bool wfvLevel = false; // see line_frame.glsl: false, for angles are looked at all along
+bool wfvOwnAxial = false; // the axis of the circle is near
+bool wfvOwnMapped = false; // the axis of the map counts
+bool wfvOwnWindow = false; // nothing less than the window surely holds it
 
 float wfvOwnRadius()
 {

@@ -2,7 +2,7 @@
 // Fragment side of lines on direction maps, technique exact: the point of an arc that is nearest in
 // the pixel's own map (own_map.glsl), in which arcs are straight.
 
-vec2 wfvOwnPlace; // the pixel's centre, pixels of the tile from its centre
+vec2 wfvOwnPlace = vec2(0.0); // the pixel's centre, pixels of the tile from its centre
 
 // Takes the place at the angle a for the nearest one if it is.
 void wfvTryEnd(float a, vec3 d)

@@ -28,7 +28,7 @@ flat in vec3 wfvEach;
 flat in vec3 wfvRises;
 
 #if WFV_DOUBLES
-double wfvFineDepth; // linear window depth here, not rounded; nothing yields
+double wfvFineDepth = 0.0lf; // linear window depth here, not rounded; nothing yields
 #endif
 
 // Sets the depth that tells what hides what: the pixel's own, but by the nearest edge that of a hair

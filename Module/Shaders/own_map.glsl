@@ -3,7 +3,7 @@
 // evenly. What is drawn by it is whole on both sides of whatever tears a map.
 
 WfvAround wfvOwn;   // slopes per pixel of the picture
-float wfvOwnVolume; // of the direction and its slopes
+float wfvOwnVolume = 0.0; // of the direction and its slopes
 
 void wfvTakeOwnMap()
 {

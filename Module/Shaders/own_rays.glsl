@@ -11,7 +11,7 @@ const float WFV_OWN_NEAR = 16.0;
 // Cosine of the angle that an edge with a chord is seen under at the most.
 const float WFV_OWN_SHORT = 0.5;
 
-float wfvGrow; // radians; half a turn where the triangle is as near as the circle
+float wfvGrow = 0.0; // radians; half a turn where the triangle is as near as the circle
 
 // Radius of the circle in the stage's own units, the largest of all rays.
 float wfvOwnRadius()

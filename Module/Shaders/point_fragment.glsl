@@ -3,7 +3,7 @@
 flat in float wfvPointDepth;
 in vec2 wfvPointCoord;
 
-float wfvDepth;             // window depth, 0 to 1
+float wfvDepth = 0.0; // window depth, 0 to 1
 const bool wfvHide = false; // the square is all there is to see
 const bool wfvFront = true; // as points are
 

@@ -4,9 +4,9 @@
 flat in vec3 wfvPointAt;
 flat in float wfvPointDepth;
 
-float wfvDepth;             // window depth, 0 to 1
-bool wfvHide;               // not covered: discarded once the stock shader has run
-vec2 wfvPointCoord;         // what gl_PointCoord is for OpenGL's own points
+float wfvDepth = 0.0; // window depth, 0 to 1
+bool wfvHide = false; // not covered: discarded once the stock shader has run
+vec2 wfvPointCoord = vec2(0.0); // what gl_PointCoord is for OpenGL's own points
 const bool wfvFront = true; // as points are
 
 void wfvInterpolate(); // generated: sets the stock shader's inputs

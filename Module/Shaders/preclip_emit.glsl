@@ -62,9 +62,9 @@ flat out vec3 wfvSlack; // pixels between edge i and its chord, at the most; < 0
 flat out vec3 wfvWiden; // pixels by which it is widened
 flat out vec4 wfvCorners01;
 flat out vec2 wfvCorner2;
-vec3 wfvSlackHere;
-vec3 wfvWidenHere;
-vec2 wfvChordEnds[3];
+vec3 wfvSlackHere = vec3(-1.0);
+vec3 wfvWidenHere = vec3(0.0);
+vec2 wfvChordEnds[3] = vec2[3](vec2(0.0), vec2(0.0), vec2(0.0));
 #define WFV_LENS wfvTolerance
 #else
 #define WFV_LENS 0.0
@@ -79,32 +79,32 @@ const float WFV_ANGLE_PAD = 2e-6;
 // Relative slack with which a triangle counts as holding a pole.
 const float WFV_POLE_SLACK = 1e-5;
 
-vec3 wfvP[3];
-int wfvVertexMode;
-vec3 wfvN[3];
+vec3 wfvP[3] = vec3[3](vec3(0.0), vec3(0.0), vec3(0.0));
+int wfvVertexMode = 0;
+vec3 wfvN[3] = vec3[3](vec3(0.0), vec3(0.0), vec3(0.0));
 WFV_EDGE wfvE[3]; // the same, for the fragment stage
-vec4 wfvT; // the plane, and dot(xyz, p) of its points: below 0 where seen from its front
-vec3 wfvA;
+vec4 wfvT = vec4(0.0); // the plane, and dot(xyz, p) of its points: below 0 where seen from its front
+vec3 wfvA = vec3(0.0);
 #if WFV_DOUBLES
-double wfvM; // as wfvOfPoints
+double wfvM = 0.0lf; // as wfvOfPoints
 #else
-vec3 wfvD; // as wfvToward, wfvMeets
-vec2 wfvM;
+vec3 wfvD = vec3(0.0); // as wfvToward, wfvMeets
+vec2 wfvM = vec2(0.0);
 #endif
-vec3 wfvS;
+vec3 wfvS = vec3(0.0);
 vec3 wfvSpans[3]; // as wfvSpan0, ..
 vec2 wfvC[3]; // corners in the picture
-vec4 wfvSeamPlaces;
-float wfvReach; // pixels: how far the edges surely stay from their chords
-bool wfvBent;   // an edge bends by more than the tolerance
+vec4 wfvSeamPlaces = vec4(0.0);
+float wfvReach = 0.0; // pixels: how far the edges surely stay from their chords
+bool wfvBent = false; // an edge bends by more than the tolerance
 int wfvEmitted = 0;
 
 #if WFV_EXACT
 // order_fragment.glsl
 flat out vec3 wfvEach;
 flat out vec3 wfvRises;
-vec3 wfvEachHere;
-vec3 wfvRisesHere;
+vec3 wfvEachHere = vec3(0.0);
+vec3 wfvRisesHere = vec3(0.0);
 #endif
 
 void wfvWriteRises()
@@ -117,7 +117,7 @@ void wfvWriteRises()
 
 #if WFV_WARPED
 flat out vec2 wfvDepths; // warped_fragment.glsl
-vec2 wfvDepthsHere; // NDC depths at which the triangle may be
+vec2 wfvDepthsHere = vec2(0.0); // NDC depths at which the triangle may be
 #endif
 
 void wfvWritePlane()
@@ -170,7 +170,7 @@ void wfvWriteFlat()
 #if WFV_RUNS > 1
 // Of a triangle that is covered by columns (wfvEmitColumns) each run of the stage draws some; all of others
 // is drawn by the first.
-bool wfvMute;
+bool wfvMute = false;
 #else
 const bool wfvMute = false;
 #endif

@@ -13,7 +13,7 @@ layout(line_strip, max_vertices = 36) out;
 const int WFV_MAX_PIECES = 8;
 #endif
 
-vec3 wfvP[2];
+vec3 wfvP[2] = vec3[2](vec3(0.0), vec3(0.0));
 
 vec3 wfvAxis(vec3 p) // of the family, on the side of p
 {

@@ -10,9 +10,9 @@ flat out vec4 wfvBall;  // centre and radius; tubes: those of the first end
 flat out vec4 wfvOther; // tubes: the second end; sticks: axis and half length
 flat out vec2 wfvShare; // the part of the length, of 0 to 1, that this rectangle draws
 
-vec4 wfvBallHere;
-vec4 wfvOtherHere;
-vec2 wfvShareHere;
+vec4 wfvBallHere = vec4(0.0);
+vec4 wfvOtherHere = vec4(0.0);
+vec2 wfvShareHere = vec2(0.0);
 
 // Pixels added round a covering shape, for the rounding of its own bounds.
 const float WFV_PAD = 1.5;

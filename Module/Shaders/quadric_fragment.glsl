@@ -7,19 +7,19 @@ flat in vec4 wfvBall;
 flat in vec4 wfvOther;
 flat in vec2 wfvShare;
 
-float wfvDepth;   // window depth here, 0 to 1
-bool wfvHide;     // not covered: discarded once the stock shader has run
-bool wfvFront;    // seen from outside
-vec3 wfvNormal;   // towards the eye, view coordinates
-vec3 wfvSurface;  // the point itself, view coordinates
-float wfvAlong;   // where on the length, 0 to 1
+float wfvDepth = 0.0; // window depth here, 0 to 1
+bool wfvHide = false; // not covered: discarded once the stock shader has run
+bool wfvFront = false; // seen from outside
+vec3 wfvNormal = vec3(0.0); // towards the eye, view coordinates
+vec3 wfvSurface = vec3(0.0); // the point itself, view coordinates
+float wfvAlong = 0.0; // where on the length, 0 to 1
 
 #if WFV_OWN_BODIES
 // Each ray begins at a place of its own, and sees the body from there.
-vec4 wfvBallSeen;
-vec4 wfvOtherSeen;
-vec3 wfvSight;      // of the ray that is shown, view coordinates
-float wfvDistanceSeen;
+vec4 wfvBallSeen = vec4(0.0);
+vec4 wfvOtherSeen = vec4(0.0);
+vec3 wfvSight = vec3(0.0); // of the ray that is shown, view coordinates
+float wfvDistanceSeen = 0.0;
 #define WFV_FROM_EYE wfvSight
 #define WFV_DISTANCE wfvDistanceSeen
 

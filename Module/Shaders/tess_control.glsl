@@ -8,7 +8,10 @@
 // edge passes a pole or the antipode, long ones where the map is nearly flat.
 
 // The program says before this that there are three corners: layout(vertices = 3) out.
-patch out vec4 wfvSteps[6]; // of edge i (opposite to corner i): two vectors, see wfvMeasure
+// Of the edge opposite to each corner; see wfvMeasure. Outputs of a corner, not an array of the patch:
+// of that, written by constant indices, Mesa 25.0 takes all elements for copies of the first edge's.
+out vec4 wfvFirstSteps[];
+out vec4 wfvLastSteps[];
 out float wfvMost[]; // pieces that an edge, or the line beside it, asks for
 
 const int WFV_INTERVALS = 8;
@@ -128,28 +131,21 @@ float wfvLevel(float pieces)
   return clamp(ceil(pieces), 1.0, wfvMaxLevel);
 }
 
-// One edge's answers, by constant indices: where each invocation writes an element of its
+// One edge's answer, by constant indices: where each invocation writes an element of its
 // own, llvmpipe 22.3 writes them all to one.
-void wfvAnswer(float pieces, vec4 first, vec4 second)
+void wfvAnswer(float level)
 {
-  float level = wfvLevel(pieces);
   if (gl_InvocationID == 0)
   {
     gl_TessLevelOuter[0] = level;
-    wfvSteps[0] = first;
-    wfvSteps[1] = second;
   }
   else if (gl_InvocationID == 1)
   {
     gl_TessLevelOuter[1] = level;
-    wfvSteps[2] = first;
-    wfvSteps[3] = second;
   }
   else
   {
     gl_TessLevelOuter[2] = level;
-    wfvSteps[4] = first;
-    wfvSteps[5] = second;
   }
 }
 
@@ -165,8 +161,9 @@ void main()
   }
   float steps[WFV_INTERVALS];
   float pieces = wfvMeasure(p[1], p[2], steps);
-  wfvAnswer(pieces, vec4(steps[0], steps[1], steps[2], steps[3]),
-    vec4(steps[4], steps[5], steps[6], steps[7]));
+  wfvAnswer(wfvLevel(pieces));
+  wfvFirstSteps[gl_InvocationID] = vec4(steps[0], steps[1], steps[2], steps[3]);
+  wfvLastSteps[gl_InvocationID] = vec4(steps[4], steps[5], steps[6], steps[7]);
   // the line halfway between this edge and the corner opposite to it
   vec3 corner = normalize(p[0]);
   float middle = 2.0 * wfvMeasure(normalize(p[1]) + corner, normalize(p[2]) + corner, steps);

@@ -9,12 +9,13 @@
 
 layout(triangles, equal_spacing, ccw) in;
 
-patch in vec4 wfvSteps[6];
+in vec4 wfvFirstSteps[]; // of the edge opposite to each corner
+in vec4 wfvLastSteps[];
 
 const int WFV_INTERVALS = 8;
 
-vec3 wfvP[3];
-vec3 wfvLengths;
+vec3 wfvP[3] = vec3[3](vec3(0.0), vec3(0.0), vec3(0.0));
+vec3 wfvLengths = vec3(0.0);
 
 // Where on the chord, 0 to 1, a place at the share s of the pieces of an edge lies.
 float wfvSpread(int edge, float s)
@@ -22,7 +23,7 @@ float wfvSpread(int edge, float s)
   float before = 0.0;
   for (int k = 0; k < WFV_INTERVALS; k++)
   {
-    float here = wfvSteps[2 * edge + k / 4][k % 4];
+    float here = k < 4 ? wfvFirstSteps[edge][k] : wfvLastSteps[edge][k - 4];
     if (s <= here || k == WFV_INTERVALS - 1)
     {
       float part = here > before ? clamp((s - before) / (here - before), 0.0, 1.0) : 1.0;

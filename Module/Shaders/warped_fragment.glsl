@@ -22,7 +22,7 @@ WfvRay wfvRayOfDepth(vec2 place, float depth)
 }
 
 // The depths of the curve that may meet the triangle, from t = 0 to 1.
-vec2 wfvSpan;
+vec2 wfvSpan = vec2(0.0);
 
 #if WFV_ROUND
 // A round map may turn without bound at its rim, where the span ends: steps in t are short at

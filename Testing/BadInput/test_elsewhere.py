@@ -9,6 +9,7 @@ Stand-ins for the programs of the system take the place of a network, of being r
 right to mount, so that nothing is downloaded and nothing made.
 """
 
+import fcntl
 import os
 import shutil
 import subprocess
@@ -103,6 +104,21 @@ class Elsewhere(unittest.TestCase):
             done = scripts.run("Testing/elsewhere.sh", "trixie")
             self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done)
             self.assertIn("FAILED while mounting (a container", done.stderr)
+
+    def test_two_at_once(self):
+        flock = {"flock": 'exec %s "$@"' % shutil.which("flock")}
+        with tempfile.TemporaryDirectory(prefix="elsewhere-") as folder:
+            scripts = Scripts(folder, {**ROOT, **flock, "mount": "exit 32"})
+            root = os.path.join(scripts.top, "build-roots/trixie")
+            os.makedirs(root)
+            first = os.open(root, os.O_RDONLY)
+            fcntl.flock(first, fcntl.LOCK_EX)
+            for arguments in (["trixie"], ["--prepare", "trixie"], ["--in", "trixie", "true"]):
+                done = scripts.run("Testing/elsewhere.sh", *arguments)
+                self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done)
+                self.assertIn("trixie: another call is at work there", done.stderr)
+            os.close(first)
+            self.assertIn("while mounting", scripts.run("Testing/elsewhere.sh", "trixie").stderr)
 
     def test_no_network(self):
         stand_ins = {**ROOT, "debootstrap": NO_NETWORK}

@@ -7,6 +7,7 @@
 #include "vtkTestErrorObserver.h"
 #include "vtkTransform.h"
 #include "vtkWideFoVCamera.h"
+#include "vtkWideFoVCameraInternals.h"
 #include "vtkWideFoVScreenCamera.h"
 #include "vtkWindowToImageFilter.h"
 
@@ -37,6 +38,17 @@ struct Overheard
 {
   Overheard() { vtkOutputWindow::SetInstance(this->Window); }
   ~Overheard() { vtkOutputWindow::SetInstance(this->Before); }
+
+  int Count(const std::string& part) const
+  {
+    const std::string all = this->Window->GetOutput();
+    int n = 0;
+    for (size_t at = all.find(part); at != std::string::npos; at = all.find(part, at + 1))
+    {
+      n++;
+    }
+    return n;
+  }
 
   vtkSmartPointer<vtkOutputWindow> Before = vtkOutputWindow::GetInstance();
   vtkNew<vtkStringOutputWindow> Window;
@@ -244,6 +256,29 @@ TEST(Camera, ViewAngleAndZoomChangeBothFields)
   EXPECT_EQ(c.Object->GetHorizontalFieldOfView(), 360);
 }
 
+// Both fields at their limits are one mistake.
+TEST(Camera, ZoomAtItsLimitsWarnsOnce)
+{
+  for (const char* projection : { "equirectangular", "azimuthal-equidistant", "perspective" })
+  {
+    for (const double factor : { 0.001, 1e9 })
+    {
+      vtkNew<vtkWideFoVCamera> camera;
+      camera->SetProjection(projection);
+      const Overheard said;
+      camera->Zoom(factor);
+      EXPECT_EQ(said.Count("is outside"), 1)
+        << projection << " " << factor << ": " << said.Window->GetOutput();
+    }
+  }
+  vtkNew<vtkWideFoVCamera> high; // of which the vertical field alone is at its limit
+  high->SetHorizontalFieldOfView(90);
+  const Overheard said;
+  high->Zoom(0.5);
+  EXPECT_EQ(said.Count("Vertical field of view 360 is outside"), 1) << said.Window->GetOutput();
+  EXPECT_EQ(high->GetHorizontalFieldOfView(), 180);
+}
+
 // What places a camera by vtkCamera's angle places a wide one where it places an ordinary one.
 TEST(Camera, IsResetAsAnOrdinaryOne)
 {
@@ -336,6 +371,7 @@ TEST(Camera, SaysWhatItIgnores)
       [](vtkCamera* c) { c->SetUseExplicitProjectionTransformMatrix(true); } },
     { "EyeAngle", [](vtkCamera* c) { c->SetEyeAngle(5); } },
   };
+  wfv::ForgetWhatIsIgnored();
   for (const Call& call : calls)
   {
     Camera c;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What widefov-check-cells reads with VTK's classes. Apart from its JSON: the VTK of ParaView 5.12
-// and later has a library for it of its own, whose headers the system's do not bear beside them.
+// What widefov-check-cells reads with VTK's classes. Its JSON is read in another source: the VTK of
+// ParaView 5.12 and later brings a JSON library of its own, and its headers and the system's cannot
+// be included together.
 #ifndef WideFoVCellFiles_h
 #define WideFoVCellFiles_h
 

@@ -7,8 +7,10 @@
 Rules: dependencies run one way; the mathematics knows no VTK; functions and sources
 stay short; shaders are .glsl files; every source names its licence; nothing names a
 folder of somebody's machine; what differs between versions of VTK, or between drivers of
-OpenGL, is guarded in one folder, and what does between those of ParaView in another; headers declare VTK's classes in VTK's namespace. Prints `path:line: rule: what is wrong` for every breach
-and exits with 1 when there is one.
+OpenGL, is guarded in Module/Compat alone, and what differs between those of ParaView in
+Plugin/Compat alone; headers declare VTK's classes in VTK's namespace; every variable of a shader
+begins with a value. Prints `path:line: rule: what is wrong` for every breach and exits with 1 when
+there is one.
 """
 
 import os
@@ -54,6 +56,9 @@ IN_NAMESPACE = ("Module/", "Examples/", "Testing/")  # ParaView's own classes ar
 # VTK's own, or written beside them: in C++ headers these stand between two words of VTK's.
 VTK_CLASS = re.compile(r"^(?:class|struct)\s+(?:\w+_EXPORT\s+)?vtk\w+(?!\w|::)")
 VTK_NAMESPACE = re.compile(r"^VTK_ABI_NAMESPACE_(BEGIN|END)\b")
+
+# Of a shader, outside its functions. Arrays are left alone: loops fill them.
+UNBEGUN = re.compile(r"^(?:float|double|u?int|bool|[biud]?vec[234]) (\w+);")
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(["<])([^">]+)[">]', re.M)
 
@@ -160,8 +165,19 @@ def check_namespace(source):
             yield number, "namespace", "'%s' outside VTK_ABI_NAMESPACE_BEGIN, _END" % line
 
 
+def check_begun(source):
+    """Mesa 26 warns of variables of a shader that have no value in the order of its text."""
+    if not source.is_kind((".glsl",)):
+        return
+    for number, line in enumerate(source.lines, 1):
+        match = UNBEGUN.match(line)
+        if match:
+            yield number, "unset", "'%s' begins without a value" % match.group(1)
+
+
 CHECKS = (
     check_length, check_shaders, check_licence, check_paths, check_versions, check_namespace,
+    check_begun,
 )
 
 

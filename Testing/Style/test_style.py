@@ -65,6 +65,7 @@ BREACHES = [
     ("versions", "Module/vtkWide.cxx", HEAD + "auto v = glGetString(GL_RENDERER);\n"),
     ("namespace", "Module/vtkWide.h", HEAD + "class vtkActor;\n"),
     ("namespace", "Module/vtkWide.h", HEAD + "class A_EXPORT vtkWide : public vtkObject\n{\n};\n"),
+    ("unset", "Module/Shaders/a.glsl", HEAD + "float wfvDepth = 0.0;\nvec3 wfvTop; // up\n"),
     ("machine path", "README.md", "see /" + "home/somebody/file\n"),
     ("machine path", "CMakeLists.txt", "# " + LICENCE + '\nset(x "/' + 'work/x")\n'),
 ]
