@@ -35,7 +35,7 @@ std::vector<bench::Run> PlanOf(double turn)
   request.Size = { { Width, Height } };
   request.Methods = { "auto", "exact", "tessellate", "preclip", "vertex", "perspective",
     "cubemap" };
-  request.Turn = turn;
+  request.Motion = { turn == 0 ? Mode::Still : Mode::Turn, turn };
   return MakePlan(request, widefov::Options());
 }
 
