@@ -130,7 +130,7 @@ void MeasureErrors(BenchStage& stage, ErrorMeasure& measure, std::vector<Record>
   }
 }
 
-// Shaders are compiled where nothing is kept of them on disk, as on a machine that never drew them.
+// Shaders are compiled as on a machine that never drew them, which keeps nothing of them on disk.
 void CompileAnew()
 {
   setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
@@ -138,6 +138,7 @@ void CompileAnew()
 }
 
 // The first frame of every method, each in a window of its own that is gone before the next one.
+// None of views that stand, which are looked at long.
 std::vector<std::optional<double>> TimeFirstFrames(
   const BenchScene& scene, const std::vector<Run>& plan)
 {
@@ -146,7 +147,7 @@ std::vector<std::optional<double>> TimeFirstFrames(
   for (const Run& run : plan)
   {
     ms.emplace_back();
-    if (run.Method != "floor") // its camera is not placed yet
+    if (run.Motion.Mode != Mode::Still)
     {
       BenchStage stage(scene, { run });
       ms.back() = stage.Draw(stage.GetEntries().front()).Passed;
@@ -202,7 +203,10 @@ std::vector<std::string> ScenesOf(const BenchOptions& o)
 
 Json RunBenchmark(const BenchOptions& o)
 {
-  CompileAnew();
+  if (o.Motion.Mode != Mode::Still)
+  {
+    CompileAnew();
+  }
   const widefov::DisplayConnection display;
   Json json = { { "environment", DescribeEnvironment() }, { "records", Json::array() } };
   Json skipped = Json::array();

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 
 using namespace wfv;
@@ -232,6 +233,83 @@ TEST(BenchSamples, PlansHaveThemInEveryRunAndRatiosSayIt)
   }
   const Json json = Summarize(records);
   EXPECT_TRUE(json.contains("time auto_0.25 / cubemap_652 with 4 samples, room")) << json.dump(1);
+}
+
+// Twice as many pixels both ways, of faces and of the picture, and no samples of its own.
+TEST(BenchSamples, TheSmoothCubeMapHasTwiceThePixelsBothWays)
+{
+  PlanRequest request;
+  request.Samples = 4;
+  const BenchRun run = Find(MakePlan(request, widefov::Options()), "cubemap-ss_1304");
+  EXPECT_EQ(run.Options.CubeMapResolution, 1304);
+  EXPECT_EQ(run.Options.Size, (std::array<int, 2>{ { 4096, 2048 } }));
+  EXPECT_EQ(run.Options.Samples, 0);
+  EXPECT_EQ(run.Options.Technique, widefov::Technique::CubeMap);
+  for (const int samples : { 0, 1 })
+  {
+    request.Samples = samples;
+    EXPECT_THROW(Find(MakePlan(request, widefov::Options()), "cubemap-ss_1304"), std::exception);
+  }
+}
+
+namespace
+{
+// One record a run, of that many milliseconds.
+std::vector<Record> RecordsOf(
+  const PlanRequest& request, const std::map<std::string, double>& milliseconds)
+{
+  std::vector<Record> records;
+  for (const BenchRun& run : MakePlan(request, widefov::Options()))
+  {
+    const auto found = milliseconds.find(NameOf(run));
+    Record record;
+    record.Scene = "room";
+    record.Run = run;
+    record.Milliseconds = { found == milliseconds.end() ? 1 : found->second };
+    records.push_back(record);
+  }
+  return records;
+}
+}
+
+TEST(BenchSummary, MovesAndSamplesAreInTheNamesOfRatios)
+{
+  PlanRequest request;
+  request.Quick = true;
+  request.Methods = { "auto", "vertex", "cubemap", "cubemap-ss", "perspective",
+    "stereo-omnidirectional" };
+  request.Samples = 4;
+  for (const auto& [motion, text] : std::vector<std::pair<bench::Motion, std::string>>{
+         { { Mode::Turn, 1 }, " while turning" }, { { Mode::Film, 0 }, " in a film" },
+         { { Mode::First, 0 }, " of first frames" }, { { Mode::Still, 0 }, "" } })
+  {
+    request.Motion = motion;
+    const Json json = Summarize(RecordsOf(request,
+      { { "auto_0.25", 12 }, { "vertex", 6 }, { "cubemap_652", 4 }, { "cubemap-ss_1304", 24 },
+        { "perspective", 3 }, { "stereo-omnidirectional", 18 } }));
+    const std::string end = text + " with 4 samples, room";
+    EXPECT_EQ(json.value("time auto_0.25 / vertex" + end, 0.), 2) << json.dump(1);
+    EXPECT_EQ(json.value("time auto_0.25 / cubemap_652" + end, 0.), 3);
+    EXPECT_EQ(json.value("time auto_0.25 / cubemap-ss_1304" + end, 0.), 0.5);
+    EXPECT_EQ(json.value("time auto_0.25 / perspective" + end, 0.), 4);
+    EXPECT_EQ(json.value("time stereo-omnidirectional / auto_0.25" + end, 0.), 1.5);
+  }
+}
+
+TEST(BenchRecord, SaysTheModeAndTheFirstFrame)
+{
+  PlanRequest request;
+  request.Quick = true;
+  for (const std::string& name : ModeNames())
+  {
+    request.Motion = { ModeOf(name), 0 };
+    EXPECT_EQ(NameOf(request.Motion.Mode), name);
+    Record record = RecordsOf(request, {}).front();
+    EXPECT_EQ(ToJson(record).at("mode"), name);
+    EXPECT_TRUE(ToJson(record).at("first_ms").is_null());
+    record.FirstMilliseconds = 2.5;
+    EXPECT_EQ(ToJson(record).at("first_ms"), 2.5);
+  }
 }
 
 TEST(BenchTurn, PlansTurnEveryRunButHaveNoFloor)
