@@ -43,6 +43,9 @@ constexpr double MostMoved = 0.001;
 // Of the pixels, those that show something else after one, two or three quarters.
 constexpr double LeastTurned = 0.25;
 
+// Of the pixels, those that show something else one frame of a film later, half a pixel on or so.
+constexpr double LeastFilmed = 0.01;
+
 std::vector<bench::Run> PlanOf(
   const bench::Motion& motion, const widefov::Options& camera = widefov::Options())
 {
@@ -125,13 +128,13 @@ widefov::Options CameraAt(const BenchScene& scene, const bench::Motion& motion, 
   return camera;
 }
 
-// Of the pixels, those that show something else in the next frame.
 struct Moved
 {
   bench::Motion Motion;
-  double Least;
+  double Least; // of the pixels, those that show something else in the next frame
 };
-const std::vector<Moved> Moves{ { { Mode::Film, 0 }, 0.01 }, { { Mode::First, 0 }, LeastTurned } };
+const std::vector<Moved> Moves{ { { Mode::Film, 0 }, LeastFilmed },
+  { { Mode::First, 0 }, LeastTurned } };
 }
 
 TEST(BenchFilm, PicturesAreThoseOfCamerasThatStandThere)
