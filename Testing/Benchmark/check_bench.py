@@ -81,7 +81,7 @@ def turning_complaints(still, turning):
     if {r["method"] for r in turning["records"]} != TURNING:
         yield "methods while turning: %s" % [r["method"] for r in turning["records"]]
     for r in turning["records"]:
-        if r.get("turn") != TURN or r["mode"] != "turn" or r["error"] is not None or r["covered"] is not None:
+        if r.get("turn") != TURN or r["mode"] != "turn" or r["first_ms"] or r["error"] is not None or r["covered"] is not None:
             yield "a record of a camera that turns: %s" % r
         if r["frames"] != 2 or not min(r[k]["median"] for k in ("ms", "processor_ms")) > 0:
             yield "%s while turning: no times" % r["method"]

@@ -29,8 +29,8 @@ trap 'code=$?; [ "$code" -eq 0 ] || echo "Testing/Benchmark/run.sh: FAILED while
 quick=()
 few=()
 moving=
-size=2048x1024
-frames=9
+size=
+frames=
 large=
 trial=()
 data=()
@@ -78,6 +78,15 @@ while [ "$#" -gt 0 ]; do
   shift
 done
 
+if [ -n "$moving" ] && [ -n "${quick[*]-}$large" ]; then
+  echo "Testing/Benchmark/run.sh: --quick and --large are of views that stand; leave them out, or --moving" >&2
+  exit 2
+fi
+if [ -z "$moving" ] && [ -n "$size$frames" ]; then
+  echo "Testing/Benchmark/run.sh: --size and --frames are of views that move; give --moving, or leave them out" >&2
+  exit 2
+fi
+
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
 step="installing packages"
@@ -107,7 +116,7 @@ measure_moving() { # one run for each mode and number of samples
     [ "$n" -eq 1 ] || methods+=,cubemap-ss
     for mode in first turn film; do
       measure "moving-$mode-$n.json" --quick --mode "$mode" --samples "$((n > 1 ? n : 0))" --tolerance 0.25 \
-        --methods "$methods" --size "$size" --frames "$frames"
+        --methods "$methods" --size "${size:-2048x1024}" --frames "${frames:-9}"
       files+=("moving-$mode-$n.json")
     done
   done
