@@ -227,7 +227,7 @@ void vtkWideFoVPass::TakeCounts()
 {
   const vtkWideFoVStages& stages = this->Internal->Stages;
   this->NumberOfPlainDraws = stages.Plain->GetNumberOfDraws() +
-    stages.Split2->GetNumberOfDraws() + stages.Split4->GetNumberOfDraws() + stages.Strip->GetNumberOfDraws();
+    stages.Strip->GetNumberOfDraws() + stages.Grid->GetNumberOfDraws() + stages.LongStrip->GetNumberOfDraws();
   // of the tessellate stage too, what cannot be tessellated is drawn by the pre-clip
   const int patches = stages.Tessellate->GetNumberOfTessellateDraws();
   this->NumberOfPreClipDraws = stages.PreClip->GetNumberOfDraws() +

@@ -61,9 +61,9 @@ std::string LineOutputs(const std::vector<Varying>& varyings)
 // True where the geometry stage cuts triangles into smaller ones, which are projected.
 bool CutsTriangles(const Request& r)
 {
-  return r.Stage == vtkWideFoVShaderBuilder::Variant::Split2 ||
-    r.Stage == vtkWideFoVShaderBuilder::Variant::Split4 ||
-    r.Stage == vtkWideFoVShaderBuilder::Variant::Strip;
+  return r.Stage == vtkWideFoVShaderBuilder::Variant::Strip ||
+    r.Stage == vtkWideFoVShaderBuilder::Variant::Grid ||
+    r.Stage == vtkWideFoVShaderBuilder::Variant::LongStrip;
 }
 
 bool CoversTriangles(const Request& r)
@@ -91,13 +91,12 @@ std::string CutSource(const Request& r, const std::vector<Varying>& varyings)
     body += v.Flat ? v.Name + "[2];\n"
                    : "w.x * " + v.Name + "[0] + w.y * " + v.Name + "[1] + w.z * " + v.Name + "[2];\n";
   }
-  const int rows = r.Stage == vtkWideFoVShaderBuilder::Variant::Split2 ? 2 : 4;
-  return declarations + "void wfvWriteMix(vec3 w)\n{\n" + body + "}\n" + edge_chords_glsl +
-    cut_triangles_glsl +
-    (r.Stage == vtkWideFoVShaderBuilder::Variant::Strip
-        ? strip_triangles_glsl
-        : Define("WFV_ROWS", rows) + Define("WFV_ROWS_VERTICES", rows * (rows + 2)) +
-          split_triangles_glsl);
+  const bool grid = r.Stage == vtkWideFoVShaderBuilder::Variant::Grid;
+  const int most = r.Stage == vtkWideFoVShaderBuilder::Variant::LongStrip ? 16 : 4;
+  return Define("WFV_MOST_CHORDS", most) +
+    Define("WFV_CUT_VERTICES", grid ? most * (most + 2) : 2 * most + 1) + declarations +
+    "void wfvWriteMix(vec3 w)\n{\n" + body + "}\n" + edge_chords_glsl + cut_triangles_glsl +
+    (grid ? grid_triangles_glsl : strip_triangles_glsl);
 }
 
 // True where an eye whose rays begin in several places is served by moving the vertices.

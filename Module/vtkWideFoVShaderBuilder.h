@@ -17,9 +17,9 @@ public:
   enum class Variant
   {
     Plain,     // the vertex stage projects
-    Split2,    // a geometry stage does, and cuts triangles in two along their edges
-    Split4,    // or in up to four
-    Strip,     // or long ones into strips
+    Strip,     // a geometry stage does, and cuts triangles into strips of smaller ones
+    LongStrip, // of up to 31
+    Grid,      // or into rows of such strips
     PreClip,   // a geometry stage clips, then projects
     Exact,     // the same, every triangle by the ray of each pixel, lines as exact strips
     Tessellate // triangles cut finer before the pre-clip (vtkWideFoVTessellation)

@@ -83,9 +83,9 @@ bool AllCovered(const Request& r)
 {
   return r.Kind == vtkWideFoVShaderBuilder::Primitive::Triangles &&
     r.Stage != vtkWideFoVShaderBuilder::Variant::Plain &&
-    r.Stage != vtkWideFoVShaderBuilder::Variant::Split2 &&
-    r.Stage != vtkWideFoVShaderBuilder::Variant::Split4 &&
     r.Stage != vtkWideFoVShaderBuilder::Variant::Strip &&
+    r.Stage != vtkWideFoVShaderBuilder::Variant::Grid &&
+    r.Stage != vtkWideFoVShaderBuilder::Variant::LongStrip &&
     (r.ByRays || r.Stage == vtkWideFoVShaderBuilder::Variant::Exact);
 }
 }

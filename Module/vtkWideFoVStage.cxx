@@ -169,7 +169,7 @@ namespace
 bool IsProjected(vtkWideFoVShaderBuilder::Variant variant)
 {
   using Variant = vtkWideFoVShaderBuilder::Variant;
-  return variant == Variant::Plain || variant == Variant::Split2 || variant == Variant::Split4 || variant == Variant::Strip;
+  return variant == Variant::Plain || variant == Variant::Strip || variant == Variant::Grid || variant == Variant::LongStrip;
 }
 }
 

@@ -38,9 +38,9 @@ constexpr double PixelSafety = 8;
 
 vtkWideFoVStages::vtkWideFoVStages()
 {
-  this->Split2->SetVariant(vtkWideFoVShaderBuilder::Variant::Split2);
-  this->Split4->SetVariant(vtkWideFoVShaderBuilder::Variant::Split4);
   this->Strip->SetVariant(vtkWideFoVShaderBuilder::Variant::Strip);
+  this->Grid->SetVariant(vtkWideFoVShaderBuilder::Variant::Grid);
+  this->LongStrip->SetVariant(vtkWideFoVShaderBuilder::Variant::LongStrip);
   this->PreClip->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
   this->PreClipOfFew->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
   this->PreClipOfFew->SetRuns(RunsOfFew);
@@ -52,7 +52,7 @@ vtkWideFoVStages::vtkWideFoVStages()
 
 std::array<vtkWideFoVStage*, 9> vtkWideFoVStages::GetAll()
 {
-  return { this->Plain, this->Split2, this->Split4, this->Strip, this->PreClip, this->PreClipOfFew, this->Exact, this->ExactInSingle,
+  return { this->Plain, this->Strip, this->Grid, this->LongStrip, this->PreClip, this->PreClipOfFew, this->Exact, this->ExactInSingle,
     this->Tessellate };
 }
 

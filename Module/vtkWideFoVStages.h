@@ -97,9 +97,9 @@ public:
   static vtkWideFoVStage* FindAttached(vtkProp* prop);
 
   vtkNew<vtkWideFoVStage> Plain;         // vertex, preclip; auto: what is projected
-  vtkNew<vtkWideFoVStage> Split2;         // auto: what is projected once it is cut
-  vtkNew<vtkWideFoVStage> Split4;
-  vtkNew<vtkWideFoVStage> Strip;
+  vtkNew<vtkWideFoVStage> Strip;         // auto: what is projected once it is cut
+  vtkNew<vtkWideFoVStage> Grid;
+  vtkNew<vtkWideFoVStage> LongStrip;
   vtkNew<vtkWideFoVStage> PreClip;       // auto: covers triangles that are not
   vtkNew<vtkWideFoVStage> PreClipOfFew;  // auto: of few triangles
   vtkNew<vtkWideFoVStage> Exact;

@@ -22,7 +22,8 @@ constexpr double LeastEdges = 4;
 
 // Chords that stand for an edge, at the most; and radians, that a triangle of several is long.
 constexpr int MostChords = 16;
-constexpr int MostRows = 4; // of a grid
+constexpr int MostRows = 4;  // of a grid
+constexpr int ShortMost = 4; // of a strip that is not long
 constexpr double LongestSplit = 1;
 
 double Longest2(const vec3& a, const vec3& b, const vec3& c)
@@ -200,6 +201,22 @@ bool Classifier::MayProject(const vec3 p[3]) const
     !this->MayTear(p, std::sqrt(farthest2), std::sqrt(angle2));
 }
 
+// No chord stands for an edge that is torn; all triangles at it are ray-tested.
+void Classifier::LeaveTornEdges(const vec3 p[3], Triangle& t) const
+{
+  for (int i = 0; i < 3; i++)
+  {
+    const vec3 edge[3] = { p[(i + 1) % 3], p[(i + 2) % 3], p[(i + 2) % 3] };
+    const double away2[2] = { glm::dot(edge[0], edge[0]), glm::dot(edge[1], edge[1]) };
+    const vec3 way = edge[1] - edge[0];
+    const double angle = std::sqrt(glm::dot(way, way) / std::min(away2[0], away2[1]));
+    if (this->MayTear(edge, std::sqrt(std::max(away2[0], away2[1])), angle))
+    {
+      t.Chords[i] = 0;
+    }
+  }
+}
+
 Classifier::Triangle Classifier::OfTriangle(const vec3& a, const vec3& b, const vec3& c) const
 {
   const vec3 p[3] = { a, b, c };
@@ -212,11 +229,13 @@ Classifier::Triangle Classifier::OfTriangle(const vec3& a, const vec3& b, const 
   const int least = std::min({ t.Chords[0], t.Chords[1], t.Chords[2] });
   if (least == 0 || (most > MostRows && least > 1) || !this->MayProject(p))
   {
+    this->LeaveTornEdges(p, t);
     return t;
   }
-  t.Class = most == 1 ? DrawClass::Projected : most == 2 ? DrawClass::Split2
-    : most <= MostRows                                      ? DrawClass::Split4
-                                                            : DrawClass::Strip;
+  t.Class = most == 1   ? DrawClass::Projected
+    : least > 1         ? DrawClass::Grid
+    : most <= ShortMost ? DrawClass::Strip
+                        : DrawClass::LongStrip;
   return t;
 }
 

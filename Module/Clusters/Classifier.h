@@ -15,9 +15,9 @@ enum class DrawClass : unsigned char
 {
   Culled,    // not at all: outside the window or the clip spheres
   Projected, // by the vertex stage and the rasterizer: chords are within the tolerance of edges
-  Split2,    // likewise, after a geometry stage has cut edges in two
-  Split4,    // or in up to four
-  Strip,     // likewise, the two long edges in up to sixteen
+  Strip,     // likewise, after a geometry stage has cut two edges in up to four
+  LongStrip, // or in up to sixteen
+  Grid,      // or all edges in up to four
   RayTested, // a geometry stage covers them, the fragment stage decides by rays
   Mixed      // a cluster: each of its triangles has a class of its own
 };
@@ -65,6 +65,7 @@ private:
   int ChordsOf(const vec3& p, const vec3& q) const;
   bool FitChords(const vec3& p, const vec3& q, int chords) const;
   bool MayProject(const vec3 p[3]) const;
+  void LeaveTornEdges(const vec3 p[3], Triangle& t) const;
   bool MayTear(const vec3 p[3], double farthest, double angle) const;
   bool SphereMayTear(const vec3& centre, double radius, double angle) const;
   bool IsOnOneFace(const vec3 p[3], double beside) const;

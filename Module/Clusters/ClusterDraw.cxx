@@ -84,12 +84,12 @@ ClusterDraw::Kind KindOf(DrawClass class_)
   {
     case DrawClass::Projected:
       return ClusterDraw::Projected;
-    case DrawClass::Split2:
-      return ClusterDraw::Split2;
-    case DrawClass::Split4:
-      return ClusterDraw::Split4;
     case DrawClass::Strip:
       return ClusterDraw::Strip;
+    case DrawClass::Grid:
+      return ClusterDraw::Grid;
+    case DrawClass::LongStrip:
+      return ClusterDraw::LongStrip;
     default:
       return ClusterDraw::ByStage;
   }
@@ -118,12 +118,12 @@ vtkWideFoVStage* ClusterDraw::GetStage(Kind kind, vtkWideFoVStage* stage)
   {
     case Projected:
       return stages->Plain;
-    case Split2:
-      return stages->Split2;
-    case Split4:
-      return stages->Split4;
     case Strip:
       return stages->Strip;
+    case Grid:
+      return stages->Grid;
+    case LongStrip:
+      return stages->LongStrip;
     default:
       return stage;
   }
@@ -299,7 +299,7 @@ void ClusterDraw::Gather()
   this->Found.Clusters = n;
   this->Found.Triangles = this->Mesh.GetNumberOfTriangles();
   this->Found.ProjectedTriangles = this->Draws[Projected].Triangles +
-    this->Draws[Split2].Triangles + this->Draws[Split4].Triangles + this->Draws[Strip].Triangles;
+    this->Draws[Strip].Triangles + this->Draws[Grid].Triangles + this->Draws[LongStrip].Triangles;
 }
 
 std::vector<unsigned int> ClusterDraw::KindDraw::ListAll() const

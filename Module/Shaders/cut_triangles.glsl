@@ -2,6 +2,7 @@
 // Cuts triangles that are longer than their chords may be, and that nothing tears, into smaller ones.
 // Each edge is cut into its own number of chords, so that no crack opens between neighbours.
 layout(triangles) in;
+layout(triangle_strip, max_vertices = WFV_CUT_VERTICES) out;
 
 // Along an edge of so many chords the share at which it has a place, the nearest to one of `most`.
 float wfvOnEdge(int at, int chords, int most)

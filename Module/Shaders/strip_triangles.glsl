@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A long triangle, one of whose edges is short, as a strip from that edge to the corner opposite.
-layout(triangle_strip, max_vertices = 33) out;
-
 void main()
 {
-  ivec3 chords = clamp(wfvReadChords(), 1, 16);
+  ivec3 chords = clamp(wfvReadChords(), 1, WFV_MOST_CHORDS);
   // corner i is opposite to the short edge; j and k are its ends
   int i = chords.x == 1 ? 0 : chords.y == 1 ? 1 : 2;
   int j = i == 2 ? 0 : i + 1;

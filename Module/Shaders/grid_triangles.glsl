@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A triangle as a grid of up to so many rows.
-layout(triangle_strip, max_vertices = WFV_ROWS_VERTICES) out;
-
+// A triangle as a grid: rows of strips.
 // The weights of the corners at a grid's node, on an edge at one of its own.
 vec3 wfvNode(int i, int j, ivec3 chords, int most)
 {
@@ -26,7 +24,7 @@ vec3 wfvNode(int i, int j, ivec3 chords, int most)
 
 void main()
 {
-  ivec3 chords = clamp(wfvReadChords(), 1, WFV_ROWS);
+  ivec3 chords = clamp(wfvReadChords(), 1, WFV_MOST_CHORDS);
   int most = max(chords.x, max(chords.y, chords.z));
   for (int j = 0; j < most; j++)
   {
