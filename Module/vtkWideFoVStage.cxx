@@ -291,7 +291,7 @@ bool vtkWideFoVStage::PostReplaceShaderValues(std::string& vertexShader,
   const bool sorts =
     triangles && (vtkWideFoVPolyDataMapper::SafeDownCast(mapper) || wfv::SortsBlocks(mapper));
   request.MeetsChords =
-    sorts && this->MeetsChords && !request.Edges && !this->DebugView && MayClassify(mapper);
+    sorts && this->MeetsChords && !request.Edges && MayClassify(mapper);
   using Texts = wfv::ShaderMemory::Texts;
   Texts texts{ vertexShader, geometryShader, fragmentShader };
   const Texts* const before =

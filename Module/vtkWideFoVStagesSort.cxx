@@ -200,7 +200,7 @@ bool vtkWideFoVStages::GetClassifierView(
   view.EyeRadius = own ? std::abs(this->View.stereo.x) : 0;
   // what shines through would be twice where two ways of drawing meet, and is mixed in its own order
   const bool projects = this->Technique == vtkWideFoVPass::AUTO && AllowsChords(this->Tolerance) &&
-    stage != this->Plain && (!this->ByPixels || own) && !this->DebugView &&
+    stage != this->Plain && (!this->ByPixels || own) &&
     this->Projection->Axis != wfv::Family::Sampled && !actor->HasTranslucentPolygonalGeometry();
   view.Tolerance = this->Tolerance;
   view.Limits = projects

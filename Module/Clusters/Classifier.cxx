@@ -17,7 +17,7 @@ constexpr double LeastAhead = 0.02;
 
 // Of rays that begin on a circle: how many of its radii a triangle is away at least, and how many
 // of its edges is its distance from the circle's axis. Nearer ones are ray-tested.
-constexpr double LeastRadii = 32;
+constexpr double LeastRadii = 34; // so that another cell at the most is looked at
 constexpr double LeastEdges = 4;
 
 // Chords that stand for an edge, at the most; and radians, that a triangle of several is long.
@@ -87,7 +87,7 @@ bool Classifier::MayTear(const vec3 p[3], double farthest, double angle) const
     case Family::Planar:
       return std::max({ p[0].z, p[1].z, p[2].z }) > -LeastAhead * farthest - beside;
     case Family::Faces:
-      return !this->IsOnOneFace(p, beside);
+      return !this->IsOnOneFace(p, 2 * beside); // it changes by no more along any two axes
     case Family::Azimuthal:
     {
       const double rim = this->RimCosine + angle;
@@ -118,7 +118,7 @@ bool Classifier::SphereMayTear(const vec3& c, double radius, double angle) const
     case Family::Faces:
     {
       const vec3 same[3] = { c, c, c };
-      return !this->IsOnOneFace(same, 2 * beside); // it changes by no more along any two axes
+      return !this->IsOnOneFace(same, 2 * beside);
     }
     case Family::Azimuthal:
       return !(-c.z - beside >= (this->RimCosine + angle) * (distance + radius) &&
@@ -146,16 +146,23 @@ bool Classifier::BendsFromEye(const vec3& p, const vec3& q) const
   return !(off * this->V.Limits->StretchAt(p) <= EyeShare * this->V.Tolerance);
 }
 
+// Rays that begin on a circle look a little aside of the direction from its middle.
+double Classifier::LimitAt(const vec3& p) const
+{
+  return this->V.EyeRadius > 0 ? this->V.Limits->LeastAround(p, 1 / LeastRadii)
+                               : this->V.Limits->At(p);
+}
+
 // Seen from the eye no part of an edge looks longer than it would at its nearer end.
 bool Classifier::FitChords(const vec3& p, const vec3& q, int chords) const
 {
   const vec3 step = (q - p) / double(chords);
   const double step2 = glm::dot(step, step);
-  double before = this->V.Limits->At(p) * glm::dot(p, p);
+  double before = this->LimitAt(p) * glm::dot(p, p);
   for (int i = 1; i <= chords; i++)
   {
     const vec3 at = i < chords ? p + double(i) * step : q;
-    const double here = this->V.Limits->At(at) * glm::dot(at, at);
+    const double here = this->LimitAt(at) * glm::dot(at, at);
     if (!(step2 <= std::min(before, here)))
     {
       return false;
@@ -165,21 +172,24 @@ bool Classifier::FitChords(const vec3& p, const vec3& q, int chords) const
   return !(this->V.EyeRadius > 0 && this->BendsFromEye(p, p + step));
 }
 
-int Classifier::ChordsOf(const vec3& p, const vec3& q) const
+// reach2: the squared length of a chord at the shorter of its ends, at the most.
+int Classifier::ChordsOf(const vec3& p, const vec3& q, double reach2) const
 {
+  const vec3 way = q - p;
+  const double length2 = glm::dot(way, way);
+  if (length2 <= reach2 && !(this->V.EyeRadius > 0))
+  {
+    return 1;
+  }
+  if (!(length2 <= MostChords * MostChords * reach2))
+  {
+    return 0;
+  }
   // from the same end for both triangles, or they were rounded apart
   const bool ordered = p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : p.z < q.z;
   const vec3& from = ordered ? p : q;
   const vec3& to = ordered ? q : p;
-  const vec3 way = q - p;
-  const double least = std::min(
-    this->V.Limits->At(p) * glm::dot(p, p), this->V.Limits->At(q) * glm::dot(q, q));
-  const double parts2 = glm::dot(way, way) / least; // of the ends: none needs fewer
-  if (!(parts2 <= MostChords * MostChords))
-  {
-    return 0;
-  }
-  int chords = std::max(1, static_cast<int>(std::ceil(std::sqrt(parts2))));
+  int chords = std::max(1, static_cast<int>(std::ceil(std::sqrt(length2 / reach2))));
   while (chords <= MostChords && !this->FitChords(from, to, chords))
   {
     chords++;
@@ -220,10 +230,17 @@ void Classifier::LeaveTornEdges(const vec3 p[3], Triangle& t) const
 Classifier::Triangle Classifier::OfTriangle(const vec3& a, const vec3& b, const vec3& c) const
 {
   const vec3 p[3] = { a, b, c };
+  double reach2[3];
+  for (int i = 0; i < 3; i++)
+  {
+    reach2[i] = this->LimitAt(p[i]) * glm::dot(p[i], p[i]);
+  }
   Triangle t;
   for (int i = 0; i < 3; i++)
   {
-    t.Chords[i] = this->ChordsOf(p[(i + 1) % 3], p[(i + 2) % 3]);
+    const int j = (i + 1) % 3;
+    const int k = (i + 2) % 3;
+    t.Chords[i] = this->ChordsOf(p[j], p[k], std::min(reach2[j], reach2[k]));
   }
   const int most = std::max({ t.Chords[0], t.Chords[1], t.Chords[2] });
   const int least = std::min({ t.Chords[0], t.Chords[1], t.Chords[2] });

@@ -62,7 +62,8 @@ public:
   Triangle OfTriangle(const vec3& a, const vec3& b, const vec3& c) const;
 
 private:
-  int ChordsOf(const vec3& p, const vec3& q) const;
+  int ChordsOf(const vec3& p, const vec3& q, double reach2) const;
+  double LimitAt(const vec3& p) const;
   bool FitChords(const vec3& p, const vec3& q, int chords) const;
   bool MayProject(const vec3 p[3]) const;
   void LeaveTornEdges(const vec3 p[3], Triangle& t) const;

@@ -437,7 +437,7 @@ void ClusterDraw::SetParameters(vtkShaderProgram* program, vtkWindow* window)
   if (chords)
   {
     (own ? this->Nothing : this->Draws[this->Chosen].Chords).Activate(program, "wfvChords");
-    program->SetUniformi("wfvHasChords", !own);
+    program->SetUniformi("wfvHasChords", !own && this->View.Limits);
   }
 }
 
