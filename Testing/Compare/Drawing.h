@@ -78,10 +78,6 @@ public:
   // Whether what is not seen is left out (yes).
   void SetCulling(bool culling);
 
-  // Whether the triangles of every picture are sorted one by one (yes), or in haste until a view
-  // has been drawn many times.
-  void SetSortWhileMoving(bool sort);
-
   // Whether every technique draws the perspective (no): else it is stock VTK's, unless all is
   // exact.
   void SetDrawsPerspective(bool draws);
@@ -93,9 +89,6 @@ public:
   // Of the last picture: runs of triangles that were left out, draws by the vertex stage alone.
   int GetNumberOfCulledClusters() const;
   int GetNumberOfPlainDraws() const;
-
-  // Of the last picture, props that both eyes see alike.
-  int GetNumberOfFarProps() const;
 
   // Of lines, pixels (1).
   void SetLineWidth(double pixels);
