@@ -129,6 +129,14 @@ int Drawing::GetNumberOfPlainDraws() const
   return this->Internal->Pass->GetNumberOfPlainDraws();
 }
 
+bool Drawing::WasMixed() const
+{
+  vtkWideFoVPass* const pass = this->Internal->Pass;
+  const vtkIdType projected = pass->GetNumberOfProjectedTriangles();
+  return projected > 0 &&
+    projected < pass->GetNumberOfTriangles() - pass->GetNumberOfCulledTriangles();
+}
+
 void Drawing::SetLineWidth(double pixels)
 {
   this->Internal->Actor->GetProperty()->SetLineWidth(static_cast<float>(pixels));

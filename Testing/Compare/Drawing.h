@@ -90,6 +90,9 @@ public:
   int GetNumberOfCulledClusters() const;
   int GetNumberOfPlainDraws() const;
 
+  // Whether some of the triangles that it drew were projected, and others not.
+  bool WasMixed() const;
+
   // Of lines, pixels (1).
   void SetLineWidth(double pixels);
 
