@@ -100,7 +100,7 @@ private:
     mapper.TakeReference(kind == 0
         ? static_cast<vtkPolyDataMapper*>(vtkWideFoVPolyDataMapper::New())
         : vtkPolyDataMapper::New());
-    // of its own mapper's some are sorted, some are too small for that
+    // of its own mapper's some are classified, some are too small for that
     const int cells = kind == 0 && this->Unit() > 0 ? 600 : 40;
     mapper->SetInputData(this->MakeSoup(kind < 2 ? 3 : kind - 1, cells));
     return mapper;

@@ -29,7 +29,7 @@ struct Drawing::Internals
   vtkNew<vtkWideFoVPass> Pass;
   vtkNew<vtkWideFoVDataPass> Data;
   vtkNew<vtkPolyDataMapper> Mapper;
-  vtkNew<vtkWideFoVPolyDataMapper> WideMapper; // tessellates, and sorts triangles
+  vtkNew<vtkWideFoVPolyDataMapper> WideMapper; // tessellates, and classifies triangles
   vtkNew<vtkActor> Actor;
   std::unique_ptr<View> LastView;
   bool DrawsPerspective = false;
@@ -46,7 +46,6 @@ Drawing::Drawing()
   in.Actor->SetMapper(in.Mapper);
   in.Renderer->AddActor(in.Actor);
   in.Pass->SetTechniqueToPreClip();
-  in.Pass->SortWhileMovingOn(); // every picture is to show what sorting does
   in.Data->SetPropIndex(in.Actor, 0);
   in.Data->SetDelegatePass(in.Pass);
   in.Renderer->SetPass(in.Data);
@@ -110,11 +109,6 @@ void Drawing::SetCulling(bool culling)
   this->Internal->Pass->SetCulling(culling);
 }
 
-void Drawing::SetSortWhileMoving(bool sort)
-{
-  this->Internal->Pass->SetSortWhileMoving(sort);
-}
-
 void Drawing::SetDrawsPerspective(bool draws)
 {
   this->Internal->DrawsPerspective = draws;
@@ -135,9 +129,12 @@ int Drawing::GetNumberOfPlainDraws() const
   return this->Internal->Pass->GetNumberOfPlainDraws();
 }
 
-int Drawing::GetNumberOfFarProps() const
+bool Drawing::WasMixed() const
 {
-  return this->Internal->Pass->GetNumberOfFarProps();
+  vtkWideFoVPass* const pass = this->Internal->Pass;
+  const vtkIdType projected = pass->GetNumberOfProjectedTriangles();
+  return projected > 0 &&
+    projected < pass->GetNumberOfTriangles() - pass->GetNumberOfCulledTriangles();
 }
 
 void Drawing::SetLineWidth(double pixels)

@@ -78,10 +78,6 @@ public:
   // Whether what is not seen is left out (yes).
   void SetCulling(bool culling);
 
-  // Whether the triangles of every picture are sorted one by one (yes), or in haste until a view
-  // has been drawn many times.
-  void SetSortWhileMoving(bool sort);
-
   // Whether every technique draws the perspective (no): else it is stock VTK's, unless all is
   // exact.
   void SetDrawsPerspective(bool draws);
@@ -94,8 +90,8 @@ public:
   int GetNumberOfCulledClusters() const;
   int GetNumberOfPlainDraws() const;
 
-  // Of the last picture, props that both eyes see alike.
-  int GetNumberOfFarProps() const;
+  // Whether some of the triangles that it drew were projected, and others not.
+  bool WasMixed() const;
 
   // Of lines, pixels (1).
   void SetLineWidth(double pixels);

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the technique `auto` promises of its pictures.
+#ifndef WideFoVTestPromise_h
+#define WideFoVTestPromise_h
+
+#include "Drawing.h"
+
+namespace wfv
+{
+namespace test
+{
+// Of the pixels: what stock VTK shows of hidden faces beside silhouettes, in its own perspective.
+constexpr double HiddenShare = 2e-4;
+
+// Asserts that no pixel of the drawing's last picture is off by more than the tolerance (pixels),
+// but for so few that show a face which runs through their place and is hidden there. Prints a row.
+void ExpectPromise(const Drawing& drawing, const Shot& shot, const reference::DrawnPicture& picture,
+  double tolerance, const std::string& scene);
+}
+}
+
+#endif
