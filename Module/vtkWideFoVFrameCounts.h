@@ -9,11 +9,11 @@ namespace wfv
 {
 struct FrameCounts
 {
-  int Clusters = 0; // runs of triangles
+  int Clusters = 0; // of triangles
   int UnseenClusters = 0;
   vtkIdType Triangles = 0; // of them
   vtkIdType UnseenTriangles = 0;
-  vtkIdType ProjectedTriangles = 0; // by the vertex stage alone
+  vtkIdType ProjectedTriangles = 0; // by their chords
   int ChosenProps = 0;      // anew
   int ClassifiedMeshes = 0; // anew
 

@@ -6,8 +6,9 @@
  * Set it on a renderer whose active camera is a vtkWideFoVCamera. It adds the
  * projection to the shaders of every prop (polydata, composite data, glyphs):
  * behind the vertex stage where the prop meets no discontinuity of the projection,
- * in a geometry stage (the pre-clip) where it does. With any other camera, or with
- * the projection "perspective", the picture is that of stock VTK, to the pixel, unless the
+ * in a geometry stage (the pre-clip) where it does. Of meshes of a vtkWideFoVPolyDataMapper,
+ * and of blocks up to VTK 9.2, that is decided for clusters of triangles. With any other camera, or
+ * with the projection "perspective", the picture is that of stock VTK, to the pixel, unless the
  * camera's ExactPerspective is on.
  *
  * Changing the projection rebuilds shader text and compiles a variant the first time
@@ -41,8 +42,8 @@ public:
    */
   enum Techniques
   {
-    AUTO = 0,   ///< per prop the cheapest that keeps the tolerance: the vertex stage alone, or
-                ///< every triangle by the ray of each pixel
+    AUTO = 0,   ///< per prop, cluster or triangle the cheapest that keeps the tolerance: projected
+                ///< by its chords, cut into smaller ones before, or by the ray of each pixel
     EXACT,      ///< every triangle by the ray of each pixel; the tolerance has no part in it
     TESSELLATE, ///< triangles of a vtkWideFoVPolyDataMapper are tessellated to the tolerance,
                 ///< the pieces by rays; of other mappers, triangles by rays and the rest as
@@ -66,9 +67,10 @@ public:
 
   ///@{
   /**
-   * Largest distance, in pixels, between a drawn edge and its true curve where the
-   * pre-clip decides between a chord and the curve itself (default 0.25, clamped to
-   * [0.001, 1e6]).
+   * Largest distance, in pixels, between a drawn edge and its true curve (default 0.25, clamped to
+   * [0.001, 1e6]). With AUTO no pixel shows what is seen farther away, but for a face that is
+   * hidden beside a silhouette, or where surfaces cross, by less than that. Under 0.05 AUTO draws
+   * as EXACT.
    */
   vtkSetClampMacro(Tolerance, double, 0.001, 1e6);
   vtkGetMacro(Tolerance, double);
@@ -94,9 +96,8 @@ public:
 
   ///@{
   /**
-   * Leave out what the view cannot show (default on): props, and runs of triangles of a
-   * vtkWideFoVPolyDataMapper, that lie outside the window or the clip spheres. The picture is
-   * the same without it, to the bit.
+   * Leave out what the view cannot show (default on): props, and clusters of triangles, that lie
+   * outside the window or the clip spheres. The picture is the same without it, to the bit.
    */
   vtkSetMacro(Culling, vtkTypeBool);
   vtkGetMacro(Culling, vtkTypeBool);
@@ -108,8 +109,9 @@ public:
    * Keep to the time that the window asks for by vtkRenderWindow::SetDesiredUpdateRate, as VTK's
    * level-of-detail props do (default off). While it asks for a frame a second or more, as an
    * interactor does that moves, and a frame took longer than its share, the next is relaxed: it is
-   * drawn to a larger tolerance. A frame that has more time is as without. GetRelaxation says by how much the last frame was relaxed: 0 not at all,
-   * 1 and 2 to a tolerance of at least one and at least four pixels.
+   * drawn to a larger tolerance. A frame that has more time is as without. GetRelaxation says by
+   * how much the last frame was relaxed: 0 not at all, 1 and 2 to a tolerance of at least one and
+   * at least four pixels.
    */
   vtkSetMacro(KeepUpdateRate, vtkTypeBool);
   vtkGetMacro(KeepUpdateRate, vtkTypeBool);
@@ -128,7 +130,7 @@ public:
 
   ///@{
   /**
-   * What the last frame drew: draw calls without the geometry stage, with the pre-clip,
+   * What the last frame drew: draw calls of what is projected, with the pre-clip,
    * with everything exact, and tessellated.
    */
   vtkGetMacro(NumberOfPlainDraws, int);
@@ -139,9 +141,9 @@ public:
 
   ///@{
   /**
-   * What the last frame left out: visible props that it drew and did not; runs of 128 triangles
-   * of vtkWideFoVPolyDataMapper, all of them and those that were not drawn (a run counts once a
-   * draw, and meshes of less than 256 triangles have none).
+   * What the last frame left out: visible props that it drew and did not; clusters of 128
+   * triangles, all of them and those that were not drawn (meshes of less than 256 triangles have
+   * none).
    */
   vtkGetMacro(NumberOfDrawnProps, int);
   vtkGetMacro(NumberOfCulledProps, int);
@@ -151,9 +153,10 @@ public:
 
   ///@{
   /**
-   * The same by triangles: those of the meshes that have runs, and those of them that were not
-   * drawn, for their run is outside the view; and those that the vertex stage and the rasterizer
-   * alone drew, by their chords. What a geometry stage lets fall is not known here.
+   * The same by triangles: those of the meshes that have clusters; those of them that were not
+   * drawn, for their cluster is outside the view; and those that were drawn by their chords, as
+   * they are or cut into smaller ones, but for props that are projected as a whole. What a geometry
+   * stage lets fall is not known here.
    */
   vtkGetMacro(NumberOfTriangles, vtkIdType);
   vtkGetMacro(NumberOfCulledTriangles, vtkIdType);

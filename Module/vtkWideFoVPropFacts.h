@@ -31,7 +31,7 @@ struct PropFacts
   double PointSize = 1;    // pixels
   bool Surface = false;    // it draws triangles
   bool Sorts = false;      // its mapper classifies their clusters
-  vtkIdType Few = 0;       // triangles, where too few to sort; 0: not few
+  vtkIdType Few = 0;       // cells, where too few to classify; 0: not few
   double LongestEdge = -1; // scene units; negative: not asked for yet
 };
 }

@@ -25,7 +25,8 @@ public:
     std::string Fragment;
   };
 
-  // What became of these texts, or nullptr. sorts: they were told to ask for sorted numbers.
+  // What became of these texts, or nullptr. sorts: they were told to ask for the
+  // numbers of triangles.
   const Texts* Find(const Request& request, bool sorts, const Texts& texts);
 
   // Of the texts that were looked for last.

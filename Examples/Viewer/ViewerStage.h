@@ -39,7 +39,7 @@ struct DrawCounts
   int Exact = 0;
   int Props = 0; // drawn, and left out
   int PropsCulled = 0;
-  long long Triangles = 0; // of meshes that are sorted, and those left out
+  long long Triangles = 0; // of clusters, and those left out
   long long TrianglesCulled = 0;
   int Relaxation = 0; // of the pass, the largest
 };

@@ -25,8 +25,8 @@ VTK_ABI_NAMESPACE_END
 
 namespace wfv
 {
-// Before a composite mapper draws: its blocks are to be sorted as the triangles of single meshes
-// are, up to VTK 9.2. From 9.3 on they are drawn as they come, which gives the same picture.
+// Before a composite mapper draws: the clusters of its blocks are to be classified as those of
+// single meshes are, up to VTK 9.2. From 9.3 on blocks are drawn as the prop's stage says.
 void SortBlocksOf(vtkMapper* mapper, vtkWindow* window);
 
 // Whether it is a mapper to which that was done.
