@@ -185,9 +185,9 @@ int RowsOf(DrawClass drawn)
   {
     case DrawClass::Projected:
       return 1;
-    case DrawClass::Split2:
+    case DrawClass::Strip:
       return 2;
-    case DrawClass::Split4:
+    case DrawClass::Grid:
       return 4;
     default:
       return 16;
@@ -263,8 +263,8 @@ void Check(const Classified& c, const std::string& name)
   }
   const auto& n = worst.Counts;
   const long projected = n[int(DrawClass::Projected)];
-  std::cout << name << ": " << projected << " projected, " << n[int(DrawClass::Split2)] << " and "
-            << n[int(DrawClass::Split4)] << " cut, " << n[int(DrawClass::Strip)] << " strips, of "
+  std::cout << name << ": " << projected << " projected, " << n[int(DrawClass::Strip)] << " and "
+            << n[int(DrawClass::Grid)] << " cut, " << n[int(DrawClass::LongStrip)] << " strips, of "
             << TrianglesOfView << "; chords " << worst.Chord << " px, inside " << worst.Torn
             << " px" << std::endl;
   EXPECT_LE(worst.Chord, c.V.Tolerance) << name << "\n  " << worst.Where;
