@@ -133,7 +133,8 @@ TEST(Culling, AsksOnceForBothEyes)
       crowd.Draw(false); // all of them: what is drawn first prepares its mapper, which changes it
       crowd.Draw(true);
       EXPECT_EQ(crowd.Pass->GetNumberOfChosenProps(), 0) << "of the second eye, " << model;
-      EXPECT_EQ(crowd.Pass->GetNumberOfClassifiedMeshes(), 0) << "for the second eye, " << crowd.Text;
+      EXPECT_EQ(crowd.Pass->GetNumberOfClassifiedMeshes(), 0)
+        << "for the second eye, " << crowd.Text;
       crowd.Draw(true);
       EXPECT_EQ(crowd.Pass->GetNumberOfChosenProps(), 0) << model;
       EXPECT_EQ(crowd.Pass->GetNumberOfClassifiedMeshes(), 0) << model;

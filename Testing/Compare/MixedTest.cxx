@@ -236,5 +236,4 @@ TEST_P(Mixed, IsClosedAtEverySample)
   EXPECT_GT(bright.CountDark(open, shot, 0.25), 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-  All, Mixed, ::testing::ValuesIn(ProjectionNames()), DrawingTest::NameOf);
+INSTANTIATE_TEST_SUITE_P(All, Mixed, ::testing::ValuesIn(ProjectionNames()), DrawingTest::NameOf);

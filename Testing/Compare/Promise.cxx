@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 
 namespace wfv
@@ -30,8 +31,8 @@ reference::TriangleSoup OnlyCell(const reference::TriangleSoup& all, vtkIdType c
   return own;
 }
 
-// Whether the face that was drawn would be seen so near, were nothing before it.
-bool IsHiddenThere(const reference::RayCaster& caster, const View& view, const Shot& shot,
+// Whether the face that was drawn is seen so near, or would be, were nothing before it.
+bool IsThere(const reference::RayCaster& caster, const View& view, const Shot& shot,
   const reference::WorstPixel& pixel, double tolerance)
 {
   if (pixel.Drawn < 0)
@@ -39,10 +40,9 @@ bool IsHiddenThere(const reference::RayCaster& caster, const View& view, const S
     return false;
   }
   const reference::RayCaster alone(OnlyCell(caster.GetTriangles(), pixel.Drawn), view);
-  const vec2 ndc =
-    reference::PixelToNdc(pixel.I + 0.5, pixel.J + 0.5, shot.Width, shot.Height);
+  const vec2 ndc = reference::PixelToNdc(pixel.I + 0.5, pixel.J + 0.5, shot.Width, shot.Height);
   return alone.Cast(ndc).Cell == pixel.Drawn ||
-    reference::IsExplained(alone, shot.Width, shot.Height, pixel, tolerance);
+    std::isfinite(reference::NearestAgreement(alone, shot.Width, shot.Height, pixel, tolerance));
 }
 }
 
@@ -54,12 +54,18 @@ void ExpectPromise(const Drawing& drawing, const Shot& shot, const reference::Dr
   const reference::RayCaster caster(drawing.GetMesh(), view, drawing.GetPose());
   const reference::Metrics m = reference::Compare(picture, caster, tolerance);
   std::cout << Row(shot, scene, m) << std::endl;
-  EXPECT_LE(m.UnexplainedPixels, HiddenShare * shot.Width * shot.Height)
+  // of the 48 points that explain some step over thin cells: what a finer circle explains is right
+  const long off = std::count_if(m.Worst.begin(), m.Worst.end(), [&](const auto& pixel) {
+    return !std::isfinite(
+      reference::NearestAgreement(caster, shot.Width, shot.Height, pixel, tolerance));
+  });
+  ASSERT_LE(m.UnexplainedPixels, long(reference::Metrics::MaxWorst)) << Details(shot, view, m);
+  EXPECT_LE(off, HiddenShare * shot.Width * shot.Height)
     << scene << "\n  " << Describe(shot) << "\n"
     << Details(shot, view, m);
   for (const reference::WorstPixel& pixel : m.Worst)
   {
-    EXPECT_TRUE(IsHiddenThere(caster, view, shot, pixel, tolerance))
+    EXPECT_TRUE(IsThere(caster, view, shot, pixel, tolerance))
       << scene << "\n  " << Describe(shot) << "\n    "
       << DescribePixel(view, shot.Width, shot.Height, pixel);
   }

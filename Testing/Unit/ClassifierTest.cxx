@@ -24,7 +24,7 @@ namespace
 constexpr int TrianglesOfView = 6000;
 constexpr int ClustersOfView = 2000;
 constexpr int TrianglesOfCluster = 30;
-constexpr int PlacesOfPart = 7; // of an edge, between the ends of a chord
+constexpr int PlacesOfPart = 7;  // of an edge, between the ends of a chord
 constexpr int PlacesInside = 12; // a triangle
 
 // Pixels: what is torn is drawn farther from its place than this.
@@ -123,8 +123,8 @@ struct Classified
     this->V.Tolerance = tolerance;
     this->V.Culls = false;
     this->V.EyeRadius = own ? std::abs(v.stereo.x) : 0;
-    this->V.Limits = std::make_shared<ChordLimits>(p, v, LocalBend(p, v), Size,
-      own ? (1 - Classifier::EyeShare) * tolerance : tolerance);
+    this->V.Limits = std::make_shared<ChordLimits>(
+      p, v, LocalBend(p, v), Size, own ? (1 - Classifier::EyeShare) * tolerance : tolerance);
     this->Classes.reset(new Classifier(this->V));
   }
 
@@ -186,7 +186,6 @@ int RowsOf(DrawClass drawn)
     case DrawClass::Projected:
       return 1;
     case DrawClass::Strip:
-      return 2;
     case DrawClass::Grid:
       return 4;
     default:
@@ -264,9 +263,9 @@ void Check(const Classified& c, const std::string& name)
   const auto& n = worst.Counts;
   const long projected = n[int(DrawClass::Projected)];
   std::cout << name << ": " << projected << " projected, " << n[int(DrawClass::Strip)] << " and "
-            << n[int(DrawClass::Grid)] << " cut, " << n[int(DrawClass::LongStrip)] << " strips, of "
-            << TrianglesOfView << "; chords " << worst.Chord << " px, inside " << worst.Torn
-            << " px" << std::endl;
+            << n[int(DrawClass::LongStrip)] << " strips, " << n[int(DrawClass::Grid)]
+            << " grids, of " << TrianglesOfView << "; chords " << worst.Chord << " px, inside "
+            << worst.Torn << " px" << std::endl;
   EXPECT_LE(worst.Chord, c.V.Tolerance) << name << "\n  " << worst.Where;
   EXPECT_LE(worst.Torn, TornPixels) << name;
   EXPECT_EQ(worst.OutsideRadii, 0) << name;
@@ -282,7 +281,8 @@ ViewOptions OptionsOf(const Projection& p, double part)
   return o;
 }
 
-// calls(classified, name): of every projection, narrow and wide, at two tolerances.
+// calls(classified, name, part of the widest): of every projection, narrow and wide, at two
+// tolerances.
 template <typename Calls>
 void InAllViews(const Calls& calls)
 {
@@ -293,7 +293,7 @@ void InAllViews(const Calls& calls)
       for (const double tolerance : { 0.25, 1.0 })
       {
         const Classified c(p, OptionsOf(p, part), tolerance);
-        calls(c, MakeView(p, OptionsOf(p, part)).Name + ", " + std::to_string(tolerance));
+        calls(c, MakeView(p, OptionsOf(p, part)).Name + ", " + std::to_string(tolerance), part);
       }
     }
   }
@@ -302,7 +302,7 @@ void InAllViews(const Calls& calls)
 
 TEST(Classifier, ChordsKeepTheToleranceAndNothingTears)
 {
-  InAllViews([](const Classified& c, const std::string& name) { Check(c, name); });
+  InAllViews([](const Classified& c, const std::string& name, double) { Check(c, name); });
 }
 
 TEST(Classifier, ChordsKeepTheToleranceForAnEyeOnACircle)
@@ -341,7 +341,7 @@ DrawClass ClassOf(const Classified& c, const std::vector<Shapes::Triangle>& clus
 
 TEST(Classifier, ProjectsWhatIsInAProjectedCluster)
 {
-  InAllViews([](const Classified& c, const std::string& name) {
+  InAllViews([](const Classified& c, const std::string& name, double part) {
     Shapes shapes(c.TheView);
     long projected = 0;
     long others = 0;
@@ -357,7 +357,7 @@ TEST(Classifier, ProjectsWhatIsInAProjectedCluster)
       }
     }
     EXPECT_EQ(others, 0) << name;
-    EXPECT_GT(projected, ClustersOfView / 100) << name;
+    EXPECT_TRUE(projected > ClustersOfView / 100 || part < 1) << projected << " of " << name;
   });
 }
 
