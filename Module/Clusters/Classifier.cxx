@@ -163,13 +163,14 @@ bool Classifier::FitChords(const vec3& p, const vec3& q, int chords) const
   {
     const vec3 at = i < chords ? p + double(i) * step : q;
     const double here = this->LimitAt(at) * glm::dot(at, at);
-    if (!(step2 <= std::min(before, here)))
+    if (!(step2 <= std::min(before, here)) ||
+      (this->V.EyeRadius > 0 && this->BendsFromEye(at - step, at)))
     {
       return false;
     }
     before = here;
   }
-  return !(this->V.EyeRadius > 0 && this->BendsFromEye(p, p + step));
+  return true;
 }
 
 // reach2: the squared length of a chord at the shorter of its ends, at the most.

@@ -170,6 +170,8 @@ bool ClusterDraw::Prepare(vtkPolyData* data, vtkActor* actor, vtkWideFoVStage* s
     std::copy_n(toMap, 16, this->ToMap);
     this->Classify(data);
     stages->Counts.ClassifiedMeshes++;
+    const bool projects = stage == stages->Plain;
+    this->Found.ProjectedTriangles += projects ? this->Draws[ByStage].Triangles : 0;
   }
   stages->Counts.Add(this->Found);
   return this->Known && !this->Draws[ByStage].IsWhole(this->Mesh.GetNumberOfTriangles());
@@ -347,18 +349,20 @@ bool ClusterDraw::IsOwn() const
     this->Draws[this->Chosen].IsWhole(this->Mesh.GetNumberOfTriangles());
 }
 
-void ClusterDraw::DrawRuns(const KindDraw& draw, std::size_t firstIndex) const
+void ClusterDraw::DrawRuns(const KindDraw& draw, std::size_t firstIndex)
 {
-  std::vector<GLsizei> counts(draw.Counts.size());
-  std::vector<const void*> starts(draw.Counts.size());
-  for (std::size_t i = 0; i < counts.size(); i++)
+  std::vector<GLsizei>& lengths = this->RunLengths;
+  std::vector<const void*>& starts = this->RunStarts;
+  lengths.resize(draw.Counts.size());
+  starts.resize(draw.Counts.size());
+  for (std::size_t i = 0; i < lengths.size(); i++)
   {
     const std::size_t first = firstIndex + 3 * static_cast<std::size_t>(draw.Firsts[i]);
-    counts[i] = static_cast<GLsizei>(3 * draw.Counts[i]);
+    lengths[i] = static_cast<GLsizei>(3 * draw.Counts[i]);
     starts[i] = reinterpret_cast<const void*>(static_cast<std::uintptr_t>(first * sizeof(GLuint)));
   }
-  glMultiDrawElements(GL_TRIANGLES, counts.data(), GL_UNSIGNED_INT, starts.data(),
-    static_cast<GLsizei>(counts.size()));
+  glMultiDrawElements(GL_TRIANGLES, lengths.data(), GL_UNSIGNED_INT, starts.data(),
+    static_cast<GLsizei>(lengths.size()));
 }
 
 void ClusterDraw::Draw(vtkOpenGLIndexBufferObject* all, const DrawnPart& part)

@@ -117,7 +117,7 @@ private:
   void Gather();
   void AddMixed(int cluster);
   void Load(KindDraw& draw, bool numbered);
-  void DrawRuns(const KindDraw& draw, std::size_t firstIndex) const;
+  void DrawRuns(const KindDraw& draw, std::size_t firstIndex);
   void LoadLists(KindDraw& draw, vtkOpenGLRenderWindow* window);
   bool IsOwn() const; // the chosen ones are all of the mesh, in the mapper's order
 
@@ -137,6 +137,8 @@ private:
                                     // edge EdgeBits for its chords
   KindDraw Draws[NumberOfKinds];
   FrameCounts Found;
+  std::vector<int> RunLengths;         // kept for their memory
+  std::vector<const void*> RunStarts; // likewise
 
   Kind Chosen = All;
   bool Numbered = false; // the program that is bound asks for numbers

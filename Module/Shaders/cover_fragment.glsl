@@ -275,11 +275,13 @@ bool wfvTurns(vec3 direction)
 }
 #endif
 
-// The edge functions of edges that are widened, from how they change from pixel to pixel.
+// The edge functions of edges that are widened, from how they change from pixel to pixel: between their
+// ends, or an acute corner would reach far beyond its place.
 vec3 wfvWidened(vec3 e, vec3 x, vec3 y)
 {
 #if WFV_MEETS_CHORDS
-  return e + wfvWiden * sqrt(x * x + y * y);
+  vec3 between = step(vec3(0.0), min(e.yzx, e.zxy));
+  return e + between * wfvWiden * sqrt(x * x + y * y);
 #else
   return e;
 #endif

@@ -10,11 +10,37 @@ float wfvOnEdge(int at, int chords, int most)
   return float((2 * at * chords + most) / (2 * most)) / float(chords);
 }
 
+// Of two corners, rounded alike whichever triangle asks.
+vec3 wfvMixTwo(int i, int j, float weight)
+{
+  vec3 p = gl_in[i].gl_Position.xyz;
+  vec3 q = gl_in[j].gl_Position.xyz;
+  bool ordered = p.x != q.x ? p.x < q.x : (p.y != q.y ? p.y < q.y : p.z < q.z);
+  return ordered ? weight * p + (1.0 - weight) * q : (1.0 - weight) * q + weight * p;
+}
+
 // weights: of the corners.
+vec3 wfvMix(vec3 weights)
+{
+  if (weights.x == 0.0)
+  {
+    return wfvMixTwo(1, 2, weights.y);
+  }
+  if (weights.y == 0.0)
+  {
+    return wfvMixTwo(2, 0, weights.z);
+  }
+  if (weights.z == 0.0)
+  {
+    return wfvMixTwo(0, 1, weights.x);
+  }
+  return weights.x * gl_in[0].gl_Position.xyz + weights.y * gl_in[1].gl_Position.xyz +
+    weights.z * gl_in[2].gl_Position.xyz;
+}
+
 void wfvEmitWeighed(vec3 weights)
 {
-  gl_Position = wfvProjectVertex(weights.x * gl_in[0].gl_Position.xyz +
-    weights.y * gl_in[1].gl_Position.xyz + weights.z * gl_in[2].gl_Position.xyz);
+  gl_Position = wfvProjectVertex(wfvMix(weights));
   wfvWriteMix(weights);
   gl_PrimitiveID = gl_PrimitiveIDIn;
   EmitVertex();

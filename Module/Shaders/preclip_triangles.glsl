@@ -240,6 +240,10 @@ bool wfvGrazes()
 #endif
 
 #if WFV_MEETS_CHORDS
+// Of the tolerance: chords are no farther from their edges, for the bound that they are chosen by leaves
+// room for what lies between its samples.
+const float WFV_MOST_OFF = 0.9;
+
 // An edge that one chord stands for ends there; one of more is widened by as much as these may be from
 // it, which overlaps a little with the neighbour; another is as it is.
 void wfvFindChords()
@@ -248,7 +252,7 @@ void wfvFindChords()
   for (int i = 0; i < 3; i++)
   {
     wfvChordEnds[i] = wfvPixel(wfvP[i]);
-    wfvWidenHere[i] = chords[i] > 1 ? wfvTolerance : 0.0;
+    wfvWidenHere[i] = chords[i] > 1 ? WFV_MOST_OFF * wfvTolerance : 0.0;
     wfvSlackHere[i] = chords[i] == 1 ? wfvTolerance : -1.0;
   }
 }
