@@ -3,6 +3,7 @@
 // a pixel passes the fold so near that in float32, or in a depth buffer, both lie at one depth.
 // What hides the other in truth does so in the picture, in whichever order they are drawn.
 #include "DrawingTest.h"
+#include "Promise.h"
 #include "RayCaster.h"
 #include "vtkWideFoVPass.h"
 
@@ -287,18 +288,24 @@ protected:
     return Compare(shot, technique, tolerance, Everywhere(shot), add);
   }
 
+  static void CheckFaces(const Shot& shot, const Places& places, const Add& add)
+  {
+    constexpr double Tolerance = 0.25;
+    const reference::Metrics m = Compare(shot, vtkWideFoVPass::AUTO, Tolerance, places, add);
+    ExpectFacesThatAreThere(*Picture, shot, m, Tolerance, "folds");
+  }
+
   static void Check(const std::string& projection, int technique, double tolerance, const Add& add)
   {
     EXPECT_LE(Compare(projection, technique, tolerance, add).MaxPx, tolerance) << projection;
   }
 };
 
-// Whichever way it is wound, but for what is drawn plain, where backs yield (depth_fragment.glsl).
+// Whichever way it is wound.
 TEST_P(FoldBeyondTheEdge, FrontHidesBack)
 {
   Check(this->GetParam(), vtkWideFoVPass::EXACT, 0.02, Folds(SharpFold, true));
   Check(this->GetParam(), vtkWideFoVPass::AUTO, 0.02, Folds(SharpFold, true));
-  Check(this->GetParam(), vtkWideFoVPass::AUTO, 0.25, Folds(SharpFold, false));
 }
 
 TEST_P(FoldBeyondTheEdge, FrontHidesBackWhereTheyAreNearlyOneFace)
@@ -334,14 +341,14 @@ TEST_P(FoldBeyondTheEdge, FrontThatIsKnownHidesItsBack)
   }
 }
 
-// Where rays are in float32, too, of those that a sample is in doubt at: what is drawn plain is
-// told apart by its winding.
-TEST_P(FoldBeyondTheEdge, FrontThatIsKnownHidesItsBackWhateverRaysAreRoundedBy)
+// With chords, either face beside a fold may be seen, but nothing that is not there.
+TEST_P(FoldBeyondTheEdge, OneOfTheTwoIsSeenWithChords)
 {
+  const Shot shot = ShotOf(this->GetParam());
   for (const Add& add : { Folds(SharpFold, false), Folds(SharpestFold, false),
          Folds(FlatFold, false), Needles(FlatNeedle), Needles(SteepNeedle) })
   {
-    Check(this->GetParam(), vtkWideFoVPass::AUTO, 0.25, add);
+    CheckFaces(shot, Everywhere(shot), add);
   }
 }
 
@@ -356,12 +363,12 @@ class FoldBesideAPole : public FoldBeyondTheEdge
 {
 };
 
-TEST_P(FoldBesideAPole, FrontThatIsKnownHidesItsBack)
+TEST_P(FoldBesideAPole, OneOfTheTwoIsSeenWithChords)
 {
   const Shot shot = ShotOf(this->GetParam());
   for (const Add& add : { Folds(SharpFold, false), Folds(SharpestFold, false) })
   {
-    EXPECT_LE(Compare(shot, vtkWideFoVPass::AUTO, 0.25, BesideAPole, add).MaxPx, 0.25);
+    CheckFaces(shot, BesideAPole, add);
   }
 }
 

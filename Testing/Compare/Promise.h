@@ -12,6 +12,11 @@ namespace test
 // Of the pixels: what stock VTK shows of hidden faces beside silhouettes, in its own perspective.
 constexpr double HiddenShare = 2e-4;
 
+// Asserts of the worst pixels that each shows a face which runs through its place, no farther from
+// it than the tolerance (pixels), seen or hidden there. m: of the drawing's last picture.
+void ExpectFacesThatAreThere(const Drawing& drawing, const Shot& shot, const reference::Metrics& m,
+  double tolerance, const std::string& scene);
+
 // Asserts that no pixel of the drawing's last picture is off by more than the tolerance (pixels),
 // but for so few that show a face which runs through their place and is hidden there. Prints a row.
 void ExpectPromise(const Drawing& drawing, const Shot& shot, const reference::DrawnPicture& picture,
