@@ -46,6 +46,23 @@ vec2 wfvHere()
   return gl_FragCoord.xy + wfvSample - wfvViewport.xy - 0.5 * wfvViewport.zw;
 }
 
+#if WFV_MEETS_CHORDS
+uniform float wfvTolerance; // pixels
+
+// Tolerances: so near a corner, where several edges meet, each of them is widened beyond its end.
+const float WFV_CORNER = 2.0;
+
+bool wfvIsAtCorner()
+{
+  vec2 at = wfvHere();
+  vec2 a = at - wfvCorners01.xy;
+  vec2 b = at - wfvCorners01.zw;
+  vec2 c = at - wfvCorner2;
+  float reach = WFV_CORNER * wfvTolerance;
+  return min(dot(a, a), min(dot(b, b), dot(c, c))) <= reach * reach;
+}
+#endif
+
 // What to add to the function e of an edge, whose slope per pixel this is, to have that of
 // the chord from a to b; 0 where the chord does not decide.
 float wfvToChord(float e, vec2 slope, float slack, vec2 a, vec2 b)

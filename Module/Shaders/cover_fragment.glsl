@@ -69,6 +69,9 @@ void wfvOrder(float approach, vec3 e);
 
 // chord_fragment.glsl
 vec3 wfvChordReach();
+#if WFV_MEETS_CHORDS
+bool wfvIsAtCorner();
+#endif
 vec3 wfvToChords(vec3 e, vec3 dx, vec3 dy);
 bool wfvAllInside(vec3 e, vec3 toChords);
 
@@ -275,19 +278,14 @@ bool wfvTurns(vec3 direction)
 }
 #endif
 
-#if WFV_MEETS_CHORDS
-// Pixels beyond its ends that a widened edge reaches, for chords at an obtuse corner.
-const float WFV_BEYOND_ENDS = 0.1;
-#endif
-
 // The edge functions of edges that are widened, from how they change from pixel to pixel: between their
 // ends, or an acute corner would reach far beyond its place.
 vec3 wfvWidened(vec3 e, vec3 x, vec3 y)
 {
 #if WFV_MEETS_CHORDS
-  vec3 pixel = sqrt(x * x + y * y);
-  vec3 past = e + WFV_BEYOND_ENDS * pixel;
-  return e + step(vec3(0.0), min(past.yzx, past.zxy)) * wfvWiden * pixel;
+  bvec3 between = greaterThanEqual(min(e.yzx, e.zxy), vec3(0.0));
+  bvec3 widened = wfvIsAtCorner() ? bvec3(true) : between;
+  return e + vec3(widened) * wfvWiden * sqrt(x * x + y * y);
 #else
   return e;
 #endif
