@@ -49,17 +49,21 @@ vec2 wfvHere()
 #if WFV_MEETS_CHORDS
 uniform float wfvTolerance; // pixels
 
-// Tolerances: so near a corner, where several edges meet, each of them is widened beyond its end.
-const float WFV_CORNER = 2.0;
-
-bool wfvIsAtCorner()
+// True where this sample is beside the way from a to b, or no farther beyond than chords may be off.
+bool wfvIsBeside(vec2 a, vec2 b)
 {
-  vec2 at = wfvHere();
-  vec2 a = at - wfvCorners01.xy;
-  vec2 b = at - wfvCorners01.zw;
-  vec2 c = at - wfvCorner2;
-  float reach = WFV_CORNER * wfvTolerance;
-  return min(dot(a, a), min(dot(b, b), dot(c, c))) <= reach * reach;
+  vec2 way = b - a;
+  float l = length(way);
+  float along = dot(wfvHere() - a, way);
+  return along >= -wfvTolerance * l && along <= (l + wfvTolerance) * l;
+}
+
+// Of each edge. A widened one ends where it ends: an acute corner would reach far beyond its place.
+bvec3 wfvBesideEdges()
+{
+  vec2 a = wfvCorners01.xy;
+  vec2 b = wfvCorners01.zw;
+  return bvec3(wfvIsBeside(b, wfvCorner2), wfvIsBeside(wfvCorner2, a), wfvIsBeside(a, b));
 }
 #endif
 

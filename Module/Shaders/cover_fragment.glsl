@@ -70,7 +70,7 @@ void wfvOrder(float approach, vec3 e);
 // chord_fragment.glsl
 vec3 wfvChordReach();
 #if WFV_MEETS_CHORDS
-bool wfvIsAtCorner();
+bvec3 wfvBesideEdges();
 #endif
 vec3 wfvToChords(vec3 e, vec3 dx, vec3 dy);
 bool wfvAllInside(vec3 e, vec3 toChords);
@@ -278,14 +278,11 @@ bool wfvTurns(vec3 direction)
 }
 #endif
 
-// The edge functions of edges that are widened, from how they change from pixel to pixel: between their
-// ends, or an acute corner would reach far beyond its place.
+// The edge functions of edges that are widened, from how they change from pixel to pixel.
 vec3 wfvWidened(vec3 e, vec3 x, vec3 y)
 {
 #if WFV_MEETS_CHORDS
-  bvec3 between = greaterThanEqual(min(e.yzx, e.zxy), vec3(0.0));
-  bvec3 widened = wfvIsAtCorner() ? bvec3(true) : between;
-  return e + vec3(widened) * wfvWiden * sqrt(x * x + y * y);
+  return e + vec3(wfvBesideEdges()) * wfvWiden * sqrt(x * x + y * y);
 #else
   return e;
 #endif
