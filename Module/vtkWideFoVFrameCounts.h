@@ -14,8 +14,8 @@ struct FrameCounts
   vtkIdType Triangles = 0; // of them
   vtkIdType UnseenTriangles = 0;
   vtkIdType ProjectedTriangles = 0; // by their chords
-  int ChosenProps = 0;      // anew
-  int ClassifiedMeshes = 0; // anew
+  int ChosenProps = 0;              // anew
+  int ClassifiedMeshes = 0;         // anew
 
   void Add(const FrameCounts& other)
   {

@@ -39,7 +39,8 @@ std::string vtkWideFoVPass::GetStatistics()
     text, "of those projected: %lld", static_cast<long long>(this->NumberOfProjectedTriangles));
   AddLine(text, "draws: plain %d, pre-clip %d, tessellate %d, exact %d", this->NumberOfPlainDraws,
     this->NumberOfPreClipDraws, this->NumberOfTessellateDraws, this->NumberOfExactDraws);
-  AddLine(text, "anew: %d props, %d meshes", this->NumberOfChosenProps, this->NumberOfClassifiedMeshes);
+  AddLine(
+    text, "anew: %d props, %d meshes", this->NumberOfChosenProps, this->NumberOfClassifiedMeshes);
   AddLine(text, "shaders: %d in %.1f ms", this->NumberOfMadePrograms, 1000 * this->ShaderTime);
   return text;
 }

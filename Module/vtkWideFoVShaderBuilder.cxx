@@ -88,8 +88,9 @@ std::string CutSource(const Request& r, const std::vector<Varying>& varyings)
     declarations += v.Input();
     declarations += (v.Flat ? "flat out " : "out ") + v.Declaration(out);
     body += "  " + out + " = ";
-    body += v.Flat ? v.Name + "[2];\n"
-                   : "w.x * " + v.Name + "[0] + w.y * " + v.Name + "[1] + w.z * " + v.Name + "[2];\n";
+    body += v.Flat
+      ? v.Name + "[2];\n"
+      : "w.x * " + v.Name + "[0] + w.y * " + v.Name + "[1] + w.z * " + v.Name + "[2];\n";
   }
   const bool grid = r.Stage == vtkWideFoVShaderBuilder::Variant::Grid;
   const int most = r.Stage == vtkWideFoVShaderBuilder::Variant::LongStrip ? 16 : 4;
@@ -168,8 +169,8 @@ std::string GeometrySource(
   std::string source = std::string("//VTK::System::Dec\n") + (CoversTriangles(r) ? Doubles : "") +
     (CoversTriangles(r) ? Invocations : "") + Define("WFV_MODEL", !toView.empty()) +
     "#define WFV_TO_VIEW " + toView + "\n" + ViewSource(r) +
-    (r.Kind == Primitive::Points || CutsTriangles(r) ? "" : preclip_glsl) + (r.DebugView ? debug_kinds_glsl : "") +
-    PrimitiveSource(r, varyings);
+    (r.Kind == Primitive::Points || CutsTriangles(r) ? "" : preclip_glsl) +
+    (r.DebugView ? debug_kinds_glsl : "") + PrimitiveSource(r, varyings);
   if (r.Stage == vtkWideFoVShaderBuilder::Variant::Tessellate)
   {
     ReplaceAll(source, "gl_PrimitiveIDIn", "wfvPrimitive[0]");

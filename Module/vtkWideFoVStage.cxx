@@ -169,7 +169,8 @@ namespace
 bool IsProjected(vtkWideFoVShaderBuilder::Variant variant)
 {
   using Variant = vtkWideFoVShaderBuilder::Variant;
-  return variant == Variant::Plain || variant == Variant::Strip || variant == Variant::Grid || variant == Variant::LongStrip;
+  return variant == Variant::Plain || variant == Variant::Strip || variant == Variant::Grid ||
+    variant == Variant::LongStrip;
 }
 }
 
@@ -200,8 +201,7 @@ void vtkWideFoVStage::FinishTriangles(vtkWideFoVShaderBuilder::Request& request)
   request.Runs = upright ? this->Runs : 1;
   // how far edges are is asked of float32 alone
   request.Whole = this->IsWhole() && !request.Edges && !this->DebugView;
-  if ((!straight || (this->Stereo && this->Stereo->OwnRays)) &&
-    !IsProjected(request.Stage))
+  if ((!straight || (this->Stereo && this->Stereo->OwnRays)) && !IsProjected(request.Stage))
   {
     // their edges are no great circles, which is what chords are chosen by
     request.Stage = vtkWideFoVShaderBuilder::Variant::Exact;
@@ -290,8 +290,7 @@ bool vtkWideFoVStage::PostReplaceShaderValues(std::string& vertexShader,
   const bool triangles = request.Kind == vtkWideFoVShaderBuilder::Primitive::Triangles;
   const bool sorts =
     triangles && (vtkWideFoVPolyDataMapper::SafeDownCast(mapper) || wfv::SortsBlocks(mapper));
-  request.MeetsChords =
-    sorts && this->MeetsChords && !request.Edges && MayClassify(mapper);
+  request.MeetsChords = sorts && this->MeetsChords && !request.Edges && MayClassify(mapper);
   using Texts = wfv::ShaderMemory::Texts;
   Texts texts{ vertexShader, geometryShader, fragmentShader };
   const Texts* const before =

@@ -52,8 +52,8 @@ vtkWideFoVStages::vtkWideFoVStages()
 
 std::array<vtkWideFoVStage*, 9> vtkWideFoVStages::GetAll()
 {
-  return { this->Plain, this->Strip, this->Grid, this->LongStrip, this->PreClip, this->PreClipOfFew, this->Exact, this->ExactInSingle,
-    this->Tessellate };
+  return { this->Plain, this->Strip, this->Grid, this->LongStrip, this->PreClip, this->PreClipOfFew,
+    this->Exact, this->ExactInSingle, this->Tessellate };
 }
 
 bool vtkWideFoVStages::CanTessellate()

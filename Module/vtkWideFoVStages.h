@@ -72,8 +72,7 @@ public:
 
   // What the clusters of an actor, drawn with this stage, are classified by. False where all its
   // triangles are drawn alike.
-  bool GetClassifierView(
-    const vtkWideFoVStage* stage, vtkActor* actor, wfv::ClassifierView& view);
+  bool GetClassifierView(const vtkWideFoVStage* stage, vtkActor* actor, wfv::ClassifierView& view);
 
   // From the actor's coordinates to the map's own frame, row-major.
   void GetToMap(vtkActor* actor, double matrix[16]) const;
@@ -96,12 +95,12 @@ public:
   // The stage in the prop's keys, or nullptr.
   static vtkWideFoVStage* FindAttached(vtkProp* prop);
 
-  vtkNew<vtkWideFoVStage> Plain;         // vertex, preclip; auto: what is projected
-  vtkNew<vtkWideFoVStage> Strip;         // auto: what is projected once it is cut
+  vtkNew<vtkWideFoVStage> Plain; // vertex, preclip; auto: what is projected
+  vtkNew<vtkWideFoVStage> Strip; // auto: what is projected once it is cut
   vtkNew<vtkWideFoVStage> Grid;
   vtkNew<vtkWideFoVStage> LongStrip;
-  vtkNew<vtkWideFoVStage> PreClip;       // auto: covers triangles that are not
-  vtkNew<vtkWideFoVStage> PreClipOfFew;  // auto: of few triangles
+  vtkNew<vtkWideFoVStage> PreClip;      // auto: covers triangles that are not
+  vtkNew<vtkWideFoVStage> PreClipOfFew; // auto: of few triangles
   vtkNew<vtkWideFoVStage> Exact;
   vtkNew<vtkWideFoVStage> ExactInSingle; // in float32: of few triangles, all of them fat
   vtkNew<vtkWideFoVStage> Tessellate;    // other mappers than ours: the pre-clip

@@ -198,7 +198,8 @@ bool vtkWideFoVStages::GetClassifierView(
   view.Reach = this->Reach;
   const bool own = this->Stereo && this->Stereo->OwnRays && !this->Stereo->Fades(this->View);
   view.EyeRadius = own ? std::abs(this->View.stereo.x) : 0;
-  // what shines through would be twice where two ways of drawing meet, and is mixed in its own order
+  // what shines through would be twice where two ways of drawing meet, and is mixed in its own
+  // order
   const bool projects = this->Technique == vtkWideFoVPass::AUTO && AllowsChords(this->Tolerance) &&
     stage != this->Plain && (!this->ByPixels || own) &&
     this->Projection->Axis != wfv::Family::Sampled && !actor->HasTranslucentPolygonalGeometry();

@@ -41,7 +41,7 @@ struct RenderStats
   std::optional<int> ClustersCulled;
   std::optional<long long> TrianglesSorted; // those of clusters
   std::optional<long long> TrianglesCulled;
-  std::optional<int> ChosenProps;  // anew in the last frame
+  std::optional<int> ChosenProps;      // anew in the last frame
   std::optional<int> ClassifiedMeshes; // anew in the last frame
   ShaderCost Shaders;
   std::optional<int> PlainDraws;

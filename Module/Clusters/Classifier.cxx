@@ -128,8 +128,8 @@ bool Classifier::SphereMayTear(const vec3& c, double radius, double angle) const
   }
 }
 
-// Seen by rays that begin on a circle an edge is no great circle: from each place another ray looks,
-// by as much as the circle turns between them. True where that moves it by too much.
+// Seen by rays that begin on a circle an edge is no great circle: from each place another ray
+// looks, by as much as the circle turns between them. True where that moves it by too much.
 bool Classifier::BendsFromEye(const vec3& p, const vec3& q) const
 {
   const WfvView& v = this->V.View;

@@ -223,8 +223,8 @@ void ClusterDraw::ClassifyPoints(const Real* points)
       for (vtkIdType i = mesh.GetFirst(c);
            this->Classes[c] == DrawClass::Mixed && i < mesh.GetEnd(c); i++)
       {
-        this->Codes[i] = CodeOf(
-          classifier.OfTriangle(place(3 * i), place(3 * i + 1), place(3 * i + 2)));
+        this->Codes[i] =
+          CodeOf(classifier.OfTriangle(place(3 * i), place(3 * i + 1), place(3 * i + 2)));
       }
     }
   };
@@ -300,8 +300,8 @@ void ClusterDraw::Gather()
   }
   this->Found.Clusters = n;
   this->Found.Triangles = this->Mesh.GetNumberOfTriangles();
-  this->Found.ProjectedTriangles = this->Draws[Projected].Triangles +
-    this->Draws[Strip].Triangles + this->Draws[Grid].Triangles + this->Draws[LongStrip].Triangles;
+  this->Found.ProjectedTriangles = this->Draws[Projected].Triangles + this->Draws[Strip].Triangles +
+    this->Draws[Grid].Triangles + this->Draws[LongStrip].Triangles;
 }
 
 std::vector<unsigned int> ClusterDraw::KindDraw::ListAll() const
@@ -479,8 +479,7 @@ void ClusterDraw::ReleaseGraphicsResources(vtkWindow* window)
 
 void TakeTriangleNumbers(std::string& fragment)
 {
-  if (stock::Replace(
-        fragment, stock::Edit::PrimitiveNumber, "wfvNumber()", stock::Found::May) >= 0)
+  if (stock::Replace(fragment, stock::Edit::PrimitiveNumber, "wfvNumber()", stock::Found::May) >= 0)
   {
     vtkWideFoVShaderBuilder::Declare(fragment, sorted_number_glsl);
   }

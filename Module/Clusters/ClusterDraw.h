@@ -52,8 +52,8 @@ public:
   bool Prepare(vtkPolyData* data, vtkActor* actor, vtkWideFoVStage* stage);
 
   // The triangles that a program draws: those that the stage of the prop draws, those that the
-  // vertex stage projects, those that are cut into strips or grids of smaller ones before; All: every
-  // triangle, in the mapper's own order.
+  // vertex stage projects, those that are cut into strips or grids of smaller ones before; All:
+  // every triangle, in the mapper's own order.
   enum Kind
   {
     ByStage,
@@ -132,12 +132,12 @@ private:
   ClassifierView View;
   bool Known = false;
 
-  std::vector<DrawClass> Classes;   // of the clusters
-  std::vector<unsigned int> Codes;  // of the triangles of mixed clusters: KindBits, and of each
-                                    // edge EdgeBits for its chords
+  std::vector<DrawClass> Classes;  // of the clusters
+  std::vector<unsigned int> Codes; // of the triangles of mixed clusters: KindBits, and of each
+                                   // edge EdgeBits for its chords
   KindDraw Draws[NumberOfKinds];
   FrameCounts Found;
-  std::vector<int> RunLengths;         // kept for their memory
+  std::vector<int> RunLengths;        // kept for their memory
   std::vector<const void*> RunStarts; // likewise
 
   Kind Chosen = All;

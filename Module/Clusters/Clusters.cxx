@@ -25,8 +25,8 @@ Place PlaceOf(vtkPoints* points, vtkIdType id)
 
 double Distance(const Place& p, const Place& q)
 {
-  return std::sqrt((p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]) +
-    (p[2] - q[2]) * (p[2] - q[2]));
+  return std::sqrt(
+    (p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]) + (p[2] - q[2]) * (p[2] - q[2]));
 }
 
 void Extend(std::array<double, 6>& bounds, const Place& p)

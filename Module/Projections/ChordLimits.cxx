@@ -50,7 +50,8 @@ ChordLimits::ChordLimits(const Projection& projection, const WfvView& view, cons
   : Axis(projection.Axis)
   , PerSine2(0)
 {
-  const bool singular = Axis == Family::Meridian || (Axis == Family::Azimuthal && !projection.FlatRim);
+  const bool singular =
+    Axis == Family::Meridian || (Axis == Family::Azimuthal && !projection.FlatRim);
   if (singular && view.bend > 0)
   {
     this->PerSine2 = Farther * Farther * 8 * tolerance / (view.bend * 0.5 * glm::length(pixels));
@@ -61,8 +62,7 @@ ChordLimits::ChordLimits(const Projection& projection, const WfvView& view, cons
   for (std::size_t cell = 0; cell < LocalBend::NumberOfCells; cell++)
   {
     this->Limits[cell] = LimitOf(bends, cell, half, tolerance);
-    this->Stretches[cell] =
-      static_cast<float>(bends.OfCell(cell, 0)[2] * std::max(half.x, half.y));
+    this->Stretches[cell] = static_cast<float>(bends.OfCell(cell, 0)[2] * std::max(half.x, half.y));
   }
   std::vector<float> least(this->Limits);
   for (int ring = 0; ring < Rings; ring++)
@@ -80,7 +80,8 @@ float ChordLimits::NearSingularity(const vec3& direction) const
 {
   const vec3 d = glm::normalize(direction);
   const double sine2 = Axis == Family::Meridian ? d.x * d.x + d.z * d.z
-                                                : d.z > 0 ? d.x * d.x + d.y * d.y : 1;
+    : d.z > 0                                   ? d.x * d.x + d.y * d.y
+                                                : 1;
   constexpr double share = (1 - Farther) * (1 - Farther);
   constexpr double longest = LongestChord * LongestChord;
   return static_cast<float>(std::min({ this->PerSine2, share, longest / sine2 }) * sine2);

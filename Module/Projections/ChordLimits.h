@@ -42,8 +42,8 @@ public:
   }
 
 private:
-  // Squared radians: beside a pole or an antipode a cell has as little as this, if any, for all that is
-  // in it, though most is farther from there than its nearest place.
+  // Squared radians: beside a pole or an antipode a cell has as little as this, if any, for all
+  // that is in it, though most is farther from there than its nearest place.
   static constexpr float Coarse = 0.02f * 0.02f;
 
   // By the bound of wfv::Bend, which knows how near a direction is.

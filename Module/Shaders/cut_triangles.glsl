@@ -4,10 +4,15 @@
 layout(triangles) in;
 layout(triangle_strip, max_vertices = WFV_CUT_VERTICES) out;
 
+// Shares are multiples of one over this: so a share and what is left of it add up to 1, from whichever
+// end of an edge they are counted.
+const float WFV_SHARES = 1048576.0;
+
 // Along an edge of so many chords the share at which it has a place, the nearest to one of `most`.
 float wfvOnEdge(int at, int chords, int most)
 {
-  return float((2 * at * chords + most) / (2 * most)) / float(chords);
+  float share = float((2 * at * chords + most) / (2 * most)) / float(chords);
+  return floor(share * WFV_SHARES + 0.5) / WFV_SHARES;
 }
 
 // Of two corners, rounded alike whichever triangle asks.

@@ -240,9 +240,9 @@ bool wfvGrazes()
 #endif
 
 #if WFV_MEETS_CHORDS
-// Of the tolerance: chords are no farther from their edges, for the bound that they are chosen by leaves
-// room for what lies between its samples.
-const float WFV_MOST_OFF = 0.9;
+// Of the tolerance: chords are no farther from their edges, for the bound that they are chosen by is as
+// much larger (LocalSafety of Projections/LocalBend.cxx).
+const float WFV_MOST_OFF = 0.8;
 
 // An edge that one chord stands for ends there; one of more is widened by as much as these may be from
 // it, which overlaps a little with the neighbour; another is as it is.
