@@ -20,7 +20,10 @@ namespace
 // Of --quick and of the paper's table.
 constexpr std::array<int, 2> SmallSize{ { 1024, 512 } };
 
-void Declare(CLI::App& app, BenchOptions& o)
+// Degrees before each frame, where none are given.
+constexpr double UsualTurn = 1;
+
+void Declare(CLI::App& app, BenchOptions& o, std::string& mode)
 {
   widefov::OptionGroup group(app, "Options");
   group.Name("--output", "FILE.json", o.Output, "what was measured");
@@ -35,10 +38,14 @@ void Declare(CLI::App& app, BenchOptions& o)
   group.Number("--tolerance", "PX", o.Tolerance, { 0.001, 1e6 },
     "the only one of auto and tessellate, pixels; without it they have several");
   group.Size("--size", o.Size, "pixels; with --quick or --table1 1024x512");
-  group.Number("--turn", "DEGREES", o.Turn, { -180, 180 },
-    "before each frame every camera turns about its up axis; no errors and no floor then; degrees");
+  group.Choice("--mode", mode, ModeNames(), {},
+    "of the cameras: they stand, turn, go round in a circle, or jump to new places before each "
+    "frame; no errors and no floor but of those that stand");
+  group.Number("--turn", "DEGREES", o.Motion.Degrees, { -180, 180 },
+    "--mode turn, by so much about the up axis; degrees, 1 where that mode is given alone");
   group.Integer("--samples", o.Samples, 0, 64,
-    "a pixel, of every window; what is compared with the ray caster has one");
+    "a pixel, of every window but that of cubemap-ss, which stands beside several; what is "
+    "compared with the ray caster has one");
   group.Integer("--frames", o.Frames, 1, 10000, "timed frames a run; 0: as many as fit the time");
   group.Name("--data", "FOLDER", o.Data, "where office.binary.vtk is");
   group.Flag("--version", o.Version, "print the version");
@@ -65,20 +72,58 @@ void CheckTable1(const BenchOptions& o)
   }
 }
 
-// What has no meaning while the cameras turn.
-void CheckTurn(const BenchOptions& o)
+bool Asks(const BenchOptions& o, const std::string& method)
 {
-  if (o.Turn == 0)
+  return std::find(o.Methods.begin(), o.Methods.end(), method) != o.Methods.end();
+}
+
+// --turn came first: alone, it says the mode too.
+void SetMotion(bench::Motion& motion, const std::string& mode, bool modeGiven, bool turnGiven)
+{
+  motion.Mode = ModeOf(mode);
+  if (turnGiven && !modeGiven && motion.Degrees != 0)
+  {
+    motion.Mode = Mode::Turn;
+  }
+  if (!turnGiven && motion.Mode == Mode::Turn)
+  {
+    motion.Degrees = UsualTurn;
+  }
+  if (turnGiven && modeGiven && motion.Mode != Mode::Turn)
+  {
+    widefov::FailUsage("--turn and --mode " + mode + " exclude each other; give one");
+  }
+  if (motion.Mode == Mode::Turn && motion.Degrees == 0)
+  {
+    widefov::FailUsage("--turn 0 does not turn; choose other degrees, or --mode still");
+  }
+}
+
+// What has no meaning while the cameras move.
+void CheckMotion(const BenchOptions& o)
+{
+  if (o.Motion.Mode == Mode::Still)
   {
     return;
   }
+  const std::string option = "--mode " + NameOf(o.Motion.Mode);
   if (o.Table1)
   {
-    widefov::FailUsage("--turn and --table1 exclude each other; give one");
+    widefov::FailUsage(option + " and --table1 exclude each other; give one");
   }
-  if (std::find(o.Methods.begin(), o.Methods.end(), "floor") != o.Methods.end())
+  if (Asks(o, "floor"))
   {
-    widefov::FailUsage("--turn: the floor does not turn; leave floor out of --methods");
+    widefov::FailUsage(option + ": the floor does not move; leave floor out of --methods");
+  }
+}
+
+void CheckSmooth(const BenchOptions& o)
+{
+  if (Asks(o, SmoothCubeMap) && o.Samples <= 1)
+  {
+    widefov::FailUsage(std::string(SmoothCubeMap) +
+      " stands beside several samples; give --samples N of 2 or more, or leave it out of "
+      "--methods");
   }
 }
 }
@@ -88,7 +133,8 @@ std::optional<int> ParseBenchOptions(int argc, char** argv, BenchOptions& o)
   CLI::App app("Run time against error of wide projections, as JSON.", "widefov-bench");
   const std::array<int, 2> usual = o.Size;
   o.Data = WIDEFOV_DATA_FOLDER;
-  Declare(app, o);
+  std::string mode = NameOf(o.Motion.Mode);
+  Declare(app, o, mode);
   if (const std::optional<int> done = widefov::ParseCommandLine(app, argc, argv))
   {
     return done;
@@ -108,7 +154,9 @@ std::optional<int> ParseBenchOptions(int argc, char** argv, BenchOptions& o)
     widefov::FailUsage("--quick and --table1 exclude each other; give one");
   }
   CheckTable1(o);
-  CheckTurn(o);
+  SetMotion(o.Motion, mode, app.count("--mode") > 0, app.count("--turn") > 0);
+  CheckMotion(o);
+  CheckSmooth(o);
   if (app.count("--size") == 0)
   {
     o.Size = o.Quick || o.Table1 ? SmallSize : usual;

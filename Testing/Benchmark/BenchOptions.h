@@ -3,6 +3,8 @@
 #ifndef WideFoVBenchOptions_h
 #define WideFoVBenchOptions_h
 
+#include "Motion.h"
+
 #include <array>
 #include <optional>
 #include <string>
@@ -24,7 +26,7 @@ struct BenchOptions
   bool Sampled = false;                       // that as a direction map
   double Tolerance = 0;                       // of auto and tessellate, pixels; 0: several
   int Samples = 0;                            // a pixel of the windows; 0: no multisampling
-  double Turn = 0;                            // degrees that cameras turn before each frame
+  bench::Motion Motion;                       // of the cameras
   int Frames = 0;   // timed frames a run; 0: as many as fit the time, at least three
   std::string Data; // folder of office.binary.vtk
   bool Version = false;

@@ -75,7 +75,8 @@ void SetFloorCamera(vtkRenderer* renderer, const widefov::Scene& scene, const wi
 void SetUp(BenchEntry& entry, const widefov::Scene& scene)
 {
   const widefov::Options& o = entry.Run.Options;
-  if (entry.Run.Method == "cubemap" || entry.Run.Method == "floor")
+  const bool cubemap = o.Technique == widefov::Technique::CubeMap;
+  if (cubemap || entry.Run.Method == "floor")
   {
     entry.Renderer = vtkSmartPointer<vtkRenderer>::New();
   }
@@ -85,7 +86,7 @@ void SetUp(BenchEntry& entry, const widefov::Scene& scene)
     entry.WidePass = vtkSmartPointer<vtkWideFoVPass>::New();
     widefov::SetUpWidePass(entry.WidePass, o);
     // a standing view as it is drawn from the eleventh frame on, without ten to warm up
-    entry.WidePass->SetSortWhileMoving(entry.Run.Turn == 0);
+    entry.WidePass->SetSortWhileMoving(entry.Run.Motion.Mode == Mode::Still);
     entry.Renderer->SetPass(entry.WidePass);
   }
   for (const widefov::SceneProp& prop : scene.Props)
@@ -99,7 +100,8 @@ void SetUp(BenchEntry& entry, const widefov::Scene& scene)
     return;
   }
   widefov::SetCamera(entry.Renderer, scene, o);
-  if (entry.Run.Method == "cubemap")
+  entry.Start = widefov::MakePose(scene, o);
+  if (cubemap)
   {
     entry.Renderer->SetPass(widefov::MakeCubeMapPass(o));
   }
@@ -120,7 +122,7 @@ BenchStage::~BenchStage() = default;
 
 vtkRenderWindow* BenchStage::WindowOf(const widefov::Options& o)
 {
-  vtkSmartPointer<vtkRenderWindow>& window = this->Windows[o.Samples];
+  vtkSmartPointer<vtkRenderWindow>& window = this->Windows[{ { o.Size[0], o.Size[1], o.Samples } }];
   if (!window)
   {
     window = vtkSmartPointer<vtkRenderWindow>::New();
@@ -143,7 +145,7 @@ void BenchStage::Add(const Run& run)
   BenchEntry entry;
   entry.Run = run;
   entry.Window = this->WindowOf(run.Options);
-  if (run.Turn != 0)
+  if (run.Motion.Mode == Mode::Turn)
   {
     entry.Window->SetDesiredUpdateRate(InteractiveRate);
   }
@@ -172,12 +174,27 @@ void DrawEyes(BenchEntry& entry)
 }
 }
 
+void BenchStage::Move(BenchEntry& entry) const
+{
+  if (entry.Run.Motion.Mode == Mode::Still)
+  {
+    return;
+  }
+  const double radius = CircleShare * SceneDiagonal(this->Scene.Scene);
+  const widefov::Pose pose = PoseAt(entry.Start, radius, entry.Run.Motion, ++entry.Moves);
+  vtkCamera* const camera = entry.Renderer->GetActiveCamera();
+  using widefov::operator+;
+  using widefov::operator*;
+  const widefov::Vector3 ahead = pose.Eye + camera->GetDistance() * pose.Direction;
+  camera->SetPosition(pose.Eye.data());
+  camera->SetFocalPoint(ahead.data());
+  camera->SetViewUp(pose.Up.data());
+  camera->OrthogonalizeViewUp();
+}
+
 FrameTime BenchStage::Draw(BenchEntry& entry)
 {
-  if (entry.Run.Turn != 0)
-  {
-    entry.Renderer->GetActiveCamera()->Yaw(entry.Run.Turn);
-  }
+  this->Move(entry);
   entry.Renderer->DrawOn();
   entry.Window->MakeCurrent();
   const std::clock_t used = std::clock();

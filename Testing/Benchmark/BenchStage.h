@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every run of one scene, side by side in one window, so that they can be drawn in turn.
+// Every run of one scene, side by side in one window for each size and number of samples, so that
+// they can be drawn in turn.
 #ifndef WideFoVBenchStage_h
 #define WideFoVBenchStage_h
 
@@ -25,8 +26,10 @@ struct BenchEntry
   bench::Run Run;
   vtkRenderWindow* Window = nullptr;
   vtkSmartPointer<vtkRenderer> Renderer;
-  vtkSmartPointer<vtkWideFoVPass> WidePass; // none for cubemap and floor
+  vtkSmartPointer<vtkWideFoVPass> WidePass; // none for cubemaps and the floor
   std::vector<vtkSmartPointer<vtkActor>> Actors;
+  widefov::Pose Start; // of the camera, before it moves
+  int Moves = 0;       // of it, so far
 };
 
 class BenchStage
@@ -41,8 +44,8 @@ public:
   std::vector<BenchEntry>& GetEntries() { return this->Entries; }
   const BenchScene& GetScene() const { return this->Scene; }
 
-  // Turns the camera as the run says, then draws one frame, of both eyes where it has them, and
-  // waits until it is drawn. Times are without the turn. Throws a Failure with ExitFailed where VTK
+  // Moves the camera as the run says, then draws one frame, of both eyes where it has them, and
+  // waits until it is drawn. Times are without the move. Throws a Failure with ExitFailed where VTK
   // reports an error.
   FrameTime Draw(BenchEntry& entry);
 
@@ -55,11 +58,12 @@ public:
   long FitFloor(BenchEntry& entry, long pixels);
 
 private:
+  void Move(BenchEntry& entry) const;
   vtkRenderWindow* WindowOf(const widefov::Options& options);
   void Add(const Run& run);
 
   const BenchScene& Scene;
-  std::map<int, vtkSmartPointer<vtkRenderWindow>> Windows; // by samples
+  std::map<std::array<int, 3>, vtkSmartPointer<vtkRenderWindow>> Windows; // by size and samples
   std::vector<BenchEntry> Entries;
 };
 }

@@ -21,6 +21,11 @@ constexpr double UsualTolerance = 0.25;
 
 constexpr int Table1Samples = 4;
 
+bool IsCubeMap(const std::string& method)
+{
+  return method == "cubemap" || method == SmoothCubeMap;
+}
+
 widefov::Technique TechniqueOf(const std::string& method)
 {
   using widefov::Technique;
@@ -28,7 +33,7 @@ widefov::Technique TechniqueOf(const std::string& method)
     : method == "tessellate" ? Technique::Tessellate
     : method == "preclip"    ? Technique::PreClip
     : method == "vertex"     ? Technique::Vertex
-    : method == "cubemap"    ? Technique::CubeMap
+    : IsCubeMap(method)      ? Technique::CubeMap
                              : Technique::Auto;
 }
 
@@ -56,6 +61,15 @@ std::vector<double> TolerancesOf(const PlanRequest& request, const std::vector<d
     return { request.Tolerance };
   }
   return request.Quick ? few : std::vector<double>{ 0.02, 0.05, UsualTolerance, 1 };
+}
+
+void Smooth(Run& run)
+{
+  if (run.Method == SmoothCubeMap)
+  {
+    run.Options.Size = { { 2 * run.Options.Size[0], 2 * run.Options.Size[1] } };
+    run.Options.Samples = 0;
+  }
 }
 
 // A projection at its widest.
@@ -98,12 +112,13 @@ public:
 
   Run Make(const std::string& method, std::optional<double> parameter = std::nullopt) const
   {
-    Run run{ method, parameter, this->Camera, this->Request.Turn, {} };
+    Run run{ method, parameter, this->Camera, this->Request.Motion, {} };
     run.Options.TechniqueName = method;
     run.Options.Technique = TechniqueOf(method);
-    if (method == "cubemap")
+    if (IsCubeMap(method))
     {
       run.Options.CubeMapResolution = int(*parameter);
+      Smooth(run);
     }
     else if (method != "floor")
     {
@@ -131,8 +146,9 @@ public:
     const bool asked = m.empty() ? !(this->Request.Quick && IsStereo(method))
                                  : std::find(m.begin(), m.end(), method) != m.end();
     // the floor covers as many pixels as a view that stands; outside the scene, it would turn away
-    const bool turnsAway = method == "floor" && this->Request.Turn != 0;
-    if (!asked || turnsAway)
+    const bool movesAway = method == "floor" && this->Request.Motion.Mode != Mode::Still;
+    const bool besideNothing = method == SmoothCubeMap && this->Request.Samples <= 1;
+    if (!asked || movesAway || besideNothing)
     {
       return;
     }
@@ -156,8 +172,8 @@ private:
 
 std::vector<std::string> MethodNames()
 {
-  return { "auto", "exact", "tessellate", "preclip", "vertex", "cubemap", "perspective", "floor",
-    "stereo-omnidirectional", "stereo-offaxis" };
+  return { "auto", "exact", "tessellate", "preclip", "vertex", "cubemap", SmoothCubeMap,
+    "perspective", "floor", "stereo-omnidirectional", "stereo-offaxis" };
 }
 
 std::vector<std::string> ProjectionNames()
@@ -202,6 +218,7 @@ std::vector<Run> MakePlan(const PlanRequest& request, const widefov::Options& ca
   maker.Add("cubemap",
     request.Quick ? std::vector<double>{ density }
                   : std::vector<double>{ density, 512, 1024, 2048, 4096 });
+  maker.Add(SmoothCubeMap, { 2 * density });
   return maker.Runs;
 }
 

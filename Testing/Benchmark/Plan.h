@@ -19,11 +19,12 @@ struct PlanRequest
   std::array<int, 2> Size{ { 2048, 1024 } };
   bool Quick = false;
   std::vector<std::string> Methods;           // empty: all
-  double Turn = 0;                            // degrees a frame; other than 0 there is no floor
+  bench::Motion Motion;                       // of every camera; only still there is a floor
   std::string Projection = "equirectangular"; // of the techniques, at its widest
   double Tolerance = 0;                       // of auto and tessellate, pixels; 0: several
   std::shared_ptr<const DirectionMap> Map;    // of that projection, drawn in its stead
-  int Samples = 0;                            // a pixel, of every window; 0: no multisampling
+  int Samples = 0; // a pixel, of every window; 0: no multisampling; more than 1:
+                   // there is a cubemap-ss
 };
 
 std::vector<std::string> MethodNames();
@@ -38,6 +39,10 @@ std::vector<std::string> ProjectionNames();
 // Pixels a cube face needs so that its centre is as dense as an equirectangular picture
 // of that width: the circle over pi.
 int EqualDensity(int width);
+
+// What the cubemap needs to be as smooth as several samples: twice as many pixels in both
+// directions, of its faces and of the picture. Its faces have no samples.
+const char* const SmoothCubeMap = "cubemap-ss";
 
 // The runs of one scene. `camera` gives eye, direction and look.
 std::vector<Run> MakePlan(const PlanRequest& request, const widefov::Options& camera);

@@ -80,10 +80,12 @@ Json ToJson(const Record& r)
     { "projection", floor ? "parallel" : o.Projection },
     { "hfov", floor ? Json(nullptr) : Json(o.View.HorizontalFov) },
     { "vfov", floor ? Json(nullptr) : Json(o.View.VerticalFov) },
-    { "size", { o.Size[0], o.Size[1] } }, { "samples", o.Samples }, { "method", r.Run.Method },
+    { "size", { o.Size[0], o.Size[1] } }, { "samples", o.Samples },
+    { "mode", NameOf(r.Run.Motion.Mode) }, { "method", r.Run.Method },
     { "parameter", r.Run.Parameter ? Json(*r.Run.Parameter) : Json(nullptr) },
     { "ms", Times(r.Milliseconds) }, { "processor_ms", Times(r.ProcessorMilliseconds) },
     { "frames", r.Milliseconds.size() },
+    { "first_ms", r.FirstMilliseconds ? Json(*r.FirstMilliseconds) : Json(nullptr) },
     { "covered", r.Covered ? Json(*r.Covered) : Json(nullptr) },
     { "fragments", r.Fragments ? Json(*r.Fragments) : Json(nullptr) },
     { "error", Figures(r.Error) } };
@@ -91,9 +93,9 @@ Json ToJson(const Record& r)
   {
     json["directions_of"] = r.Run.DirectionsOf;
   }
-  if (r.Run.Turn != 0)
+  if (r.Run.Motion.Mode == Mode::Turn)
   {
-    json["turn"] = r.Run.Turn;
+    json["turn"] = r.Run.Motion.Degrees;
   }
   if (!r.Note.empty())
   {

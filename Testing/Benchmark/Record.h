@@ -4,6 +4,7 @@
 #define WideFoVRecord_h
 
 #include "Metrics.h"
+#include "Motion.h"
 #include "Options.h"
 #include "Spread.h"
 
@@ -23,10 +24,10 @@ using Json = nlohmann::ordered_json;
 // What to measure: a method as it is called in the JSON, and everything that draws it.
 struct Run
 {
-  std::string Method;              // auto, .., cubemap, perspective, floor
+  std::string Method;              // auto, .., cubemap, cubemap-ss, perspective, floor
   std::optional<double> Parameter; // tolerance in pixels, or pixels a cube face
   widefov::Options Options;        // projection, size, technique, camera
-  double Turn = 0;                 // degrees that the camera turns before each frame
+  bench::Motion Motion;            // of the camera, before each frame
   std::string DirectionsOf;        // the projection that a direction map is of
 };
 
@@ -51,6 +52,7 @@ struct Record
   bench::Run Run;
   std::vector<double> Milliseconds; // one a frame: FrameTime::Passed
   std::vector<double> ProcessorMilliseconds;
+  std::optional<double> FirstMilliseconds; // of the first frame of a new window
   std::optional<ErrorFigures> Error;
   std::optional<long> Covered;        // pixels with something in them
   std::optional<long long> Fragments; // runs of fragment programs in a frame, all passes

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 
 using namespace wfv;
@@ -86,7 +87,7 @@ TEST(BenchPlan, QuickHasEveryMethodOfOneEyeAndOneCubeMap)
   std::set<std::string> all;
   for (const std::string& name : MethodNames())
   {
-    if (name.rfind("stereo-", 0) != 0)
+    if (name.rfind("stereo-", 0) != 0 && name != SmoothCubeMap) // which stands beside samples
     {
       all.insert(name);
     }
@@ -223,7 +224,7 @@ TEST(BenchSamples, PlansHaveThemInEveryRunAndRatiosSayIt)
   std::vector<Record> records;
   for (const BenchRun& run : MakePlan(request, widefov::Options()))
   {
-    EXPECT_EQ(run.Options.Samples, 4) << NameOf(run);
+    EXPECT_EQ(run.Options.Samples, run.Method == SmoothCubeMap ? 0 : 4) << NameOf(run);
     Record record;
     record.Scene = "room";
     record.Run = run;
@@ -234,16 +235,93 @@ TEST(BenchSamples, PlansHaveThemInEveryRunAndRatiosSayIt)
   EXPECT_TRUE(json.contains("time auto_0.25 / cubemap_652 with 4 samples, room")) << json.dump(1);
 }
 
+// Twice as many pixels both ways, of faces and of the picture, and no samples of its own.
+TEST(BenchSamples, TheSmoothCubeMapHasTwiceThePixelsBothWays)
+{
+  PlanRequest request;
+  request.Samples = 4;
+  const BenchRun run = Find(MakePlan(request, widefov::Options()), "cubemap-ss_1304");
+  EXPECT_EQ(run.Options.CubeMapResolution, 1304);
+  EXPECT_EQ(run.Options.Size, (std::array<int, 2>{ { 4096, 2048 } }));
+  EXPECT_EQ(run.Options.Samples, 0);
+  EXPECT_EQ(run.Options.Technique, widefov::Technique::CubeMap);
+  for (const int samples : { 0, 1 })
+  {
+    request.Samples = samples;
+    EXPECT_THROW(Find(MakePlan(request, widefov::Options()), "cubemap-ss_1304"), std::exception);
+  }
+}
+
+namespace
+{
+// One record a run, of that many milliseconds.
+std::vector<Record> RecordsOf(
+  const PlanRequest& request, const std::map<std::string, double>& milliseconds)
+{
+  std::vector<Record> records;
+  for (const BenchRun& run : MakePlan(request, widefov::Options()))
+  {
+    const auto found = milliseconds.find(NameOf(run));
+    Record record;
+    record.Scene = "room";
+    record.Run = run;
+    record.Milliseconds = { found == milliseconds.end() ? 1 : found->second };
+    records.push_back(record);
+  }
+  return records;
+}
+}
+
+TEST(BenchSummary, MovesAndSamplesAreInTheNamesOfRatios)
+{
+  PlanRequest request;
+  request.Quick = true;
+  request.Methods = { "auto", "vertex", "cubemap", "cubemap-ss", "perspective",
+    "stereo-omnidirectional" };
+  request.Samples = 4;
+  for (const auto& [motion, text] : std::vector<std::pair<bench::Motion, std::string>>{
+         { { Mode::Turn, 1 }, " while turning" }, { { Mode::Film, 0 }, " in a film" },
+         { { Mode::First, 0 }, " of first frames" }, { { Mode::Still, 0 }, "" } })
+  {
+    request.Motion = motion;
+    const Json json = Summarize(RecordsOf(request,
+      { { "auto_0.25", 12 }, { "vertex", 6 }, { "cubemap_652", 4 }, { "cubemap-ss_1304", 24 },
+        { "perspective", 3 }, { "stereo-omnidirectional", 18 } }));
+    const std::string end = text + " with 4 samples, room";
+    EXPECT_EQ(json.value("time auto_0.25 / vertex" + end, 0.), 2) << json.dump(1);
+    EXPECT_EQ(json.value("time auto_0.25 / cubemap_652" + end, 0.), 3);
+    EXPECT_EQ(json.value("time auto_0.25 / cubemap-ss_1304" + end, 0.), 0.5);
+    EXPECT_EQ(json.value("time auto_0.25 / perspective" + end, 0.), 4);
+    EXPECT_EQ(json.value("time stereo-omnidirectional / auto_0.25" + end, 0.), 1.5);
+  }
+}
+
+TEST(BenchRecord, SaysTheModeAndTheFirstFrame)
+{
+  PlanRequest request;
+  request.Quick = true;
+  for (const std::string& name : ModeNames())
+  {
+    request.Motion = { ModeOf(name), 0 };
+    EXPECT_EQ(NameOf(request.Motion.Mode), name);
+    Record record = RecordsOf(request, {}).front();
+    EXPECT_EQ(ToJson(record).at("mode"), name);
+    EXPECT_TRUE(ToJson(record).at("first_ms").is_null());
+    record.FirstMilliseconds = 2.5;
+    EXPECT_EQ(ToJson(record).at("first_ms"), 2.5);
+  }
+}
+
 TEST(BenchTurn, PlansTurnEveryRunButHaveNoFloor)
 {
   PlanRequest request;
   request.Quick = true;
-  request.Turn = -1.5;
+  request.Motion = { Mode::Turn, -1.5 };
   const std::vector<BenchRun> turning = MakePlan(request, widefov::Options());
   EXPECT_EQ(turning.size() + 1, PlanOf(true).size());
   for (const BenchRun& run : turning)
   {
-    EXPECT_EQ(run.Turn, -1.5) << NameOf(run);
+    EXPECT_EQ(run.Motion.Degrees, -1.5) << NameOf(run);
     EXPECT_NE(run.Method, "floor");
   }
 }
@@ -254,7 +332,7 @@ TEST(BenchTurn, OnlyRecordsOfCamerasThatTurnSayIt)
   record.Run = Find(PlanOf(true), "auto_0.25");
   record.Milliseconds = { 10 };
   EXPECT_FALSE(ToJson(record).contains("turn"));
-  record.Run.Turn = -1.5;
+  record.Run.Motion = { Mode::Turn, -1.5 };
   EXPECT_EQ(ToJson(record).at("turn"), -1.5);
   EXPECT_TRUE(ToJson(record).at("error").is_null());
 }
@@ -267,7 +345,7 @@ TEST(BenchTurn, RatiosSayIt)
     Record record;
     record.Scene = "room";
     record.Run = Find(PlanOf(true), name);
-    record.Run.Turn = 1;
+    record.Run.Motion = { Mode::Turn, 1 };
     record.Milliseconds = { name[0] == 'a' ? 30. : 20. };
     records.push_back(record);
   }
@@ -295,7 +373,7 @@ TEST(BenchSummary, Table1ComparesWithThePerspective)
     const bool planar = run.Options.Projection == "perspective";
     records.push_back(MakeRecord(run, planar ? 10 : 20, 0));
   }
-  const Json json = Summarize(records);
+  const Json json = SummarizeTable1(records);
   EXPECT_DOUBLE_EQ(json["frame rate preclip hammer 360, 4 samples / perspective perspective 120, 4 "
                         "samples, room"],
     0.5);

@@ -36,7 +36,22 @@ const std::vector<Measure>& Measures()
   return all;
 }
 
-// The records of one scene, projection, size and number of samples.
+std::string MovingText(Mode mode)
+{
+  switch (mode)
+  {
+    case Mode::Turn:
+      return " while turning";
+    case Mode::Film:
+      return " in a film";
+    case Mode::First:
+      return " of first frames";
+    default:
+      return "";
+  }
+}
+
+// The records of one scene.
 class Group
 {
 public:
@@ -63,7 +78,7 @@ public:
     if (top && bottom)
     {
       const int samples = x->Run.Options.Samples;
-      const std::string moving = (x->Run.Turn != 0 ? " while turning" : "") +
+      const std::string moving = MovingText(x->Run.Motion.Mode) +
         (samples > 1 ? " with " + std::to_string(samples) + " samples" : std::string());
       json["time " + a + " / " + b + moving + ", " + x->Scene] = *top / *bottom;
     }
@@ -103,17 +118,11 @@ public:
   }
 };
 
-std::string KeyOf(const Record& r)
-{
-  const widefov::Options& o = r.Run.Options;
-  return r.Scene + " " + std::to_string(o.Size[0]) + "x" + std::to_string(o.Size[1]) + " " +
-    std::to_string(o.Samples) + " " + widefov::Text(r.Run.Turn);
-}
-
 void AddGroup(Json& json, const Group& group)
 {
   const int width = group.Records.front()->Run.Options.Size[0];
-  const std::string cubemap = "cubemap_" + std::to_string(EqualDensity(width));
+  const int density = EqualDensity(width);
+  const std::string cubemap = "cubemap_" + std::to_string(density);
   for (const std::string name : { "auto_0.02", "auto_0.05", Usual, "auto_1", "exact",
          "tessellate_0.25", "preclip", "vertex", "perspective" })
   {
@@ -123,6 +132,11 @@ void AddGroup(Json& json, const Group& group)
     {
       group.AddRatio(json, name, "perspective");
     }
+  }
+  for (const std::string name : { Usual, "exact" })
+  {
+    group.AddRatio(json, name, "vertex");
+    group.AddRatio(json, name, std::string(SmoothCubeMap) + "_" + std::to_string(2 * density));
   }
   group.AddRatio(json, "stereo-omnidirectional", Usual);
   group.AddRatio(json, "stereo-omnidirectional", "exact");
@@ -143,11 +157,30 @@ std::string RowOf(const Record& r)
   return NameOf(r.Run) + " " + o.Projection + " " + widefov::Text(o.View.HorizontalFov) + ", " +
     std::to_string(std::max(1, o.Samples)) + (o.Samples > 1 ? " samples" : " sample");
 }
+}
 
-// The paper's question: what a projection and a field of view cost beside the perspective,
-// and what multisampling adds.
-void AddTable1(Json& json, const std::vector<Record>& records)
+Json Summarize(const std::vector<Record>& records)
 {
+  std::vector<std::pair<std::string, Group>> groups;
+  for (const Record& r : records)
+  {
+    if (groups.empty() || groups.back().first != r.Scene)
+    {
+      groups.push_back({ r.Scene, {} });
+    }
+    groups.back().second.Records.push_back(&r);
+  }
+  Json json = Json::object();
+  for (const auto& group : groups)
+  {
+    AddGroup(json, group.second);
+  }
+  return json;
+}
+
+Json SummarizeTable1(const std::vector<Record>& records)
+{
+  Json json = Json::object();
   for (const Record& r : records)
   {
     for (const Record& base : records)
@@ -160,34 +193,6 @@ void AddTable1(Json& json, const std::vector<Record>& records)
           *MedianOf(base) / *MedianOf(r);
       }
     }
-  }
-}
-}
-
-Json Summarize(const std::vector<Record>& records)
-{
-  std::vector<std::pair<std::string, Group>> groups;
-  // that table alone has rows without samples and with them
-  const bool table1 = std::any_of(records.begin(), records.end(), [&records](const Record& r) {
-    return r.Run.Options.Samples != records.front().Run.Options.Samples;
-  });
-  for (const Record& r : records)
-  {
-    if (groups.empty() || groups.back().first != KeyOf(r))
-    {
-      groups.push_back({ KeyOf(r), {} });
-    }
-    groups.back().second.Records.push_back(&r);
-  }
-  Json json = Json::object();
-  if (table1)
-  {
-    AddTable1(json, records);
-    return json;
-  }
-  for (const auto& group : groups)
-  {
-    AddGroup(json, group.second);
   }
   return json;
 }

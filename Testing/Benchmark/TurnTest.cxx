@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A camera that turns before each frame: the pictures of the benchmark really turn, those of
-// every method by the same angle to the same side.
+// Cameras that move before each frame: the pictures of the benchmark really turn, those of every
+// method by the same angle to the same side, and a film's are what each of its places shows.
 #include "BenchStage.h"
-#include "CellPictures.h"
+#include "Display.h"
 #include "Plan.h"
 
 #include <vtkCamera.h>
@@ -11,11 +11,26 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <memory>
+
 using namespace wfv;
 using namespace wfv::bench;
 
 namespace
 {
+// Between tests, when none has a window.
+class KeepsDisplay : public testing::Environment
+{
+public:
+  void SetUp() override { this->Display = std::make_unique<widefov::DisplayConnection>(); }
+  void TearDown() override { this->Display.reset(); }
+
+private:
+  std::unique_ptr<widefov::DisplayConnection> Display;
+};
+const testing::Environment* const TheDisplay = testing::AddGlobalTestEnvironment(new KeepsDisplay);
+
 constexpr int Width = 128;
 constexpr int Height = 64;
 
@@ -28,15 +43,19 @@ constexpr double MostMoved = 0.001;
 // Of the pixels, those that show something else after one, two or three quarters.
 constexpr double LeastTurned = 0.25;
 
-std::vector<bench::Run> PlanOf(double turn)
+// Of the pixels, those that show something else one frame of a film later, half a pixel on or so.
+constexpr double LeastFilmed = 0.01;
+
+std::vector<bench::Run> PlanOf(
+  const bench::Motion& motion, const widefov::Options& camera = widefov::Options())
 {
   PlanRequest request;
   request.Quick = true;
   request.Size = { { Width, Height } };
   request.Methods = { "auto", "exact", "tessellate", "preclip", "vertex", "perspective",
     "cubemap" };
-  request.Turn = turn;
-  return MakePlan(request, widefov::Options());
+  request.Motion = motion;
+  return MakePlan(request, camera);
 }
 
 // Colours, rows from the bottom.
@@ -70,8 +89,8 @@ double Differing(const std::vector<int>& a, const std::vector<int>& b, int colum
 TEST(BenchTurn, PicturesOfEveryMethodTurn)
 {
   const BenchScene scene = LoadBenchScene("room", "");
-  BenchStage still(scene, PlanOf(0));
-  BenchStage turning(scene, PlanOf(Quarter));
+  BenchStage still(scene, PlanOf({ Mode::Still, 0 }));
+  BenchStage turning(scene, PlanOf({ Mode::Turn, Quarter }));
   for (std::size_t i = 0; i < still.GetEntries().size(); ++i)
   {
     BenchEntry& entry = turning.GetEntries()[i];
@@ -88,6 +107,56 @@ TEST(BenchTurn, PicturesOfEveryMethodTurn)
       EXPECT_TRUE(moved <= MostMoved || (turns < 4 && !columns)) << name << ", " << turns;
       EXPECT_TRUE(turns == 4 || Differing(before, after, 0) >= LeastTurned)
         << name << ", " << turns;
+    }
+  }
+}
+
+namespace
+{
+// Where a camera of the scene is for that frame, as a camera that stands there.
+widefov::Options CameraAt(const BenchScene& scene, const bench::Motion& motion, int frame)
+{
+  double b[6];
+  widefov::SceneBounds(scene.Scene, b);
+  const double diagonal = std::hypot(b[1] - b[0], b[3] - b[2], b[5] - b[4]);
+  const widefov::Pose start = widefov::MakePose(scene.Scene, scene.Camera);
+  const widefov::Pose pose = PoseAt(start, CircleShare * diagonal, motion, frame);
+  widefov::Options camera = scene.Camera;
+  camera.Eye = pose.Eye;
+  camera.Direction = pose.Direction;
+  camera.Up = pose.Up;
+  return camera;
+}
+
+struct Moved
+{
+  bench::Motion Motion;
+  double Least; // of the pixels, those that show something else in the next frame
+};
+const std::vector<Moved> Moves{ { { Mode::Film, 0 }, LeastFilmed },
+  { { Mode::First, 0 }, LeastTurned } };
+}
+
+TEST(BenchFilm, PicturesAreThoseOfCamerasThatStandThere)
+{
+  const BenchScene scene = LoadBenchScene("cornell", "");
+  for (const Moved& moves : Moves)
+  {
+    BenchStage moving(scene, PlanOf(moves.Motion));
+    std::vector<std::vector<int>> last(moving.GetEntries().size());
+    for (int frame = 1; frame <= 3; ++frame)
+    {
+      const widefov::Options camera = CameraAt(scene, moves.Motion, frame);
+      BenchStage still(scene, PlanOf({ Mode::Still, 0 }, camera));
+      for (std::size_t i = 0; i < last.size(); ++i)
+      {
+        const std::string name = NameOf(moves.Motion.Mode) + " " +
+          NameOf(moving.GetEntries()[i].Run) + ", frame " + std::to_string(frame);
+        const std::vector<int> colors = ColorsOf(moving, moving.GetEntries()[i]);
+        EXPECT_LE(Differing(colors, ColorsOf(still, still.GetEntries()[i]), 0), MostMoved) << name;
+        EXPECT_TRUE(frame == 1 || Differing(colors, last[i], 0) >= moves.Least) << name;
+        last[i] = colors;
+      }
     }
   }
 }

@@ -1,11 +1,18 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Every figure of Documentation/benchmarks/README.md from one command: builds, measures,
-# draws the plots and writes the tables.
+# Every figure of Documentation/benchmarks/README.md: builds, measures, draws the plots and writes
+# the tables.
 #
-#   bash Testing/Benchmark/run.sh [--quick] [--large] [--trial] [--data FOLDER] [--scenes A,B,..] \
-#     [--page FOLDER]
+#   bash Testing/Benchmark/run.sh --moving [--size WxH] [--frames N] [OPTION...]
+#   bash Testing/Benchmark/run.sh [--quick] [--large] [OPTION...]
 #
+# OPTION: [--trial] [--data FOLDER] [--scenes A,B,..] [--page FOLDER]
+#
+# --moving  what the page leads with, first pictures, turning and films, and nothing else: with one
+#           and with four samples at 2048x1024, nine frames a run, about an hour on two cores;
+#           without it the views that stand, and what goes with them
+# --size    of moving views, pixels
+# --frames  of moving views, a run
 # --quick   every scene at 1024x512 with few parameters, about eight minutes on two cores
 # --large   beside cubemaps of up to 4096 pixels a face at 2048x1024 as well; without it what the
 #           page has of that stays
@@ -21,6 +28,9 @@ trap 'code=$?; [ "$code" -eq 0 ] || echo "Testing/Benchmark/run.sh: FAILED while
 
 quick=()
 few=()
+moving=
+size=
+frames=
 large=
 trial=()
 data=()
@@ -31,6 +41,17 @@ while [ "$#" -gt 0 ]; do
     --quick)
       quick=(--quick)
       few=(--frames 5) # of table 1, whose 22 runs a scene would take three minutes
+      ;;
+    --moving) moving=yes ;;
+    --size)
+      [ "$#" -gt 1 ] || { echo "Testing/Benchmark/run.sh: --size needs WxH" >&2; exit 2; }
+      size="$2"
+      shift
+      ;;
+    --frames)
+      [ "$#" -gt 1 ] || { echo "Testing/Benchmark/run.sh: --frames needs a number" >&2; exit 2; }
+      frames="$2"
+      shift
       ;;
     --large) large=yes ;;
     --trial) trial=(--trial) ;;
@@ -50,12 +71,21 @@ while [ "$#" -gt 0 ]; do
       shift
       ;;
     *)
-      echo "Testing/Benchmark/run.sh: --quick, --large, --trial, --data FOLDER, --scenes A,B,.. or --page FOLDER, not: $1" >&2
+      echo "Testing/Benchmark/run.sh: --moving, --size WxH, --frames N, --quick, --large, --trial, --data FOLDER, --scenes A,B,.. or --page FOLDER, not: $1" >&2
       exit 2
       ;;
   esac
   shift
 done
+
+if [ -n "$moving" ] && [ -n "${quick[*]-}$large" ]; then
+  echo "Testing/Benchmark/run.sh: --quick and --large are of views that stand; leave them out, or --moving" >&2
+  exit 2
+fi
+if [ -z "$moving" ] && [ -n "$size$frames" ]; then
+  echo "Testing/Benchmark/run.sh: --size and --frames are of views that move; give --moving, or leave them out" >&2
+  exit 2
+fi
 
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
@@ -76,6 +106,31 @@ measure() { # FILE.json OPTION...: the scenes that were asked for
 publish() { # FILE.json...: on the page, without the places of pixels that differ
   /usr/bin/python3 -B Testing/Benchmark/publish.py "$page" "${@/#/output/}"
 }
+have_page() { # a copy of it, where another folder was asked for
+  [ -f "$page/README.md" ] || cp Documentation/benchmarks/README.md "$page/"
+}
+measure_moving() { # one run for each mode and number of samples
+  local mode n methods files=()
+  for n in 1 4; do
+    methods=auto,vertex,perspective,stereo-omnidirectional,cubemap
+    [ "$n" -eq 1 ] || methods+=,cubemap-ss
+    for mode in first turn film; do
+      measure "moving-$mode-$n.json" --quick --mode "$mode" --samples "$((n > 1 ? n : 0))" --tolerance 0.25 \
+        --methods "$methods" --size "${size:-2048x1024}" --frames "${frames:-9}"
+      files+=("moving-$mode-$n.json")
+    done
+  done
+  step=writing
+  publish "${files[@]}"
+  have_page
+  /usr/bin/python3 -B Testing/Benchmark/moving.py "$page/README.md" "${files[@]/#/$page/}" \
+    ${trial[@]+"${trial[@]}"}
+}
+if [ -n "$moving" ]; then
+  measure_moving
+  echo "Written: $page"
+  exit 0
+fi
 measure benchmark.json ${quick[@]+"${quick[@]}"}
 measure table1.json --table1 ${few[@]+"${few[@]}"}
 measure turning.json --quick --turn 1 --methods auto,exact,cubemap
@@ -93,7 +148,7 @@ fi
 
 step=writing
 publish benchmark.json table1.json turning.json small.json stereo.json
-[ -f "$page/README.md" ] || cp Documentation/benchmarks/README.md "$page/"
+have_page
 /usr/bin/python3 -B Testing/Benchmark/plot.py "$page/benchmark.json" "$page"
 beside=()
 [ ! -f "$page/large.json" ] || beside=("$page/large.json")
