@@ -119,7 +119,9 @@ public:
   {
     for (const Element& element : this->Elements)
     {
-      for (std::uint64_t i = 0; i < element.Count; i++)
+      // (elements without properties take no place, however many there are)
+      const std::uint64_t count = element.Properties.empty() ? 0 : element.Count;
+      for (std::uint64_t i = 0; i < count; i++)
       {
         if (!this->Pass(element))
         {
