@@ -3,6 +3,7 @@
 
 #include "Datasets.h"
 #include "NetCdfHeader.h"
+#include "PlyFile.h"
 
 #include <vtkCellArray.h>
 #include <vtkDataArray.h>
@@ -179,6 +180,10 @@ std::string DamagedFile(const std::string& path, const std::string& ending)
   if (ending == ".g")
   {
     return DamagedByu(path);
+  }
+  if (ending == ".ply")
+  {
+    return DamagedPly(path);
   }
   if (ending == ".nc" || ending == ".cdf" || ending == ".ex2")
   {

@@ -21,8 +21,8 @@ std::string DamagedCells(vtkDataObject* data);
 
 // What the ending of the file lets one check before its reader sees it: a binary STL
 // shorter than its number of triangles, a MOVIE.BYU file with fewer numbers than it
-// announces (VTK 9.1 never ends on one), a classic netCDF file shorter than its
-// variables, an XML file of VTK without its end.
+// announces (VTK 9.1 never ends on one), a PLY file with fewer elements than it announces, a
+// classic netCDF file shorter than its variables, an XML file of VTK without its end.
 std::string DamagedFile(const std::string& path, const std::string& ending);
 
 // The first of a reader's warnings that says that data are missing; readers also warn

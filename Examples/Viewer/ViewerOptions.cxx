@@ -10,6 +10,9 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <memory>
+#include <string>
+#include <utility>
 
 namespace widefov
 {
@@ -18,6 +21,19 @@ namespace
 // What fits most screens, in the proportions of the whole sphere; pixels.
 constexpr int MostWindows = 16; // of a row or a column
 constexpr std::array<int, 2> WindowSize{ { 1024, 512 } };
+
+// The keys in their columns: of a footer CLI11 makes paragraphs since 2.5.
+class KeysBelow : public CLI::Formatter
+{
+public:
+  std::string make_help(
+    const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override
+  {
+    std::string text = CLI::Formatter::make_help(app, std::move(name), mode);
+    text.erase(text.find_last_not_of('\n') + 1); // each version ends with lines of its own
+    return text + "\n\nKeys and mouse:\n" + HelpText() + "\n";
+  }
+};
 
 void DeclareWindow(CLI::App& app, ViewerOptions& o)
 {
@@ -83,7 +99,7 @@ void CheckWall(ViewerOptions& o)
 std::optional<int> ParseViewerOptions(int argc, char** argv, ViewerOptions& o)
 {
   CLI::App app("VTK data in wide and non-planar projections, in a window.", "widefov-viewer");
-  app.footer("Keys and mouse:\n" + HelpText());
+  app.formatter(std::make_shared<KeysBelow>());
   FieldsOfView fov;
   o.Picture.Size = WindowSize;
   DeclareScene(app, o.Picture, fov);

@@ -68,11 +68,38 @@ XML = (
     '<DataArray type="Float32" NumberOfComponents="3" format="ascii">0 0 -1 1 0 -1 '
 )
 
-PLY = (
-    "ply\nformat ascii 1.0\nelement vertex 900\nproperty float x\nproperty float y\n"
-    "property float z\nelement face 300\nproperty list uchar int vertex_indices\n"
-    "end_header\n0 0 -1\n1 0 -1\n"
-)
+def ply(order=None):
+    """A PLY file, in binary if there is an order of bytes ("<", ">")."""
+    kind = {"<": "binary_little_endian", ">": "binary_big_endian"}.get(order, "ascii")
+    head = (
+        "ply\nformat %s 1.0\ncomment bad-input test\nelement vertex %d\n"
+        "property float x\nproperty float y\nproperty float z\nelement face %d\n"
+        "property list uchar int vertex_indices\nend_header\n"
+    ) % (kind, len(POINTS), len(TRIANGLES))
+    if not order:
+        lines = ["%d %d %d" % point for point in POINTS]
+        lines += ["3 %d %d %d" % triangle for triangle in TRIANGLES]
+        return (head + "\n".join(lines) + "\n").encode()
+    body = b"".join(struct.pack(order + "3f", *point) for point in POINTS)
+    return head.encode() + body + b"".join(
+        struct.pack(order + "B3i", 3, *triangle) for triangle in TRIANGLES)
+
+
+def ply_files():
+    """File name -> PLY file: good ones, and what a broken copy leaves of them."""
+    text = ply()
+    negative = text.replace(b"3 9 10 11", b"-3 9 10 11")
+    return {
+        "good.ply": text,
+        "little.ply": ply("<"),
+        "big.ply": ply(">"),
+        "truncated.ply": text[: text.index(b"0 1 -2")],
+        "truncated-header.ply": text[: text.index(b"property list")],
+        "truncated-face.ply": text[: text.rindex(b" ")],
+        "truncated-little.ply": ply("<")[:-1],
+        "truncated-big.ply": ply(">")[:-14],  # a face of 13 bytes, and one byte
+        "negative-list.ply": negative,
+    }
 
 
 def texts():
@@ -81,7 +108,6 @@ def texts():
         "good.vtk": legacy(),
         "truncated.vtk": legacy()[: len(legacy()) // 3],
         "truncated.vtp": XML,
-        "truncated.ply": PLY,
         "no-points.vtk": legacy([], []),
         "no-cells.vtk": legacy(triangles=[]),
         "negative-count.vtk": legacy(count=-3),
@@ -129,6 +155,7 @@ def write_inputs(folder):
     files["nan.vtk"] = binary(replaced(2, (NAN, 1, -2)))
     files["infinite.vtk"] = binary(replaced(2, (0, INFINITY, -2)))
     files["only-nan.vtk"] = binary([(NAN, NAN, NAN)] * len(POINTS))
+    files.update(ply_files())
     files.update(direction_maps())
     files.update((name, text.encode()) for name, text in room_files().items())
     noise = random.Random(1).randbytes(4096)

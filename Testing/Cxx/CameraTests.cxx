@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Setters clamp and warn as VTK's do, and refuse what cannot be.
+#include "Overheard.h"
+
 #include "vtkCommand.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkStringOutputWindow.h"
 #include "vtkTestErrorObserver.h"
 #include "vtkTransform.h"
 #include "vtkWideFoVCamera.h"
@@ -28,30 +29,6 @@ struct Camera
   }
   vtkNew<vtkWideFoVCamera> Object;
   vtkNew<vtkTest::ErrorObserver> Messages;
-};
-}
-
-namespace
-{
-// What VTK says goes to a string while this lives.
-struct Overheard
-{
-  Overheard() { vtkOutputWindow::SetInstance(this->Window); }
-  ~Overheard() { vtkOutputWindow::SetInstance(this->Before); }
-
-  int Count(const std::string& part) const
-  {
-    const std::string all = this->Window->GetOutput();
-    int n = 0;
-    for (size_t at = all.find(part); at != std::string::npos; at = all.find(part, at + 1))
-    {
-      n++;
-    }
-    return n;
-  }
-
-  vtkSmartPointer<vtkOutputWindow> Before = vtkOutputWindow::GetInstance();
-  vtkNew<vtkStringOutputWindow> Window;
 };
 }
 

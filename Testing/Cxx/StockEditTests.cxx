@@ -4,6 +4,7 @@
 // drawn.
 #include "Compat/vtkWideFoVStockEdits.h"
 #include "Compat/vtkWideFoVStockText.h"
+#include "Overheard.h"
 #include "StockEditScenes.h"
 
 #include "vtkActor.h"
@@ -18,7 +19,6 @@
 #include "vtkProperty.h"
 #include "vtkSelection.h"
 #include "vtkSphereSource.h"
-#include "vtkStringOutputWindow.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVersion.h"
 #include "vtkWideFoVDataPass.h"
@@ -34,31 +34,10 @@ namespace
 namespace stock = wfv::stock;
 using stock::Edit;
 
-// What VTK says meanwhile.
-struct Overheard
+// What VTK says meanwhile, of edits that nothing was said of before.
+struct OverheardAnew : Overheard
 {
-  Overheard()
-  {
-    stock::ForgetReports();
-    vtkOutputWindow::SetInstance(this->Window);
-  }
-  ~Overheard() { vtkOutputWindow::SetInstance(this->Before); }
-
-  int Count(const std::string& part) const
-  {
-    const std::string all = this->Window->GetOutput();
-    int n = 0;
-    for (size_t at = all.find(part); at != std::string::npos; at = all.find(part, at + 1))
-    {
-      n++;
-    }
-    return n;
-  }
-
-  std::string All() const { return this->Window->GetOutput(); }
-
-  vtkSmartPointer<vtkOutputWindow> Before = vtkOutputWindow::GetInstance();
-  vtkNew<vtkStringOutputWindow> Window;
+  OverheardAnew() { stock::ForgetReports(); }
 };
 
 // Of the edits that are called with a name: any.
@@ -216,7 +195,7 @@ const Users& FindUsers()
   }
   for (const stockScenes::Scene& scene : stockScenes::All())
   {
-    const Overheard vtk;
+    const OverheardAnew vtk;
     const std::vector<int> before = TimesFound();
     BrokenPicture picture(scene);
     EXPECT_FALSE(IsBlack(picture.Draw())) << scene.Name;
@@ -271,7 +250,7 @@ TEST(StockEdits, OneThatFindsNothingIsSaidAndLeavesThePropOut)
       {
         continue; // without that VTK draws nothing either
       }
-      const Overheard vtk;
+      const OverheardAnew vtk;
       vtkNew<OtherVtk> other;
       other->Other = edit;
       BrokenPicture picture(*scene);
@@ -357,7 +336,7 @@ TEST(StockEdits, WhatIsBesideAPropThatIsLeftOutIsDrawnAsBefore)
   std::vector<unsigned char> alone;
   for (bool broken : { false, true })
   {
-    const Overheard vtk;
+    const OverheardAnew vtk;
     WideFoVTestWindow test("equirectangular", 96, 48);
     vtkNew<vtkSphereSource> ball;
     ball->SetCenter(2, 0, 0);
@@ -387,7 +366,7 @@ TEST(StockEdits, WhatIsBesideAPropThatIsLeftOutIsDrawnAsBefore)
 
 TEST(StockEdits, SelectionFindsNothingOfAPropThatIsLeftOut)
 {
-  const Overheard vtk;
+  const OverheardAnew vtk;
   vtkNew<OtherVtk> other;
   other->Other = Edit::FromEye;
   BrokenPicture picture(stockScenes::All().front());

@@ -26,9 +26,11 @@ def run(*words):
 
 
 def pixels(path):
-    """Rows of red, green, blue, through a PPM file."""
+    """Rows of red, green, blue, through a PPM file; told not to, OpenImageIO 3.1 does not write it
+    upside down, as one of floats is."""
     ppm = path + ".ppm"
-    run("oiiotool", path, "--ch", "R,G,B", "-d", "uint8", "-o", ppm)
+    upright = ["--attrib:type=int", "pnm:pfmflip", "0"]
+    run("oiiotool", path, "--ch", "R,G,B", "-d", "uint8", *upright, "-o", ppm)
     with open(ppm, "rb") as file:
         words = file.readline().split() + file.readline().split() + file.readline().split()
         data = file.read()

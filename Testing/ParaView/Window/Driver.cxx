@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Hands for ParaView's window: a library that is loaded before the program, waits for the
-// plugin's toolbar, uses it as a person would, photographs the screen and ends the program.
-// WIDEFOV_PHOTOGRAPHS in the environment names the folder for the pictures.
+// Hands for ParaView's window: a library that is loaded before the program, waits for the script
+// and the plugin's toolbar, uses it as a person would, photographs the screen and ends the program.
+// WIDEFOV_PHOTOGRAPHS in the environment names the folder for the pictures, and for the log that
+// the script begins as its last step.
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
@@ -17,6 +18,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <functional>
 #include <string>
 #include <vector>
@@ -52,10 +54,15 @@ Widget* Get(const char* name)
   return found ? found : (End(1, (std::string("there is no ") + name).c_str()), nullptr);
 }
 
+std::string InFolder(const std::string& name)
+{
+  return std::string(std::getenv("WIDEFOV_PHOTOGRAPHS")) + "/" + name;
+}
+
 void Photograph(const std::string& name)
 {
   const QPixmap photograph = QGuiApplication::primaryScreen()->grabWindow(0);
-  const std::string file = std::string(std::getenv("WIDEFOV_PHOTOGRAPHS")) + "/" + name + ".png";
+  const std::string file = InFolder(name + ".png");
   if (!photograph.save(QString::fromStdString(file)))
   {
     End(1, ("cannot write " + file).c_str());
@@ -143,9 +150,9 @@ void Work()
   static std::size_t next = 0;
   CloseGreeting();
   auto* const bar = Find<QToolBar>("WideFoVToolBar");
-  if (next == 0 && !(bar && bar->isEnabled()))
+  if (next == 0 && !(bar && bar->isEnabled() && std::ifstream(InFolder("settings.log"))))
   {
-    return; // the script has not made the view yet
+    return; // the script is still at work; ParaView 6.1 sees to timers in between
   }
   if (next == 0)
   {

@@ -45,5 +45,5 @@ def log(*_):
         out.write(json.dumps(values) + "\n")
 
 
-log()
+log()  # the driver waits for it
 view.SMProxy.AddObserver("PropertyModifiedEvent", log)
