@@ -161,6 +161,10 @@ std::string PrimitiveSource(const Request& r, const std::vector<Varying>& varyin
     preclip_triangles_glsl;
 }
 
+// Corners that a vertex stage projects and those that a geometry stage does are of one mesh: they come
+// out alike, or pixels between them were left out.
+const char* const SamePlaces = "invariant gl_Position;\n";
+
 // toView: the name of the matrix from the vertex buffer to view coordinates; empty where the
 // coordinates of the buffer do not come along.
 std::string GeometrySource(
@@ -168,7 +172,7 @@ std::string GeometrySource(
 {
   std::string source = std::string("//VTK::System::Dec\n") + (CoversTriangles(r) ? Doubles : "") +
     (CoversTriangles(r) ? Invocations : "") + Define("WFV_MODEL", !toView.empty()) +
-    "#define WFV_TO_VIEW " + toView + "\n" + ViewSource(r) +
+    (CutsTriangles(r) ? SamePlaces : "") + "#define WFV_TO_VIEW " + toView + "\n" + ViewSource(r) +
     (r.Kind == Primitive::Points || CutsTriangles(r) ? "" : preclip_glsl) +
     (r.DebugView ? debug_kinds_glsl : "") + PrimitiveSource(r, varyings);
   if (r.Stage == vtkWideFoVShaderBuilder::Variant::Tessellate)
@@ -195,6 +199,10 @@ void FinishVertices(const Request& r, const std::vector<Varying>& varyings, std:
     vtkWideFoVShaderBuilder::WrapMain(
       vertex, "", "  gl_Position = wfvProjectVertex(gl_Position.xyz);\n");
     vtkWideFoVShaderBuilder::Declare(vertex, ViewSource(r));
+  }
+  if (r.Kind == Primitive::Triangles)
+  {
+    vtkWideFoVShaderBuilder::Declare(vertex, SamePlaces);
   }
 }
 

@@ -11,6 +11,10 @@ namespace
 // Relative to the distance: so near a discontinuity float32 may place a point beyond it.
 constexpr double Beside = 1e-5;
 
+// Pixels: so near a rim, a seam or a border of two faces a pixel's neighbours are no neighbours on the
+// map, so how its ray changes is not known, and with it on which side of a chord it is.
+constexpr double RimPixels = 4;
+
 // Cosine of the angle from the axis of a perspective: nearer to the plane of the eye no chord has
 // a bound.
 constexpr double LeastAhead = 0.02;
@@ -56,6 +60,7 @@ Classifier::Classifier(const ClassifierView& view)
   this->Inner2 = inner * inner;
   this->Outer2 = outer * outer;
   this->RimCosine = std::cos(view.View.maxAngle);
+  this->RimAngle = view.Limits ? RimPixels / view.Limits->StretchAt(vec3(0, 0, -1)) : 0;
 }
 
 // Unless all corners are well on one face of the cube round the eye.
@@ -77,7 +82,7 @@ bool Classifier::IsOnOneFace(const vec3 p[3], double beside) const
 // longest edge, radians, at least.
 bool Classifier::MayTear(const vec3 p[3], double farthest, double angle) const
 {
-  const double beside = farthest * Beside + this->V.EyeRadius;
+  const double beside = farthest * (Beside + this->RimAngle) + this->V.EyeRadius;
   switch (this->Axis)
   {
     case Family::Meridian:
@@ -108,7 +113,8 @@ bool Classifier::MayTear(const vec3 p[3], double farthest, double angle) const
 bool Classifier::SphereMayTear(const vec3& c, double radius, double angle) const
 {
   const double distance = glm::length(c);
-  const double beside = (distance + radius) * Beside + this->V.EyeRadius + radius;
+  const double beside =
+    (distance + radius) * (Beside + this->RimAngle) + this->V.EyeRadius + radius;
   switch (this->Axis)
   {
     case Family::Meridian:
@@ -153,18 +159,24 @@ double Classifier::LimitAt(const vec3& p) const
                                : this->V.Limits->At(p);
 }
 
-// Seen from the eye no part of an edge looks longer than it would at its nearer end.
+// Seen from the eye no part of an edge looks longer than it would at its nearer end. Of several chords
+// none is beside a pole, where what is ray-tested beside them could not be widened evenly.
 bool Classifier::FitChords(const vec3& p, const vec3& q, int chords) const
 {
   const vec3 step = (q - p) / double(chords);
   const double step2 = glm::dot(step, step);
+  if (chords > 1 && this->V.Limits->IsBesideSingularity(p))
+  {
+    return false;
+  }
   double before = this->LimitAt(p) * glm::dot(p, p);
   for (int i = 1; i <= chords; i++)
   {
     const vec3 at = i < chords ? p + double(i) * step : q;
     const double here = this->LimitAt(at) * glm::dot(at, at);
     if (!(step2 <= std::min(before, here)) ||
-      (this->V.EyeRadius > 0 && this->BendsFromEye(at - step, at)))
+      (this->V.EyeRadius > 0 && this->BendsFromEye(at - step, at)) ||
+      (chords > 1 && this->V.Limits->IsBesideSingularity(at)))
     {
       return false;
     }

@@ -77,6 +77,7 @@ private:
   double Inner2; // squared distances: nothing is projected beyond
   double Outer2;
   double RimCosine; // of the angle at which a round map ends
+  double RimAngle;  // radians from a rim, a seam or a border of faces that are too near
 };
 }
 

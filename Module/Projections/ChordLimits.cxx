@@ -15,6 +15,9 @@ constexpr double NarrowestCell = 0.03;
 // ends are.
 constexpr double Farther = 0.75;
 
+// Tolerances: nearer to a pole what is off by one of them is bent.
+constexpr double BesidePole = 32;
+
 float LimitOf(const LocalBend& bends, std::size_t cell, const vec2& half, double tolerance)
 {
   double limit = 0;
@@ -48,6 +51,7 @@ std::vector<float> LeastAroundEach(const std::vector<float>& limits)
 ChordLimits::ChordLimits(const Projection& projection, const WfvView& view, const LocalBend& bends,
   const vec2& pixels, double tolerance)
   : Axis(projection.Axis)
+  , BesideSine2(0)
   , PerSine2(0)
 {
   const bool singular =
@@ -64,6 +68,8 @@ ChordLimits::ChordLimits(const Projection& projection, const WfvView& view, cons
     this->Limits[cell] = LimitOf(bends, cell, half, tolerance);
     this->Stretches[cell] = static_cast<float>(bends.OfCell(cell, 0)[2] * std::max(half.x, half.y));
   }
+  const double beside = BesidePole * tolerance / this->StretchAt(vec3(0, 0, -1));
+  this->BesideSine2 = beside * beside;
   std::vector<float> least(this->Limits);
   for (int ring = 0; ring < Rings; ring++)
   {
@@ -76,12 +82,22 @@ ChordLimits::ChordLimits(const Projection& projection, const WfvView& view, cons
   }
 }
 
-float ChordLimits::NearSingularity(const vec3& direction) const
+double ChordLimits::Sine2Of(const vec3& direction) const
 {
   const vec3 d = glm::normalize(direction);
-  const double sine2 = Axis == Family::Meridian ? d.x * d.x + d.z * d.z
-    : d.z > 0                                   ? d.x * d.x + d.y * d.y
-                                                : 1;
+  return Axis == Family::Meridian            ? d.x * d.x + d.z * d.z
+    : Axis == Family::Azimuthal && d.z > 0 ? d.x * d.x + d.y * d.y
+                                           : 1;
+}
+
+bool ChordLimits::IsBesideSingularity(const vec3& direction) const
+{
+  return this->Sine2Of(direction) < this->BesideSine2;
+}
+
+float ChordLimits::NearSingularity(const vec3& direction) const
+{
+  const double sine2 = this->Sine2Of(direction);
   constexpr double share = (1 - Farther) * (1 - Farther);
   constexpr double longest = LongestChord * LongestChord;
   return static_cast<float>(std::min({ this->PerSine2, share, longest / sine2 }) * sine2);

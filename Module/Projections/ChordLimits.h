@@ -41,6 +41,9 @@ public:
     return this->Stretches[LocalBend::CellOf(direction)];
   }
 
+  // So near a pole or an antipode that the map bends within a few times the tolerance.
+  bool IsBesideSingularity(const vec3& direction) const;
+
 private:
   // Squared radians: beside a pole or an antipode a cell has as little as this, if any, for all
   // that is in it, though most is farther from there than its nearest place.
@@ -49,7 +52,11 @@ private:
   // By the bound of wfv::Bend, which knows how near a direction is.
   float NearSingularity(const vec3& direction) const;
 
+  // Squared sine of the angle of a direction from the nearest pole or antipode; 1 where there is none.
+  double Sine2Of(const vec3& direction) const;
+
   Family Axis;
+  double BesideSine2; // of IsBesideSingularity
   double PerSine2; // squared radians over the squared sine of the angle from there; 0: no bound
   static constexpr int Rings = 4; // a table of the least round each cell, of 1, 2, 4, .. cells
 

@@ -49,13 +49,15 @@ vec2 wfvHere()
 #if WFV_MEETS_CHORDS
 uniform float wfvTolerance; // pixels
 
-// True where this sample is beside the way from a to b, or no farther beyond than chords may be off.
+// True where this sample is beside the way from a to b, or no farther from an end of it than chords
+// may be off.
 bool wfvIsBeside(vec2 a, vec2 b)
 {
   vec2 way = b - a;
-  float l = length(way);
-  float along = dot(wfvHere() - a, way);
-  return along >= -wfvTolerance * l && along <= (l + wfvTolerance) * l;
+  vec2 here = wfvHere() - a;
+  float along = dot(here, way) / max(dot(way, way), 1e-12);
+  vec2 off = here - clamp(along, 0.0, 1.0) * way;
+  return (along >= 0.0 && along <= 1.0) || dot(off, off) <= wfvTolerance * wfvTolerance;
 }
 
 // Of each edge. A widened one ends where it ends: an acute corner would reach far beyond its place.
@@ -75,12 +77,12 @@ float wfvToChord(float e, vec2 slope, float slack, vec2 a, vec2 b)
   vec2 chord = b - a;
   float l = length(chord);
   vec2 at = wfvHere() - a;
-  float along = dot(at, chord) / max(l * l, 1e-12);
+  float along = dot(at, chord) / max(l, 1e-6);
   float beside = (chord.x * at.y - chord.y * at.x) / max(l, 1e-6);
   float inside = dot(vec2(-chord.y, chord.x), slope) < 0.0 ? -beside : beside;
   float reach = WFV_LENS_SAFETY * slack + WFV_LENS_PAD;
-  bool decides = slack >= 0.0 && l > WFV_SHORT && along >= 0.0 && along <= 1.0 &&
-    abs(beside) <= reach && abs(e) <= reach * steep;
+  bool decides = slack >= 0.0 && l > WFV_SHORT && along >= -WFV_SNAP &&
+    along <= l + WFV_SNAP && abs(beside) <= reach && abs(e) <= reach * steep;
   return decides ? (inside + WFV_SNAP) * steep - e : 0.0;
 }
 
