@@ -43,7 +43,7 @@ class WFV_EXPORT Classifier
 public:
   // Of the tolerance: what the turning of the eyes' circle may take, beside what the map itself
   // bends.
-  static constexpr double EyeShare = 0.5;
+  static constexpr double EyeShare = 0.2;
 
   explicit Classifier(const ClassifierView& view);
 

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ChordLimits.h"
 
+#include "Bend.h"
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace wfv
 {
@@ -15,8 +18,39 @@ constexpr double NarrowestCell = 0.03;
 // ends are.
 constexpr double Farther = 0.75;
 
-// Tolerances: nearer to a pole what is off by one of them is bent.
-constexpr double BesidePole = 32;
+// Pixels, or tolerances where these are larger: nearer to a pole or an antipode the map bends from pixel
+// to pixel.
+constexpr double BesidePole = 6;
+
+// Pixels from the pole or antipode to what is seen so far from it, the least all round.
+double LeastPixels(const Projection& map, const WfvView& view, const vec2& half, double angle)
+{
+  constexpr int ways = 16;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < ways; i++)
+  {
+    const double turn = 2 * WFV_PI * (i + 0.5) / ways; // none is at the seam
+    const auto at = [&](double a) {
+      const vec2 level(std::sin(a) * std::cos(turn), std::sin(a) * std::sin(turn));
+      return map.Project(map.Axis == Family::Meridian ? vec3(level.x, std::cos(a), level.y)
+                                                      : vec3(level.x, level.y, std::cos(a)),
+        view);
+    };
+    least = std::min(least, glm::length(half * (at(angle) - at(0.01 * angle))));
+  }
+  return least;
+}
+
+// Sine of the angle within which no place is BesidePole or more away.
+double SineBeside(const Projection& map, const WfvView& view, const vec2& half, double tolerance)
+{
+  double angle = 0.001;
+  while (angle < 0.5 && LeastPixels(map, view, half, angle) < BesidePole * std::max(1.0, tolerance))
+  {
+    angle *= 1.25;
+  }
+  return std::sin(angle);
+}
 
 float LimitOf(const LocalBend& bends, std::size_t cell, const vec2& half, double tolerance)
 {
@@ -51,7 +85,7 @@ std::vector<float> LeastAroundEach(const std::vector<float>& limits)
 ChordLimits::ChordLimits(const Projection& projection, const WfvView& view, const LocalBend& bends,
   const vec2& pixels, double tolerance)
   : Axis(projection.Axis)
-  , BesideSine2(0)
+  , BesideSine(0)
   , PerSine2(0)
 {
   const bool singular =
@@ -68,8 +102,7 @@ ChordLimits::ChordLimits(const Projection& projection, const WfvView& view, cons
     this->Limits[cell] = LimitOf(bends, cell, half, tolerance);
     this->Stretches[cell] = static_cast<float>(bends.OfCell(cell, 0)[2] * std::max(half.x, half.y));
   }
-  const double beside = BesidePole * tolerance / this->StretchAt(vec3(0, 0, -1));
-  this->BesideSine2 = beside * beside;
+  this->BesideSine = singular ? SineBeside(projection, view, half, tolerance) : 0;
   std::vector<float> least(this->Limits);
   for (int ring = 0; ring < Rings; ring++)
   {
@@ -82,22 +115,15 @@ ChordLimits::ChordLimits(const Projection& projection, const WfvView& view, cons
   }
 }
 
-double ChordLimits::Sine2Of(const vec3& direction) const
-{
-  const vec3 d = glm::normalize(direction);
-  return Axis == Family::Meridian            ? d.x * d.x + d.z * d.z
-    : Axis == Family::Azimuthal && d.z > 0 ? d.x * d.x + d.y * d.y
-                                           : 1;
-}
-
 bool ChordLimits::IsBesideSingularity(const vec3& direction) const
 {
-  return this->Sine2Of(direction) < this->BesideSine2;
+  return SineToSingularity(this->Axis, glm::normalize(direction)) < this->BesideSine;
 }
 
 float ChordLimits::NearSingularity(const vec3& direction) const
 {
-  const double sine2 = this->Sine2Of(direction);
+  const double sine = SineToSingularity(this->Axis, glm::normalize(direction));
+  const double sine2 = sine * sine;
   constexpr double share = (1 - Farther) * (1 - Farther);
   constexpr double longest = LongestChord * LongestChord;
   return static_cast<float>(std::min({ this->PerSine2, share, longest / sine2 }) * sine2);

@@ -52,11 +52,8 @@ private:
   // By the bound of wfv::Bend, which knows how near a direction is.
   float NearSingularity(const vec3& direction) const;
 
-  // Squared sine of the angle of a direction from the nearest pole or antipode; 1 where there is none.
-  double Sine2Of(const vec3& direction) const;
-
   Family Axis;
-  double BesideSine2; // of IsBesideSingularity
+  double BesideSine; // of IsBesideSingularity
   double PerSine2; // squared radians over the squared sine of the angle from there; 0: no bound
   static constexpr int Rings = 4; // a table of the least round each cell, of 1, 2, 4, .. cells
 

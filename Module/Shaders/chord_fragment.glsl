@@ -60,12 +60,24 @@ bool wfvIsBeside(vec2 a, vec2 b)
   return (along >= 0.0 && along <= 1.0) || dot(off, off) <= wfvTolerance * wfvTolerance;
 }
 
-// Of each edge. A widened one ends where it ends: an acute corner would reach far beyond its place.
-bvec3 wfvBesideEdges()
+// False where this sample is outside both edges of a corner a that is no acute one, and farther from it
+// than chords may be off. (At an acute one it may be between two chords that pass each other.)
+bool wfvIsAtCorner(vec2 a, vec2 b, vec2 c, bool outside)
+{
+  vec2 off = wfvHere() - a;
+  return !outside || dot(b - a, c - a) > 0.0 || dot(off, off) <= wfvTolerance * wfvTolerance;
+}
+
+// Whether the edges of which this sample is outside may be widened to hold it. A widened one ends where
+// it ends: an acute corner would reach far beyond its place.
+bvec3 wfvBesideEdges(bvec3 outside)
 {
   vec2 a = wfvCorners01.xy;
   vec2 b = wfvCorners01.zw;
-  return bvec3(wfvIsBeside(b, wfvCorner2), wfvIsBeside(wfvCorner2, a), wfvIsBeside(a, b));
+  vec2 c = wfvCorner2;
+  bool corners = wfvIsAtCorner(a, b, c, outside.y && outside.z) &&
+    wfvIsAtCorner(b, c, a, outside.z && outside.x) && wfvIsAtCorner(c, a, b, outside.x && outside.y);
+  return bvec3(corners && wfvIsBeside(b, c), corners && wfvIsBeside(c, a), corners && wfvIsBeside(a, b));
 }
 #endif
 

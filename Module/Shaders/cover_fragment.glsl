@@ -70,7 +70,7 @@ void wfvOrder(float approach, vec3 e);
 // chord_fragment.glsl
 vec3 wfvChordReach();
 #if WFV_MEETS_CHORDS
-bvec3 wfvBesideEdges();
+bvec3 wfvBesideEdges(bvec3 outside);
 #endif
 vec3 wfvToChords(vec3 e, vec3 dx, vec3 dy);
 bool wfvAllInside(vec3 e, vec3 toChords);
@@ -282,7 +282,8 @@ bool wfvTurns(vec3 direction)
 vec3 wfvWidened(vec3 e, vec3 x, vec3 y)
 {
 #if WFV_MEETS_CHORDS
-  return e + vec3(wfvBesideEdges()) * wfvWiden * sqrt(x * x + y * y);
+  return e +
+    vec3(wfvBesideEdges(lessThan(e, vec3(0.0)))) * wfvWiden * sqrt(x * x + y * y);
 #else
   return e;
 #endif

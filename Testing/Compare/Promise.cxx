@@ -32,17 +32,39 @@ reference::TriangleSoup OnlyCell(const reference::TriangleSoup& all, vtkIdType c
   return own;
 }
 
-// Whether what was drawn is seen no farther from the pixel's centre than so many pixels. Of the 48
-// points that explain some step over thin cells: finer circles, or the cell's own picture, tell.
+// Whether a ray within so many pixels of the pixel's centre sees what was drawn. Of the 48 points that
+// explain some step over thin corners of cells, so more are tried here.
+bool IsSeenAround(const reference::RayCaster& caster, const Shot& shot,
+  const reference::WorstPixel& pixel, double tolerance)
+{
+  constexpr int circles = 32;
+  constexpr int points = 256;
+  for (int k = 0; k < circles * points; ++k)
+  {
+    const double radius = tolerance * (k / points + 1) / circles;
+    const double angle = 2 * WFV_PI * (k % points) / points;
+    const vec2 ndc = reference::PixelToNdc(pixel.I + 0.5 + radius * std::cos(angle),
+      pixel.J + 0.5 + radius * std::sin(angle), shot.Width, shot.Height);
+    if (caster.Sees(ndc, pixel.Drawn))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Pixels: rasterizers snap the corners of what is projected to such steps.
+constexpr double SnapStep = 1.0 / 256;
+
+// The same by the cell's own picture, where that is to be had.
 bool IsSeenWithin(const reference::RayCaster& caster, const Shot& shot,
   const reference::WorstPixel& pixel, double tolerance)
 {
   const vec2 centre(pixel.I + 0.5, pixel.J + 0.5);
   const double limit = 2 * tolerance; // the search compares it with distances of first order
-  return std::isfinite(
-           reference::NearestAgreement(caster, shot.Width, shot.Height, pixel, tolerance)) ||
+  return IsSeenAround(caster, shot, pixel, tolerance) ||
     reference::NearestPlace(caster, shot.Width, shot.Height, centre, pixel.Drawn, limit) <=
-    tolerance;
+    tolerance + SnapStep;
 }
 
 // Whether the face that was drawn is seen so near, or would be, were nothing before it.
@@ -52,6 +74,11 @@ bool IsThere(const reference::RayCaster& caster, const View& view, const Shot& s
   if (pixel.Drawn < 0)
   {
     return false;
+  }
+  bool inside = false;
+  if (!IsClear(view, pixel.I, pixel.J, shot.Width, shot.Height, tolerance, inside))
+  {
+    return true; // its place may be beyond the border of the map, where no ray is
   }
   const reference::RayCaster alone(OnlyCell(caster.GetTriangles(), pixel.Drawn), view);
   const vec2 ndc = reference::PixelToNdc(pixel.I + 0.5, pixel.J + 0.5, shot.Width, shot.Height);
