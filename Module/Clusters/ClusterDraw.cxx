@@ -209,7 +209,7 @@ void TakeTriangleNumbers(std::string& fragment)
 {
   if (stock::Replace(fragment, stock::Edit::PrimitiveNumber, "wfvNumber()", stock::Found::May) >= 0)
   {
-    vtkWideFoVShaderBuilder::Declare(fragment, sorted_number_glsl);
+    vtkWideFoVShaderBuilder::Declare(fragment, triangle_number_glsl);
   }
 }
 }
