@@ -41,7 +41,6 @@ public:
   bool IsUnseen(int i) const { return this->Entries[i].Unseen; }
   vtkProp* GetProp(int i) const { return this->Entries[i].Prop; }
   vtkWideFoVStage* GetStage(int i) const { return this->Entries[i].Stage; }
-  const PropFacts& GetFacts(int i) const { return this->Entries[i].Facts; }
 
 private:
   struct Entry

@@ -120,7 +120,7 @@ void vtkWideFoVPass::DrawProps(const vtkRenderState* s, vtkProp** props, int cou
     in.Keys[i].Attach(props[i], in.Chosen[i]);
     if (auto* const actor = vtkActor::SafeDownCast(props[i]))
     {
-      wfv::SortBlocksOf(actor->GetMapper(), s->GetRenderer()->GetRenderWindow());
+      wfv::ClassifyBlocksOf(actor->GetMapper(), s->GetRenderer()->GetRenderWindow());
     }
   }
   vtkRenderState seen(s->GetRenderer());

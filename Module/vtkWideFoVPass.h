@@ -86,8 +86,8 @@ public:
   ///@{
   /**
    * Colour every primitive by what happened to it (default off): let through as it is,
-   * split at the seam, covered because of a pole, exact, tessellated by level, of a prop
-   * without a geometry stage. Documentation/debug-view.md shows the colours.
+   * split at the seam, covered because of a pole, exact, tessellated by level, projected by
+   * the vertex stage. Documentation/debug-view.md shows the colours.
    */
   vtkSetMacro(DebugView, vtkTypeBool);
   vtkGetMacro(DebugView, vtkTypeBool);

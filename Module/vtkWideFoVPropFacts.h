@@ -19,9 +19,6 @@ bool IsStockActor(vtkActor* actor);
 // Shaders of a user's own may move vertices anywhere.
 bool HasOwnShaders(vtkActor* actor);
 
-// Such an actor, drawn by the shaders of VTK and of the stage alone.
-bool DrawsAsStock(vtkActor* actor);
-
 struct PropFacts
 {
   bool Known = false;
@@ -29,8 +26,6 @@ struct PropFacts
   bool Bounded = false;    // its bounds hold what it draws, but for its reach
   double Reach = 0;        // by which its lines and points may be wider than they are, pixels
   double PointSize = 1;    // pixels
-  bool Surface = false;    // it draws triangles
-  bool Sorts = false;      // its mapper classifies their clusters
   vtkIdType Few = 0;       // cells, where too few to classify; 0: not few
   double LongestEdge = -1; // scene units; negative: not asked for yet
 };

@@ -124,8 +124,7 @@ const char* const Doubles = "#extension GL_ARB_gpu_shader_fp64 : enable\n"
 // For gl_SampleMask; without it a covered pixel is covered whole.
 const char* const SampleMasks = "#extension GL_ARB_sample_shading : enable\n";
 
-// For a stage that is invoked several times for a triangle; and for a vertex stage that says for
-// which one a vertex is, without it there is one alone.
+// For a stage that is invoked several times for a triangle; without it there is one run alone.
 const char* const Invocations = "#extension GL_ARB_gpu_shader5 : enable\n";
 
 // The geometry stage of points, lines or triangles, behind what all have.
@@ -161,8 +160,8 @@ std::string PrimitiveSource(const Request& r, const std::vector<Varying>& varyin
     preclip_triangles_glsl;
 }
 
-// Corners that a vertex stage projects and those that a geometry stage does are of one mesh: they come
-// out alike, or pixels between them were left out.
+// Corners that a vertex stage projects and those that a geometry stage does are of one mesh: they
+// come out alike, or pixels between them were left out.
 const char* const SamePlaces = "invariant gl_Position;\n";
 
 // toView: the name of the matrix from the vertex buffer to view coordinates; empty where the

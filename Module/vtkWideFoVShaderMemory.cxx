@@ -32,11 +32,11 @@ void AppendRequest(std::string& key, const vtkWideFoVShaderBuilder::Request& req
 namespace wfv
 {
 const ShaderMemory::Texts* ShaderMemory::Find(
-  const Request& request, bool sorts, const Texts& texts)
+  const Request& request, bool numbered, const Texts& texts)
 {
   this->Wanted.clear();
   AppendRequest(this->Wanted, request);
-  Append(this->Wanted, sorts);
+  Append(this->Wanted, numbered);
   for (const std::string* const text : { &texts.Vertex, &texts.Geometry, &texts.Fragment })
   {
     Append(this->Wanted, text->size());

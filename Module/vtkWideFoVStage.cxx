@@ -288,16 +288,16 @@ bool vtkWideFoVStage::PostReplaceShaderValues(std::string& vertexShader,
   }
   vtkWideFoVShaderBuilder::Request request = this->MakeRequest(mapper, prop);
   const bool triangles = request.Kind == vtkWideFoVShaderBuilder::Primitive::Triangles;
-  const bool sorts =
-    triangles && (vtkWideFoVPolyDataMapper::SafeDownCast(mapper) || wfv::SortsBlocks(mapper));
-  request.MeetsChords = sorts && this->MeetsChords && !request.Edges && MayClassify(mapper);
+  const bool classifies =
+    triangles && (vtkWideFoVPolyDataMapper::SafeDownCast(mapper) || wfv::ClassifiesBlocks(mapper));
+  request.MeetsChords = classifies && this->MeetsChords && !request.Edges && MayClassify(mapper);
   using Texts = wfv::ShaderMemory::Texts;
   Texts texts{ vertexShader, geometryShader, fragmentShader };
   const Texts* const before =
-    this->Stages ? this->Stages->Texts.Find(request, sorts, texts) : nullptr;
+    this->Stages ? this->Stages->Texts.Find(request, classifies, texts) : nullptr;
   if (!before)
   {
-    if (sorts)
+    if (classifies)
     {
       wfv::TakeTriangleNumbers(texts.Fragment);
     }

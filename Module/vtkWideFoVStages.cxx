@@ -121,7 +121,6 @@ void vtkWideFoVStages::Instruct(vtkWideFoVStage* stage)
 
 void vtkWideFoVStages::SetDebugView(bool debugView)
 {
-  this->DebugView = debugView;
   for (vtkWideFoVStage* const stage : this->GetAll())
   {
     stage->SetDebugView(debugView);

@@ -128,7 +128,6 @@ private:
   bool CanTessellate();
 
   int Technique = 0;
-  bool DebugView = false;
   int Tessellates = -1; // -1: not asked yet
   const wfv::Projection* Projection = nullptr;
   bool ByPixels = false; // the stereo model leaves chords no edge to stand for

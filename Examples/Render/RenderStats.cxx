@@ -11,8 +11,9 @@ void TakeCounts(vtkWideFoVPass* pass, int others, RenderStats& stats)
   stats.PropsCulled = pass->GetNumberOfCulledProps();
   stats.Clusters = pass->GetNumberOfClusters();
   stats.ClustersCulled = pass->GetNumberOfCulledClusters();
-  stats.TrianglesSorted = pass->GetNumberOfTriangles();
+  stats.Triangles = pass->GetNumberOfTriangles();
   stats.TrianglesCulled = pass->GetNumberOfCulledTriangles();
+  stats.TrianglesProjected = pass->GetNumberOfProjectedTriangles();
   stats.ChosenProps = pass->GetNumberOfChosenProps();
   stats.ClassifiedMeshes = pass->GetNumberOfClassifiedMeshes();
   stats.PlainDraws = pass->GetNumberOfPlainDraws();

@@ -39,8 +39,9 @@ struct RenderStats
   std::optional<int> PropsCulled;
   std::optional<int> Clusters; // of triangles, that were classified
   std::optional<int> ClustersCulled;
-  std::optional<long long> TrianglesSorted; // those of clusters
+  std::optional<long long> Triangles; // those of clusters
   std::optional<long long> TrianglesCulled;
+  std::optional<long long> TrianglesProjected;
   std::optional<int> ChosenProps;      // anew in the last frame
   std::optional<int> ClassifiedMeshes; // anew in the last frame
   ShaderCost Shaders;

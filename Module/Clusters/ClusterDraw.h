@@ -116,6 +116,7 @@ private:
   void ClassifyPoints(const Real* points);
   void Gather();
   void AddMixed(int cluster);
+  std::vector<unsigned int> ListChords(const std::vector<unsigned int>& triangles) const;
   void Load(KindDraw& draw, bool numbered);
   void DrawRuns(const KindDraw& draw, std::size_t firstIndex);
   void LoadLists(KindDraw& draw, vtkOpenGLRenderWindow* window);
@@ -133,8 +134,8 @@ private:
   bool Known = false;
 
   std::vector<DrawClass> Classes;  // of the clusters
-  std::vector<unsigned int> Codes; // of the triangles of mixed clusters: KindBits, and of each
-                                   // edge EdgeBits for its chords
+  std::vector<unsigned int> Codes; // of the triangles of mixed clusters: the kind, and the chords
+                                   // of each edge
   KindDraw Draws[NumberOfKinds];
   FrameCounts Found;
   std::vector<int> RunLengths;        // kept for their memory

@@ -132,7 +132,7 @@ struct vtkWideFoVCompositeHelper::Internals
   Surfaces Polygons;
   Surfaces Strips;
   ClusterDraw Nothing{ false }; // for what is drawn in the order that it came in
-  vtkWindow* Window = nullptr; // that is drawn to
+  vtkWindow* Window = nullptr;  // that is drawn to
 
   Internals()
   {
@@ -253,8 +253,8 @@ void vtkWideFoVCompositeHelper::DrawKind(int number, int primitive, vtkActor* ac
     part.Vertices = block.NextVertex - block.StartVertex;
     part.FirstIndex = block.StartIndex[primitive];
     part.Indices = block.NextIndex[primitive] - block.StartIndex[primitive];
-    const bool has = classified ? known->Triangles.Has(kind)
-                                : kind == ClusterDraw::ByStage && part.Indices > 0;
+    const bool has =
+      classified ? known->Triangles.Has(kind) : kind == ClusterDraw::ByStage && part.Indices > 0;
     if (!has || !this->IsDrawn(block, actor))
     {
       continue;
@@ -298,7 +298,8 @@ void vtkWideFoVCompositeHelper::DrawClusters(
   }
 }
 
-// What is classified is drawn here; everything else by the stock helper, which finds no triangles left.
+// What is classified is drawn here; everything else by the stock helper, which finds no triangles
+// left.
 void vtkWideFoVCompositeHelper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
 {
   Internals& in = *this->Internal;

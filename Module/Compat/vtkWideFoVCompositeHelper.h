@@ -5,8 +5,8 @@
  *
  * A composite mapper hands its blocks to helpers, which are mappers of their own. This one draws
  * as the stock one does, but under a vtkWideFoVPass it classifies the clusters of each block as
- * vtkWideFoVPolyDataMapper does those of its mesh. Visibility, opacity, colours, picking and what is
- * selected stay the stock helper's work.
+ * vtkWideFoVPolyDataMapper does those of its mesh. Visibility, opacity, colours, picking and what
+ * is selected stay the stock helper's work.
  */
 #ifndef vtkWideFoVCompositeHelper_h
 #define vtkWideFoVCompositeHelper_h
@@ -48,8 +48,8 @@ private:
   vtkWideFoVCompositeHelper(const vtkWideFoVCompositeHelper&) = delete;
   void operator=(const vtkWideFoVCompositeHelper&) = delete;
 
-  // Classifies the polygons or the strips of the blocks; false where none are drawn otherwise than the
-  // stage says.
+  // Classifies the polygons or the strips of the blocks; false where none are drawn otherwise than
+  // the stage says.
   bool Classify(int primitive, vtkActor* actor, vtkWideFoVStage* stage);
 
   // Draws them: every block's with one program before the next one.

@@ -4,7 +4,6 @@
 #include "Bend.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 namespace wfv

@@ -25,18 +25,6 @@ public:
 
   static constexpr int Levels = 4; // each is for edges twice as long as the one before it
 
-  // The finest level that is for edges of this angle, squared; Levels where there is none.
-  static int LevelOf(double angle2)
-  {
-    int level = 0;
-    double longest2 = LongestEdge * LongestEdge;
-    for (; level < Levels && !(angle2 <= longest2); level++)
-    {
-      longest2 *= 4;
-    }
-    return level;
-  }
-
   LocalBend(const Projection& projection, const WfvView& view);
 
   // Bend along x and y, NDC per radian squared; stretch, NDC per radian.

@@ -258,18 +258,22 @@ void wfvFindChords()
 }
 #endif
 
+// Seen edge-on, or not a number: it covers no pixel.
+bool wfvIsNothing()
+{
+#if WFV_OWN_RAYS
+  return wfvOwnNothing();
+#else
+  return !(abs(wfvT.w) > 0.0);
+#endif
+}
+
 void main()
 {
   wfvReadCorners();
   vec3 lengths = vec3(length(wfvP[0]), length(wfvP[1]), length(wfvP[2]));
   wfvT = wfvTrianglePlane(lengths);
-  // seen edge-on, or not a number: it covers no pixel
-#if WFV_OWN_RAYS
-  bool none = wfvOwnNothing();
-#else
-  bool none = !(abs(wfvT.w) > 0.0);
-#endif
-  if (none || wfvOutside(lengths))
+  if (wfvIsNothing() || wfvOutside(lengths))
   {
     return;
   }

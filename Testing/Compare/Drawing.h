@@ -82,11 +82,10 @@ public:
   // exact.
   void SetDrawsPerspective(bool draws);
 
-  // Frames a second that the window asks for, as an interactor does that moves: in haste chords
-  // are drawn too.
+  // Frames a second that the window asks for, as an interactor does that moves.
   void SetUpdateRate(double rate);
 
-  // Of the last picture: runs of triangles that were left out, draws by the vertex stage alone.
+  // Of the last picture: clusters that were left out, draws by the vertex stage alone.
   int GetNumberOfCulledClusters() const;
   int GetNumberOfPlainDraws() const;
 

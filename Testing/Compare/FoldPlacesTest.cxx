@@ -44,7 +44,7 @@ vtkSmartPointer<vtkPolyData> MakeFold(const PassedFold& fold, bool frontFirst)
   return mesh;
 }
 
-// Triangles from which on a mesh is sorted, and of its edges is known which are folds.
+// Triangles from which on a mesh is classified.
 constexpr vtkIdType ManyTriangles = 256;
 
 // Makes one of so many: where the two do not meet each goes on in its own plane beyond each edge,

@@ -331,8 +331,8 @@ TEST_P(FoldBeyondTheEdge, FrontHidesAThinBack)
   Check(this->GetParam(), vtkWideFoVPass::EXACT, 0.02, ThinBacks());
 }
 
-// Triangles that are sorted: of their edges is known which are folds.
-TEST_P(FoldBeyondTheEdge, FrontThatIsKnownHidesItsBack)
+// At a tolerance at which every triangle is ray-tested.
+TEST_P(FoldBeyondTheEdge, FrontHidesItsBackWithoutChords)
 {
   for (const Add& add : { Folds(SharpFold, true), Folds(FlatFold, true), Folds(FlatterFold, true),
          Needles(FlatNeedle), ThinBacks() })

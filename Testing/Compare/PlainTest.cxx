@@ -175,9 +175,9 @@ void ExpectSame(const reference::DrawnPicture& a, const reference::DrawnPicture&
 }
 }
 
-// What sorting needs of a large mesh is let go once it is sorted: another view, and the first one
-// again, show what they show when they are drawn first.
-TEST(Plain, LargeMeshesAreSortedAnew)
+// What is known of a large mesh in one view does not stay for the next: another view, and the first
+// one again, show what they show when they are drawn first.
+TEST(Plain, LargeMeshesAreClassifiedAnew)
 {
   for (const bool copied : { false, true })
   {

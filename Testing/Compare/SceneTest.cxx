@@ -70,7 +70,7 @@ public:
     this->Caster.reset();
   }
 
-  // The scene in a projection at its widest; both techniques by the mapper that sorts.
+  // The scene in a projection at its widest; both techniques by the mapper that classifies.
   reference::DrawnPicture DrawWidest(const std::string& projection, int technique, double tolerance)
   {
     const double fov = WidestDrawn(*FindProjection(projection));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Composite data under the pass are drawn as their blocks are, and sorted block by block where VTK
-// lets them; text in the scene stands at its place.
+// Composite data under the pass are drawn as their blocks are, and classified block by block where
+// VTK lets them; text in the scene stands at its place.
 #include "WideFoVTestScene.h"
 
 #include "vtkActor.h"
@@ -198,7 +198,7 @@ TEST(Composite, BlocksAreDrawnAsOwnMappersAre)
   const Drawn own = Draw(false, false);
   const Drawn blocks = Draw(true, false);
   EXPECT_GT(own.Clusters, 100);
-  EXPECT_EQ(blocks.Clusters, WIDEFOV_SORTS_BLOCKS ? own.Clusters : 0);
+  EXPECT_EQ(blocks.Clusters, WIDEFOV_CLASSIFIES_BLOCKS ? own.Clusters : 0);
   EXPECT_EQ(CountDifferent(blocks, own), 0);
   EXPECT_EQ(CountDifferent(Draw(true, true), own), 0);
   const unsigned char* const pixels = own.Pixels->GetPointer(0);

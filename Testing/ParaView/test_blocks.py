@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Data of several blocks, whose triangles are sorted block by block: visibility, colours, opacity,
+"""Data of several blocks, whose triangles are classified block by block: visibility, colours, opacity,
 colour maps, edges and selection of each are those of the same data shown as sources of their own."""
 
 import os

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWideFoVStages: what a view need not draw.
+// vtkWideFoVStages: what a view need not draw, and what clusters are classified by.
 #include "vtkWideFoVStages.h"
 
 #include "Clusters/ClusterDraw.h"
 #include "vtkWideFoVCamera.h"
 #include "vtkWideFoVCompositeMapper.h"
 #include "vtkWideFoVPass.h"
-#include "vtkWideFoVPolyDataMapper.h"
 
 #include "vtkActor.h"
-#include "vtkActor2D.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkMath.h"
@@ -60,16 +58,15 @@ bool DrawsOutlines(vtkActor* actor)
     property->GetVertexVisibility();
 }
 
-// Of blocks it is not known, nor asked for.
-void FindTriangles(vtkActor* actor, wfv::PropFacts& facts)
+// Cells of a surface that are too few to classify; 0 where there are more, or none. Of blocks it is
+// not known, nor asked for.
+vtkIdType CountFew(vtkActor* actor)
 {
   vtkMapper* const mapper = actor->GetMapper();
   auto* const mesh = mapper ? vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0)) : nullptr;
   const bool surface = actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
-  facts.Surface = mesh && surface && mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0;
-  const bool many = mesh && wfv::ClusterDraw::IsWorthIt(mesh);
-  facts.Sorts = facts.Surface && many && vtkWideFoVPolyDataMapper::SafeDownCast(mapper);
-  facts.Few = facts.Surface && !many ? mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() : 0;
+  const bool few = mesh && surface && !wfv::ClusterDraw::IsWorthIt(mesh);
+  return few ? mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() : 0;
 }
 }
 
@@ -130,7 +127,7 @@ void vtkWideFoVStages::FindFacts(vtkProp* prop, wfv::PropFacts& facts)
     facts.PointSize = property->GetPointSize();
     const double width = std::max<double>(property->GetLineWidth(), facts.PointSize);
     facts.Reach = facts.Bounded && DrawsOutlines(actor) ? WidthMargin * width : 0;
-    FindTriangles(actor, facts);
+    facts.Few = CountFew(actor);
   }
   facts.Known = true;
 }
