@@ -11,8 +11,8 @@ namespace
 // Relative to the distance: so near a discontinuity float32 may place a point beyond it.
 constexpr double Beside = 1e-5;
 
-// Pixels: so near a rim, a seam or a border of two faces a pixel's neighbours are no neighbours on the
-// map, so how its ray changes is not known, and with it on which side of a chord it is.
+// Pixels: so near a rim, a seam or a border of two faces a pixel's neighbours are no neighbours on
+// the map, so how its ray changes is not known, and with it on which side of a chord it is.
 constexpr double RimPixels = 4;
 
 // Cosine of the angle from the axis of a perspective: nearer to the plane of the eye no chord has
@@ -60,7 +60,23 @@ Classifier::Classifier(const ClassifierView& view)
   this->Inner2 = inner * inner;
   this->Outer2 = outer * outer;
   this->RimCosine = std::cos(view.View.maxAngle);
-  this->RimAngle = view.Limits ? RimPixels / view.Limits->StretchAt(vec3(0, 0, -1)) : 0;
+  this->RimAngle = view.Limits ? this->FindRimAngle() : 0;
+}
+
+double Classifier::FindRimAngle() const
+{
+  if (this->Axis == Family::Planar)
+  {
+    return 0; // it has no rim
+  }
+  double stretch = this->V.Limits->StretchAt(vec3(0, 0, -1));
+  if (this->Axis == Family::Azimuthal)
+  {
+    const double rim = this->V.View.maxAngle;
+    const double there = this->V.Limits->StretchAt(vec3(std::sin(rim), 0, -std::cos(rim)));
+    stretch = std::isfinite(there) ? there : stretch;
+  }
+  return RimPixels / stretch;
 }
 
 // Unless all corners are well on one face of the cube round the eye.
@@ -159,8 +175,8 @@ double Classifier::LimitAt(const vec3& p) const
                                : this->V.Limits->At(p);
 }
 
-// Seen from the eye no part of an edge looks longer than it would at its nearer end. Of several chords
-// none is beside a pole, where what is ray-tested beside them could not be widened evenly.
+// Seen from the eye no part of an edge looks longer than it would at its nearer end. Of several
+// chords none is beside a pole, where what is ray-tested beside them could not be widened evenly.
 bool Classifier::FitChords(const vec3& p, const vec3& q, int chords) const
 {
   const vec3 step = (q - p) / double(chords);

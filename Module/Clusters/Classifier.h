@@ -62,6 +62,7 @@ public:
   Triangle OfTriangle(const vec3& a, const vec3& b, const vec3& c) const;
 
 private:
+  double FindRimAngle() const;
   int ChordsOf(const vec3& p, const vec3& q, double reach2) const;
   double LimitAt(const vec3& p) const;
   bool FitChords(const vec3& p, const vec3& q, int chords) const;

@@ -133,10 +133,10 @@ bool ClusterDraw::Prepare(vtkPolyData* data, vtkActor* actor, vtkWideFoVStage* s
     std::copy_n(toMap, 16, this->ToMap);
     this->Classify(data);
     stages->Counts.ClassifiedMeshes++;
-    const bool projects = stage == stages->Plain;
-    this->Found.ProjectedTriangles += projects ? this->Draws[ByStage].Triangles : 0;
   }
   stages->Counts.Add(this->Found);
+  // of a prop that is projected as a whole
+  stages->Counts.ProjectedTriangles += stage == stages->Plain ? this->Draws[ByStage].Triangles : 0;
   return this->Known && !this->Draws[ByStage].IsWhole(this->Mesh.GetNumberOfTriangles());
 }
 

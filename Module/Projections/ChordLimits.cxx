@@ -18,8 +18,8 @@ constexpr double NarrowestCell = 0.03;
 // ends are.
 constexpr double Farther = 0.75;
 
-// Pixels, or tolerances where these are larger: nearer to a pole or an antipode the map bends from pixel
-// to pixel.
+// Pixels, or tolerances where these are larger: nearer to a pole or an antipode the map bends from
+// pixel to pixel.
 constexpr double BesidePole = 6;
 
 // Pixels from the pole or antipode to what is seen so far from it, the least all round.

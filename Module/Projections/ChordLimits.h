@@ -54,7 +54,7 @@ private:
 
   Family Axis;
   double BesideSine; // of IsBesideSingularity
-  double PerSine2; // squared radians over the squared sine of the angle from there; 0: no bound
+  double PerSine2;   // squared radians over the squared sine of the angle from there; 0: no bound
   static constexpr int Rings = 4; // a table of the least round each cell, of 1, 2, 4, .. cells
 
   std::vector<float> Limits;

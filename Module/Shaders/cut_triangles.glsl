@@ -8,11 +8,10 @@ layout(triangle_strip, max_vertices = WFV_CUT_VERTICES) out;
 // end of an edge they are counted.
 const float WFV_SHARES = 1048576.0;
 
-// Along an edge of so many chords the share at which it has a place, the nearest to one of `most`.
-float wfvOnEdge(int at, int chords, int most)
+// The share of an edge at one of the places that so many chords cut it at.
+float wfvOnEdge(int at, int chords)
 {
-  float share = float((2 * at * chords + most) / (2 * most)) / float(chords);
-  return floor(share * WFV_SHARES + 0.5) / WFV_SHARES;
+  return floor(float(at) / float(chords) * WFV_SHARES + 0.5) / WFV_SHARES;
 }
 
 // Of two corners, rounded alike whichever triangle asks.

@@ -10,8 +10,10 @@ void main()
   int most = max(chords[j], chords[k]);
   for (int row = 0; row < most; row++)
   {
-    float onJ = wfvOnEdge(row, chords[k], most); // edge k is that from i to j
-    float onK = wfvOnEdge(row, chords[j], most);
+    // the last place passed on either edge: the next one might be the corner already, and what is
+    // then left of the other edge would be drawn from there, turned round where that edge is hollow
+    float onJ = wfvOnEdge(row * chords[k] / most, chords[k]); // edge k is that from i to j
+    float onK = wfvOnEdge(row * chords[j] / most, chords[j]);
     vec3 weights = vec3(0.0);
     weights[j] = 1.0 - onJ;
     weights[i] = onJ;

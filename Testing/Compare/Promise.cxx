@@ -32,8 +32,8 @@ reference::TriangleSoup OnlyCell(const reference::TriangleSoup& all, vtkIdType c
   return own;
 }
 
-// Whether a ray within so many pixels of the pixel's centre sees what was drawn. Of the 48 points that
-// explain some step over thin corners of cells, so more are tried here.
+// Whether a ray within so many pixels of the pixel's centre sees what was drawn. Of the 48 points
+// that explain some step over thin corners of cells, so more are tried here.
 bool IsSeenAround(const reference::RayCaster& caster, const Shot& shot,
   const reference::WorstPixel& pixel, double tolerance)
 {
