@@ -11,10 +11,6 @@ namespace
 // Relative to the distance: so near a discontinuity float32 may place a point beyond it.
 constexpr double Beside = 1e-5;
 
-// Pixels: so near a rim, a seam or a border of two faces a pixel's neighbours are no neighbours on
-// the map, so how its ray changes is not known, and with it on which side of a chord it is.
-constexpr double RimPixels = 4;
-
 // Cosine of the angle from the axis of a perspective: nearer to the plane of the eye no chord has
 // a bound.
 constexpr double LeastAhead = 0.02;
@@ -60,23 +56,7 @@ Classifier::Classifier(const ClassifierView& view)
   this->Inner2 = inner * inner;
   this->Outer2 = outer * outer;
   this->RimCosine = std::cos(view.View.maxAngle);
-  this->RimAngle = view.Limits ? this->FindRimAngle() : 0;
-}
-
-double Classifier::FindRimAngle() const
-{
-  if (this->Axis == Family::Planar)
-  {
-    return 0; // it has no rim
-  }
-  double stretch = this->V.Limits->StretchAt(vec3(0, 0, -1));
-  if (this->Axis == Family::Azimuthal)
-  {
-    const double rim = this->V.View.maxAngle;
-    const double there = this->V.Limits->StretchAt(vec3(std::sin(rim), 0, -std::cos(rim)));
-    stretch = std::isfinite(there) ? there : stretch;
-  }
-  return RimPixels / stretch;
+  this->RimAngle = view.Limits ? view.Limits->GetRimAngle() : 0;
 }
 
 // Unless all corners are well on one face of the cube round the eye.
@@ -219,11 +199,13 @@ int Classifier::ChordsOf(const vec3& p, const vec3& q, double reach2) const
   const vec3& from = ordered ? p : q;
   const vec3& to = ordered ? q : p;
   int chords = std::max(1, static_cast<int>(std::ceil(std::sqrt(length2 / reach2))));
-  while (chords <= MostChords && !this->FitChords(from, to, chords))
+  // what is ray-tested is not widened by an even width where each pixel's ray begins elsewhere
+  const int most = this->V.EyeRadius > 0 ? 1 : MostChords;
+  while (chords <= most && !this->FitChords(from, to, chords))
   {
     chords++;
   }
-  return chords <= MostChords ? chords : 0;
+  return chords <= most ? chords : 0;
 }
 
 // Whether nothing speaks against it but how long the edges are.

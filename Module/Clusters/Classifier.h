@@ -62,7 +62,6 @@ public:
   Triangle OfTriangle(const vec3& a, const vec3& b, const vec3& c) const;
 
 private:
-  double FindRimAngle() const;
   int ChordsOf(const vec3& p, const vec3& q, double reach2) const;
   double LimitAt(const vec3& p) const;
   bool FitChords(const vec3& p, const vec3& q, int chords) const;
@@ -78,7 +77,7 @@ private:
   double Inner2; // squared distances: nothing is projected beyond
   double Outer2;
   double RimCosine; // of the angle at which a round map ends
-  double RimAngle;  // radians from a rim, a seam or a border of faces that are too near
+  double RimAngle;  // ChordLimits::GetRimAngle
 };
 }
 

@@ -22,6 +22,14 @@ constexpr double Farther = 0.75;
 // pixel to pixel.
 constexpr double BesidePole = 6;
 
+// Pixels: so near a rim, a seam or a border of faces nothing is projected.
+constexpr double RimPixels = 4;
+
+// Angles are tried from this one on, radians, each larger by this factor, up to the largest.
+constexpr double FirstAngle = 0.001;
+constexpr double AngleFactor = 1.25;
+constexpr double LargestAngle = 0.5;
+
 // Pixels from the pole or antipode to what is seen so far from it, the least all round.
 double LeastPixels(const Projection& map, const WfvView& view, const vec2& half, double angle)
 {
@@ -44,12 +52,28 @@ double LeastPixels(const Projection& map, const WfvView& view, const vec2& half,
 // Sine of the angle within which no place is BesidePole or more away.
 double SineBeside(const Projection& map, const WfvView& view, const vec2& half, double tolerance)
 {
-  double angle = 0.001;
-  while (angle < 0.5 && LeastPixels(map, view, half, angle) < BesidePole * std::max(1.0, tolerance))
+  double angle = FirstAngle;
+  while (angle < LargestAngle &&
+    LeastPixels(map, view, half, angle) < BesidePole * std::max(1.0, tolerance))
   {
-    angle *= 1.25;
+    angle *= AngleFactor;
   }
   return std::sin(angle);
+}
+
+// The angle from the rim of a round map at which RimPixels lie between.
+double AngleFromRim(const Projection& map, const WfvView& view, const vec2& half)
+{
+  const auto at = [&](double angle) {
+    const double polar = view.maxAngle - angle;
+    return half * map.Project(vec3(std::sin(polar), 0, -std::cos(polar)), view);
+  };
+  double angle = FirstAngle;
+  while (angle < LargestAngle && glm::length(at(angle) - at(0.01 * FirstAngle)) < RimPixels)
+  {
+    angle *= AngleFactor;
+  }
+  return angle;
 }
 
 float LimitOf(const LocalBend& bends, std::size_t cell, const vec2& half, double tolerance)
@@ -85,6 +109,7 @@ std::vector<float> LeastAroundEach(const std::vector<float>& limits)
 ChordLimits::ChordLimits(const Projection& projection, const WfvView& view, const LocalBend& bends,
   const vec2& pixels, double tolerance)
   : Axis(projection.Axis)
+  , RimAngle(0)
   , BesideSine(0)
   , PerSine2(0)
 {
@@ -101,6 +126,14 @@ ChordLimits::ChordLimits(const Projection& projection, const WfvView& view, cons
   {
     this->Limits[cell] = LimitOf(bends, cell, half, tolerance);
     this->Stretches[cell] = static_cast<float>(bends.OfCell(cell, 0)[2] * std::max(half.x, half.y));
+  }
+  if (Axis == Family::Azimuthal)
+  {
+    this->RimAngle = AngleFromRim(projection, view, half);
+  }
+  else if (Axis != Family::Planar) // that has no rim
+  {
+    this->RimAngle = RimPixels / this->StretchAt(vec3(0, 0, -1));
   }
   this->BesideSine = singular ? SineBeside(projection, view, half, tolerance) : 0;
   std::vector<float> least(this->Limits);

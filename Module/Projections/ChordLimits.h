@@ -41,6 +41,11 @@ public:
     return this->Stretches[LocalBend::CellOf(direction)];
   }
 
+  // Radians from a rim, a seam or a border of two faces: nearer, a pixel's neighbours may be no
+  // neighbours on the map, so how its ray changes is not known, and with it on which side of a
+  // chord it is.
+  double GetRimAngle() const { return this->RimAngle; }
+
   // So near a pole or an antipode that the map bends within a few times the tolerance.
   bool IsBesideSingularity(const vec3& direction) const;
 
@@ -53,6 +58,7 @@ private:
   float NearSingularity(const vec3& direction) const;
 
   Family Axis;
+  double RimAngle;
   double BesideSine; // of IsBesideSingularity
   double PerSine2;   // squared radians over the squared sine of the angle from there; 0: no bound
   static constexpr int Rings = 4; // a table of the least round each cell, of 1, 2, 4, .. cells

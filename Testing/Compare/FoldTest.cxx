@@ -292,7 +292,8 @@ protected:
   {
     constexpr double Tolerance = 0.25;
     const reference::Metrics m = Compare(shot, vtkWideFoVPass::AUTO, Tolerance, places, add);
-    ExpectFacesThatAreThere(*Picture, shot, m, Tolerance, "folds");
+    const reference::RayCaster caster(Picture->GetMesh(), Picture->GetView(), Picture->GetPose());
+    ExpectFacesThatAreThere(caster, shot, m, Tolerance, "folds");
   }
 
   static void Check(const std::string& projection, int technique, double tolerance, const Add& add)

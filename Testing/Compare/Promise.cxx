@@ -86,11 +86,10 @@ bool IsThere(const reference::RayCaster& caster, const View& view, const Shot& s
 }
 }
 
-void ExpectFacesThatAreThere(const Drawing& drawing, const Shot& shot, const reference::Metrics& m,
-  double tolerance, const std::string& scene)
+void ExpectFacesThatAreThere(const reference::RayCaster& caster, const Shot& shot,
+  const reference::Metrics& m, double tolerance, const std::string& scene)
 {
-  const View& view = drawing.GetView();
-  const reference::RayCaster caster(drawing.GetMesh(), view, drawing.GetPose());
+  const View& view = caster.GetView();
   for (const reference::WorstPixel& pixel : m.Worst)
   {
     EXPECT_TRUE(IsThere(caster, view, shot, pixel, tolerance))
@@ -99,21 +98,26 @@ void ExpectFacesThatAreThere(const Drawing& drawing, const Shot& shot, const ref
   }
 }
 
+void ExpectPromise(const reference::RayCaster& caster, const Shot& shot,
+  const reference::Metrics& m, double tolerance, const std::string& scene)
+{
+  const std::string details =
+    scene + "\n  " + Describe(shot) + "\n" + Details(shot, caster.GetView(), m);
+  const long off = std::count_if(m.Worst.begin(), m.Worst.end(),
+    [&](const auto& pixel) { return !IsSeenWithin(caster, shot, pixel, tolerance); });
+  ASSERT_LE(m.UnexplainedPixels, long(reference::Metrics::MaxWorst)) << details;
+  EXPECT_LE(off, HiddenShare * shot.Width * shot.Height) << details;
+  ExpectFacesThatAreThere(caster, shot, m, tolerance, scene);
+}
+
 void ExpectPromise(const Drawing& drawing, const Shot& shot, const reference::DrawnPicture& picture,
   double tolerance, const std::string& scene)
 {
   ASSERT_EQ(picture.Width, shot.Width) << "nothing was drawn: " << Describe(shot);
-  const View& view = drawing.GetView();
-  const reference::RayCaster caster(drawing.GetMesh(), view, drawing.GetPose());
+  const reference::RayCaster caster(drawing.GetMesh(), drawing.GetView(), drawing.GetPose());
   const reference::Metrics m = reference::Compare(picture, caster, tolerance);
   std::cout << Row(shot, scene, m) << std::endl;
-  const long off = std::count_if(m.Worst.begin(), m.Worst.end(),
-    [&](const auto& pixel) { return !IsSeenWithin(caster, shot, pixel, tolerance); });
-  ASSERT_LE(m.UnexplainedPixels, long(reference::Metrics::MaxWorst)) << Details(shot, view, m);
-  EXPECT_LE(off, HiddenShare * shot.Width * shot.Height)
-    << scene << "\n  " << Describe(shot) << "\n"
-    << Details(shot, view, m);
-  ExpectFacesThatAreThere(drawing, shot, m, tolerance, scene);
+  ExpectPromise(caster, shot, m, tolerance, scene);
 }
 }
 }

@@ -5,6 +5,8 @@
 
 #include "Drawing.h"
 
+#include "RayCaster.h"
+
 namespace wfv
 {
 namespace test
@@ -12,10 +14,15 @@ namespace test
 // Of the pixels: what stock VTK shows of hidden faces beside silhouettes, in its own perspective.
 constexpr double HiddenShare = 2e-4;
 
+// Asserts what `auto` promises of a picture that was compared with the ray caster's, at its
+// tolerance.
+void ExpectPromise(const reference::RayCaster& caster, const Shot& shot,
+  const reference::Metrics& m, double tolerance, const std::string& scene);
+
 // Asserts of the worst pixels that each shows a face which runs through its place, no farther from
-// it than the tolerance (pixels), seen or hidden there. m: of the drawing's last picture.
-void ExpectFacesThatAreThere(const Drawing& drawing, const Shot& shot, const reference::Metrics& m,
-  double tolerance, const std::string& scene);
+// it than the tolerance (pixels), seen or hidden there.
+void ExpectFacesThatAreThere(const reference::RayCaster& caster, const Shot& shot,
+  const reference::Metrics& m, double tolerance, const std::string& scene);
 
 // Asserts that no pixel of the drawing's last picture is off by more than the tolerance (pixels),
 // but for so few that show a face which runs through their place and is hidden there. Prints a row.
