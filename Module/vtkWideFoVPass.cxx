@@ -226,8 +226,7 @@ void vtkWideFoVPass::ResetCounts(int props)
 void vtkWideFoVPass::TakeCounts()
 {
   const vtkWideFoVStages& stages = this->Internal->Stages;
-  this->NumberOfPlainDraws = stages.Plain->GetNumberOfDraws() + stages.Strip->GetNumberOfDraws() +
-    stages.Grid->GetNumberOfDraws() + stages.LongStrip->GetNumberOfDraws();
+  this->NumberOfPlainDraws = stages.Plain->GetNumberOfDraws() + stages.Cut->GetNumberOfDraws();
   // of the tessellate stage too, what cannot be tessellated is drawn by the pre-clip
   const int patches = stages.Tessellate->GetNumberOfTessellateDraws();
   this->NumberOfPreClipDraws = stages.PreClip->GetNumberOfDraws() +

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVShaderBuilder.h"
 
+#include "Clusters/Classifier.h"
 #include "Compat/vtkWideFoVStockEdits.h"
 #include "WideFoVGlsl.h"
 #include "vtkWideFoVShaderArrays.h"
@@ -11,6 +12,7 @@
 #include "vtkWideFoVTriangleOutputs.h"
 #include "vtkWideFoVWholeText.h"
 
+#include <algorithm>
 #include <vector>
 
 using namespace wfv::shader;
@@ -61,9 +63,7 @@ std::string LineOutputs(const std::vector<Varying>& varyings)
 // True where the geometry stage cuts triangles into smaller ones, which are projected.
 bool CutsTriangles(const Request& r)
 {
-  return r.Stage == vtkWideFoVShaderBuilder::Variant::Strip ||
-    r.Stage == vtkWideFoVShaderBuilder::Variant::Grid ||
-    r.Stage == vtkWideFoVShaderBuilder::Variant::LongStrip;
+  return r.Stage == vtkWideFoVShaderBuilder::Variant::Cut;
 }
 
 bool CoversTriangles(const Request& r)
@@ -73,7 +73,7 @@ bool CoversTriangles(const Request& r)
 }
 
 // Triangles carry every output on, mixed between the corners.
-std::string CutSource(const Request& r, const std::vector<Varying>& varyings)
+std::string CutSource(const std::vector<Varying>& varyings)
 {
   std::string declarations;
   std::string body;
@@ -92,12 +92,10 @@ std::string CutSource(const Request& r, const std::vector<Varying>& varyings)
       ? v.Name + "[2];\n"
       : "w.x * " + v.Name + "[0] + w.y * " + v.Name + "[1] + w.z * " + v.Name + "[2];\n";
   }
-  const bool grid = r.Stage == vtkWideFoVShaderBuilder::Variant::Grid;
-  const int most = r.Stage == vtkWideFoVShaderBuilder::Variant::LongStrip ? 16 : 4;
-  return Define("WFV_MOST_CHORDS", most) +
-    Define("WFV_CUT_VERTICES", grid ? most * (most + 2) : 2 * most + 1) + declarations +
-    "void wfvWriteMix(vec3 w)\n{\n" + body + "}\n" + edge_chords_glsl + cut_triangles_glsl +
-    (grid ? grid_triangles_glsl : strip_triangles_glsl);
+  constexpr int rows = wfv::Classifier::MostRows;
+  constexpr int vertices = std::max(2 * wfv::Classifier::MostChords + 1, rows * (rows + 2));
+  return Define("WFV_CUT_VERTICES", vertices) + declarations + "void wfvWriteMix(vec3 w)\n{\n" +
+    body + "}\n" + edge_chords_glsl + cut_triangles_glsl;
 }
 
 // True where an eye whose rays begin in several places is served by moving the vertices.
@@ -140,7 +138,7 @@ std::string PrimitiveSource(const Request& r, const std::vector<Varying>& varyin
   }
   if (CutsTriangles(r))
   {
-    return CutSource(r, varyings);
+    return CutSource(varyings);
   }
   if (r.Kind == Primitive::Lines)
   {

@@ -17,9 +17,7 @@ public:
   enum class Variant
   {
     Plain,     // the vertex stage projects
-    Strip,     // a geometry stage does, and cuts triangles into strips of smaller ones
-    LongStrip, // of up to 31
-    Grid,      // or into rows of such strips
+    Cut,       // a geometry stage does, and cuts triangles into smaller ones before
     PreClip,   // a geometry stage clips, then projects
     Exact,     // the same, every triangle by the ray of each pixel, lines as exact strips
     Tessellate // triangles cut finer before the pre-clip (vtkWideFoVTessellation)

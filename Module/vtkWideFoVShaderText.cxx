@@ -83,9 +83,7 @@ bool AllCovered(const Request& r)
 {
   return r.Kind == vtkWideFoVShaderBuilder::Primitive::Triangles &&
     r.Stage != vtkWideFoVShaderBuilder::Variant::Plain &&
-    r.Stage != vtkWideFoVShaderBuilder::Variant::Strip &&
-    r.Stage != vtkWideFoVShaderBuilder::Variant::Grid &&
-    r.Stage != vtkWideFoVShaderBuilder::Variant::LongStrip &&
+    r.Stage != vtkWideFoVShaderBuilder::Variant::Cut &&
     (r.ByRays || r.Stage == vtkWideFoVShaderBuilder::Variant::Exact);
 }
 }

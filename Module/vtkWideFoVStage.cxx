@@ -169,8 +169,7 @@ namespace
 bool IsProjected(vtkWideFoVShaderBuilder::Variant variant)
 {
   using Variant = vtkWideFoVShaderBuilder::Variant;
-  return variant == Variant::Plain || variant == Variant::Strip || variant == Variant::Grid ||
-    variant == Variant::LongStrip;
+  return variant == Variant::Plain || variant == Variant::Cut;
 }
 }
 

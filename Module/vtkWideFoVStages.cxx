@@ -38,9 +38,7 @@ constexpr double PixelSafety = 8;
 
 vtkWideFoVStages::vtkWideFoVStages()
 {
-  this->Strip->SetVariant(vtkWideFoVShaderBuilder::Variant::Strip);
-  this->Grid->SetVariant(vtkWideFoVShaderBuilder::Variant::Grid);
-  this->LongStrip->SetVariant(vtkWideFoVShaderBuilder::Variant::LongStrip);
+  this->Cut->SetVariant(vtkWideFoVShaderBuilder::Variant::Cut);
   this->PreClip->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
   this->PreClipOfFew->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
   this->PreClipOfFew->SetRuns(RunsOfFew);
@@ -52,8 +50,8 @@ vtkWideFoVStages::vtkWideFoVStages()
 
 std::array<vtkWideFoVStage*, 9> vtkWideFoVStages::GetAll()
 {
-  return { this->Plain, this->Strip, this->Grid, this->LongStrip, this->PreClip, this->PreClipOfFew,
-    this->Exact, this->ExactInSingle, this->Tessellate };
+  return { this->Plain, this->Cut, this->PreClip, this->PreClipOfFew, this->Exact,
+    this->ExactInSingle, this->Tessellate };
 }
 
 bool vtkWideFoVStages::CanTessellate()

@@ -95,10 +95,8 @@ public:
   // The stage in the prop's keys, or nullptr.
   static vtkWideFoVStage* FindAttached(vtkProp* prop);
 
-  vtkNew<vtkWideFoVStage> Plain; // vertex, preclip; auto: what is projected
-  vtkNew<vtkWideFoVStage> Strip; // auto: what is projected once it is cut
-  vtkNew<vtkWideFoVStage> Grid;
-  vtkNew<vtkWideFoVStage> LongStrip;
+  vtkNew<vtkWideFoVStage> Plain;        // vertex, preclip; auto: what is projected
+  vtkNew<vtkWideFoVStage> Cut;          // auto: what is projected once it is cut
   vtkNew<vtkWideFoVStage> PreClip;      // auto: covers triangles that are not
   vtkNew<vtkWideFoVStage> PreClipOfFew; // auto: of few triangles
   vtkNew<vtkWideFoVStage> Exact;

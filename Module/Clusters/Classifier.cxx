@@ -20,10 +20,7 @@ constexpr double LeastAhead = 0.02;
 constexpr double LeastRadii = 34; // so that another cell at the most is looked at
 constexpr double LeastEdges = 4;
 
-// Chords that stand for an edge, at the most; and radians, that a triangle of several is long.
-constexpr int MostChords = 16;
-constexpr int MostRows = 4;  // of a grid
-constexpr int ShortMost = 4; // of a strip that is not long
+// Radians, that a triangle of several chords is long at the most.
 constexpr double LongestSplit = 1;
 
 double Longest2(const vec3& a, const vec3& b, const vec3& c)
@@ -260,10 +257,7 @@ Classifier::Triangle Classifier::OfTriangle(const vec3& a, const vec3& b, const 
     this->LeaveTornEdges(p, t);
     return t;
   }
-  t.Class = most == 1   ? DrawClass::Projected
-    : least > 1         ? DrawClass::Grid
-    : most <= ShortMost ? DrawClass::Strip
-                        : DrawClass::LongStrip;
+  t.Class = most == 1 ? DrawClass::Projected : DrawClass::Cut;
   return t;
 }
 

@@ -15,9 +15,7 @@ enum class DrawClass : unsigned char
 {
   Culled,    // not at all: outside the window or the clip spheres
   Projected, // by the vertex stage and the rasterizer: chords are within the tolerance of edges
-  Strip,     // likewise, after a geometry stage has cut two edges in up to four
-  LongStrip, // or in up to sixteen
-  Grid,      // or all edges in up to four
+  Cut,       // likewise, after a geometry stage has cut it into smaller ones
   RayTested, // a geometry stage covers them, the fragment stage decides by rays
   Mixed      // a cluster: each of its triangles has a class of its own
 };
@@ -44,6 +42,11 @@ public:
   // Of the tolerance: what the turning of the eyes' circle may take, beside what the map itself
   // bends.
   static constexpr double EyeShare = 0.2;
+
+  // Chords that stand for an edge, at the most; and for one of a triangle whose edges all have
+  // several.
+  static constexpr int MostChords = 16;
+  static constexpr int MostRows = 4;
 
   explicit Classifier(const ClassifierView& view);
 

@@ -26,12 +26,8 @@ vtkWideFoVStage* ClusterDraw::GetStage(Kind kind, vtkWideFoVStage* stage)
   {
     case Projected:
       return stages->Plain;
-    case Strip:
-      return stages->Strip;
-    case Grid:
-      return stages->Grid;
-    case LongStrip:
-      return stages->LongStrip;
+    case Cut:
+      return stages->Cut;
     default:
       return stage;
   }

@@ -52,15 +52,13 @@ public:
   bool Prepare(vtkPolyData* data, vtkActor* actor, vtkWideFoVStage* stage);
 
   // The triangles that a program draws: those that the stage of the prop draws, those that the
-  // vertex stage projects, those that are cut into strips or grids of smaller ones before; All:
+  // vertex stage projects, those that are cut into smaller ones before; All:
   // every triangle, in the mapper's own order.
   enum Kind
   {
     ByStage,
     Projected,
-    Strip,
-    LongStrip,
-    Grid,
+    Cut,
     NumberOfKinds,
     All = NumberOfKinds
   };

@@ -67,7 +67,7 @@ namespace wfv
 namespace
 {
 // Of a code.
-constexpr int KindBits = 3;
+constexpr int KindBits = 2;
 constexpr int EdgeBits = 5;
 
 ClusterDraw::Kind KindOf(DrawClass class_)
@@ -76,12 +76,8 @@ ClusterDraw::Kind KindOf(DrawClass class_)
   {
     case DrawClass::Projected:
       return ClusterDraw::Projected;
-    case DrawClass::Strip:
-      return ClusterDraw::Strip;
-    case DrawClass::Grid:
-      return ClusterDraw::Grid;
-    case DrawClass::LongStrip:
-      return ClusterDraw::LongStrip;
+    case DrawClass::Cut:
+      return ClusterDraw::Cut;
     default:
       return ClusterDraw::ByStage;
   }
@@ -263,8 +259,7 @@ void ClusterDraw::Gather()
   }
   this->Found.Clusters = n;
   this->Found.Triangles = this->Mesh.GetNumberOfTriangles();
-  this->Found.ProjectedTriangles = this->Draws[Projected].Triangles + this->Draws[Strip].Triangles +
-    this->Draws[Grid].Triangles + this->Draws[LongStrip].Triangles;
+  this->Found.ProjectedTriangles = this->Draws[Projected].Triangles + this->Draws[Cut].Triangles;
 }
 
 std::vector<unsigned int> ClusterDraw::KindDraw::ListAll() const

@@ -49,3 +49,87 @@ void wfvEmitWeighed(vec3 weights)
   gl_PrimitiveID = gl_PrimitiveIDIn;
   EmitVertex();
 }
+
+// One of whose edges has one chord, as a strip of so many rows from that edge to the corner opposite.
+void wfvEmitStrip(ivec3 chords, int rows)
+{
+  // corner i is opposite to that edge; j and k are its ends
+  int i = chords.x == 1 ? 0 : chords.y == 1 ? 1 : 2;
+  int j = i == 2 ? 0 : i + 1;
+  int k = i == 0 ? 2 : i - 1;
+  for (int row = 0; row < rows; row++)
+  {
+    // the last place passed on either edge: the next one might be the corner already, and what is
+    // then left of the other edge would be drawn from there, turned round where that edge is hollow
+    float onJ = wfvOnEdge(row * chords[k] / rows, chords[k]); // edge k is that from i to j
+    float onK = wfvOnEdge(row * chords[j] / rows, chords[j]);
+    vec3 weights = vec3(0.0);
+    weights[j] = 1.0 - onJ;
+    weights[i] = onJ;
+    wfvEmitWeighed(weights);
+    weights = vec3(0.0);
+    weights[k] = 1.0 - onK;
+    weights[i] = onK;
+    wfvEmitWeighed(weights);
+  }
+  if (rows > 0)
+  {
+    vec3 end = vec3(0.0);
+    end[i] = 1.0;
+    wfvEmitWeighed(end);
+    EndPrimitive();
+  }
+}
+
+// The share of an edge at the nearest of its own places to one of `most`.
+float wfvNearestOnEdge(int at, int chords, int most)
+{
+  return wfvOnEdge((2 * at * chords + most) / (2 * most), chords);
+}
+
+// The weights of the corners at a grid's node, on an edge at one of its own.
+vec3 wfvNode(int i, int j, ivec3 chords, int most)
+{
+  vec3 w = vec3(most - i - j, j, i) / float(most);
+  if (i + j == most)
+  {
+    float share = wfvNearestOnEdge(j, chords.x, most);
+    w = vec3(0.0, share, 1.0 - share);
+  }
+  else if (j == 0)
+  {
+    float share = wfvNearestOnEdge(i, chords.y, most);
+    w = vec3(1.0 - share, 0.0, share);
+  }
+  else if (i == 0)
+  {
+    float share = wfvNearestOnEdge(most - j, chords.z, most);
+    w = vec3(share, 1.0 - share, 0.0);
+  }
+  return w;
+}
+
+// Another as a grid: so many rows of strips.
+void wfvEmitGrid(ivec3 chords, int rows)
+{
+  for (int j = 0; j < rows; j++)
+  {
+    for (int i = 0; i < rows - j; i++)
+    {
+      wfvEmitWeighed(wfvNode(i, j, chords, rows));
+      wfvEmitWeighed(wfvNode(i, j + 1, chords, rows));
+    }
+    wfvEmitWeighed(wfvNode(rows - j, j, chords, rows));
+    EndPrimitive();
+  }
+}
+
+void main()
+{
+  ivec3 chords = max(wfvReadChords(), 1);
+  int most = max(chords.x, max(chords.y, chords.z));
+  bool strip = min(chords.x, min(chords.y, chords.z)) == 1;
+  // (a loop of no rows ends at once, where software rendering would run through both sides of a branch)
+  wfvEmitStrip(chords, strip ? most : 0);
+  wfvEmitGrid(chords, strip ? 0 : most);
+}

@@ -179,18 +179,13 @@ double EdgeError(const Classified& c, const vec3& p, const vec3& q, int chords)
   return worst;
 }
 
-int RowsOf(DrawClass drawn)
+// Rows that a triangle is cut into at the most: those of a strip, or of a grid.
+int RowsOf(const Classifier::Triangle& t)
 {
-  switch (drawn)
-  {
-    case DrawClass::Projected:
-      return 1;
-    case DrawClass::Strip:
-    case DrawClass::Grid:
-      return 4;
-    default:
-      return 16;
-  }
+  const int least = std::min({ t.Chords[0], t.Chords[1], t.Chords[2] });
+  return t.Class == DrawClass::Projected ? 1
+    : least > 1                          ? Classifier::MostRows
+                                         : Classifier::MostChords;
 }
 
 // Pixels between a place inside and where the small triangle round it is drawn, of a grid of so
@@ -237,7 +232,7 @@ void LookAt(const Classified& c, const Shapes::Triangle& t, Shapes& shapes, Wors
   }
   for (int i = 0; i < 3; i++)
   {
-    EXPECT_TRUE(found.Chords[i] >= 1 && found.Chords[i] <= RowsOf(found.Class));
+    EXPECT_TRUE(found.Chords[i] >= 1 && found.Chords[i] <= RowsOf(found));
     const double error = EdgeError(c, t[(i + 1) % 3], t[(i + 2) % 3], found.Chords[i]);
     if (error > worst.Chord)
     {
@@ -248,7 +243,7 @@ void LookAt(const Classified& c, const Shapes::Triangle& t, Shapes& shapes, Wors
   }
   for (int i = 0; i < PlacesInside; i++)
   {
-    LookInside(c, t, RowsOf(found.Class), shapes, worst);
+    LookInside(c, t, RowsOf(found), shapes, worst);
   }
 }
 
@@ -262,10 +257,9 @@ void Check(const Classified& c, const std::string& name)
   }
   const auto& n = worst.Counts;
   const long projected = n[int(DrawClass::Projected)];
-  std::cout << name << ": " << projected << " projected, " << n[int(DrawClass::Strip)] << " and "
-            << n[int(DrawClass::LongStrip)] << " strips, " << n[int(DrawClass::Grid)]
-            << " grids, of " << TrianglesOfView << "; chords " << worst.Chord << " px, inside "
-            << worst.Torn << " px" << std::endl;
+  std::cout << name << ": " << projected << " projected, " << n[int(DrawClass::Cut)] << " cut, of "
+            << TrianglesOfView << "; chords " << worst.Chord << " px, inside " << worst.Torn
+            << " px" << std::endl;
   EXPECT_LE(worst.Chord, c.V.Tolerance) << name << "\n  " << worst.Where;
   EXPECT_LE(worst.Torn, TornPixels) << name;
   EXPECT_EQ(worst.OutsideRadii, 0) << name;
