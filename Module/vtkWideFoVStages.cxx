@@ -48,7 +48,7 @@ vtkWideFoVStages::vtkWideFoVStages()
   this->Tessellate->SetVariant(vtkWideFoVShaderBuilder::Variant::Tessellate);
 }
 
-std::array<vtkWideFoVStage*, 9> vtkWideFoVStages::GetAll()
+std::array<vtkWideFoVStage*, 7> vtkWideFoVStages::GetAll()
 {
   return { this->Plain, this->Cut, this->PreClip, this->PreClipOfFew, this->Exact,
     this->ExactInSingle, this->Tessellate };

@@ -139,7 +139,7 @@ private:
   wfv::Window Part;      // of the picture, with a margin
   wfv::vec2 Pixels{ 1 }; // of the whole picture
   bool Culling = true;
-  std::array<vtkWideFoVStage*, 9> GetAll();
+  std::array<vtkWideFoVStage*, 7> GetAll();
   void Instruct(vtkWideFoVStage* stage);
   void SetEyes(vtkWideFoVCamera* camera, const wfv::StereoModel* stereo); // after SetPart
   double Reach = 0; // of the rays' beginnings from the middle between the eyes, scene units

@@ -136,6 +136,11 @@ ChordLimits::ChordLimits(const Projection& projection, const WfvView& view, cons
     this->RimAngle = RimPixels / this->StretchAt(vec3(0, 0, -1));
   }
   this->BesideSine = singular ? SineBeside(projection, view, half, tolerance) : 0;
+  this->SpreadLimits();
+}
+
+void ChordLimits::SpreadLimits()
+{
   std::vector<float> least(this->Limits);
   for (int ring = 0; ring < Rings; ring++)
   {

@@ -57,6 +57,8 @@ private:
   // By the bound of wfv::Bend, which knows how near a direction is.
   float NearSingularity(const vec3& direction) const;
 
+  void SpreadLimits(); // to Least
+
   Family Axis;
   double RimAngle;
   double BesideSine; // of IsBesideSingularity
