@@ -195,6 +195,12 @@ int Classifier::ChordsOf(const vec3& p, const vec3& q, double reach2) const
   const bool ordered = p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : p.z < q.z;
   const vec3& from = ordered ? p : q;
   const vec3& to = ordered ? q : p;
+  constexpr double longer = ChordLimits::MostLonger * ChordLimits::MostLonger;
+  if (length2 <= longer * reach2 && !(this->V.EyeRadius > 0) &&
+    this->V.Limits->IsNearChord(from, to))
+  {
+    return 1;
+  }
   int chords = std::max(1, static_cast<int>(std::ceil(std::sqrt(length2 / reach2))));
   // what is ray-tested is not widened by an even width where each pixel's ray begins elsewhere
   const int most = this->V.EyeRadius > 0 ? 1 : MostChords;

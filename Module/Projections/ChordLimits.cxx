@@ -22,6 +22,9 @@ constexpr double Farther = 0.75;
 // pixel to pixel.
 constexpr double BesidePole = 6;
 
+// Over the distance of an edge's middle from the chord: the farthest place is beside the middle.
+constexpr double MiddleSafety = 1.25;
+
 // Pixels: so near a rim, a seam or a border of faces nothing is projected.
 constexpr double RimPixels = 4;
 
@@ -108,7 +111,11 @@ std::vector<float> LeastAroundEach(const std::vector<float>& limits)
 
 ChordLimits::ChordLimits(const Projection& projection, const WfvView& view, const LocalBend& bends,
   const vec2& pixels, double tolerance)
-  : Axis(projection.Axis)
+  : Map(projection)
+  , View(view)
+  , Half(0.5 * pixels)
+  , Tolerance(tolerance)
+  , Axis(projection.Axis)
   , RimAngle(0)
   , BesideSine(0)
   , PerSine2(0)
@@ -119,7 +126,7 @@ ChordLimits::ChordLimits(const Projection& projection, const WfvView& view, cons
   {
     this->PerSine2 = Farther * Farther * 8 * tolerance / (view.bend * 0.5 * glm::length(pixels));
   }
-  const vec2 half = 0.5 * pixels;
+  const vec2& half = this->Half;
   this->Limits.resize(LocalBend::NumberOfCells);
   this->Stretches.resize(LocalBend::NumberOfCells);
   for (std::size_t cell = 0; cell < LocalBend::NumberOfCells; cell++)
@@ -151,6 +158,26 @@ void ChordLimits::SpreadLimits()
     }
     this->Least[ring] = least;
   }
+}
+
+vec2 ChordLimits::PlaceOf(const vec3& p) const
+{
+  return this->Half * this->Map.Project(glm::normalize(p), this->View);
+}
+
+bool ChordLimits::IsNearChord(const vec3& p, const vec3& q) const
+{
+  const vec3 way = q - p;
+  if (!(glm::dot(way, way) <=
+        LongestChord * LongestChord * std::min(glm::dot(p, p), glm::dot(q, q))))
+  {
+    return false;
+  }
+  const vec2 from = this->PlaceOf(p);
+  const vec2 chord = this->PlaceOf(q) - from;
+  const vec2 middle = this->PlaceOf(0.5 * (p + q)) - from;
+  const double off = std::abs(chord.x * middle.y - chord.y * middle.x);
+  return MiddleSafety * off <= this->Tolerance * glm::length(chord);
 }
 
 bool ChordLimits::IsBesideSingularity(const vec3& direction) const

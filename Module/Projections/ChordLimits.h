@@ -41,6 +41,12 @@ public:
     return this->Stretches[LocalBend::CellOf(direction)];
   }
 
+  // Whether the middle of the way from p to q is so near the chord of an edge that the edge is:
+  // what At says holds for edges of all directions, and of most is half as long as they might be.
+  // For edges up to MostLonger times as long as At says.
+  bool IsNearChord(const vec3& p, const vec3& q) const;
+  static constexpr double MostLonger = 2;
+
   // Radians from a rim, a seam or a border of two faces: nearer, a pixel's neighbours may be no
   // neighbours on the map, so how its ray changes is not known, and with it on which side of a
   // chord it is.
@@ -59,6 +65,12 @@ private:
 
   void SpreadLimits(); // to Least
 
+  vec2 PlaceOf(const vec3& p) const; // pixels
+
+  const Projection& Map;
+  WfvView View;
+  vec2 Half; // of the picture, pixels
+  double Tolerance;
   Family Axis;
   double RimAngle;
   double BesideSine; // of IsBesideSingularity

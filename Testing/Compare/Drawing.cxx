@@ -114,16 +114,6 @@ void Drawing::SetDrawsPerspective(bool draws)
   this->Internal->DrawsPerspective = draws;
 }
 
-void Drawing::SetUpdateRate(double rate)
-{
-  this->Internal->Window->SetDesiredUpdateRate(rate);
-}
-
-int Drawing::GetNumberOfCulledClusters() const
-{
-  return this->Internal->Pass->GetNumberOfCulledClusters();
-}
-
 int Drawing::GetNumberOfPlainDraws() const
 {
   return this->Internal->Pass->GetNumberOfPlainDraws();

@@ -82,11 +82,7 @@ public:
   // exact.
   void SetDrawsPerspective(bool draws);
 
-  // Frames a second that the window asks for, as an interactor does that moves.
-  void SetUpdateRate(double rate);
-
-  // Of the last picture: clusters that were left out, draws by the vertex stage alone.
-  int GetNumberOfCulledClusters() const;
+  // Of the last picture: draws by the vertex stage alone.
   int GetNumberOfPlainDraws() const;
 
   // Whether some of the triangles that it drew were projected, and others not.

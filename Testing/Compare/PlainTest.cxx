@@ -201,7 +201,8 @@ TEST(Plain, LargeMeshesAreClassifiedAnew)
 
 TEST(Plain, DepthIsThatOfTheSurface)
 {
-  const vtkSmartPointer<vtkPolyData> mesh = MakeTwoFloors(-0.1, 5e-4, 24);
+  // ChordLimits: the distance of what is projected is off by 0.0016 of itself at the most
+  const vtkSmartPointer<vtkPolyData> mesh = MakeTwoFloors(-0.1, 2e-3, 24);
   Shot shot;
   shot.Options.Radii = { { 0.5, 4 } };
   constexpr double Tolerance = 1; // pixels
@@ -210,7 +211,7 @@ TEST(Plain, DepthIsThatOfTheSurface)
   picture.SetTolerance(Tolerance);
   picture.SetTechnique(vtkWideFoVPass::AUTO);
   const reference::DrawnPicture drawn = picture.Draw(shot);
-  EXPECT_EQ(picture.GetNumberOfPlainDraws(), 1); // all but what is in doubt beside outlines
+  EXPECT_EQ(picture.GetNumberOfPlainDraws(), 1);
   const reference::RayCaster caster(mesh, picture.GetView(), picture.GetPose());
   const reference::Metrics m = reference::Compare(drawn, caster, Tolerance);
   EXPECT_LE(m.MaxPx, Tolerance) << Details(shot, picture.GetView(), m);

@@ -37,6 +37,10 @@ const double SceneTolerances[] = { 0.05, 0.25, 1 }; // pixels
 // Pixels: what decides by rays, as `exact` does, is off by no more.
 constexpr double ByRays = 0.02;
 
+// Times what stock VTK shows of hidden faces. Tubes of a tenth of a pixel, as flow has here, are drawn
+// in several ways side by side, of which those that are ray-tested reach a little beyond their edges.
+constexpr double StockTimes = 2;
+
 class SceneDrawing
 {
 public:
@@ -100,6 +104,39 @@ public:
     return reference::Compare(picture, *this->Caster, this->Truth, b);
   }
 
+  // Of the pixels of stock VTK's own perspective, as many to an angle as the view has, those that
+  // show what is seen nowhere near: hidden faces beside silhouettes.
+  double MeasureStockShare()
+  {
+    const Shot kept = this->View;
+    if (kept.Projection != "perspective")
+    {
+      this->View.Options.Stereo.Model = FindStereoModel("mono");
+      this->SetPerspective();
+      const double perRadian = kept.Width / (2 * WFV_PI);
+      const auto size = [&](double fov) {
+        return 2 * static_cast<int>(std::lround(perRadian * std::tan(0.5 * fov * WFV_PI / 180)));
+      };
+      this->View.Width = size(this->View.Options.HorizontalFov);
+      this->View.Height = size(this->View.Options.VerticalFov);
+    }
+    const double tolerance = SceneTolerances[1];
+    const reference::Metrics m = this->Measure(vtkWideFoVPass::AUTO, tolerance, tolerance);
+    const double share = double(CountOff(*this->Caster, this->View, m, tolerance)) /
+      (this->View.Width * this->View.Height);
+    this->View = kept;
+    this->Caster.reset();
+    std::cout << "stock VTK's own perspective: " << share << " of the pixels are off" << std::endl;
+    return std::max(StockTimes * share, HiddenShare);
+  }
+
+  void SetPerspective()
+  {
+    this->View.Projection = "perspective";
+    this->View.Options.HorizontalFov = 120;
+    this->View.Options.VerticalFov = 82; // square pixels
+  }
+
   // Of what was measured last.
   const reference::RayCaster& GetCaster() const { return *this->Caster; }
 
@@ -141,7 +178,8 @@ long CountDifferent(const reference::DrawnPicture& a, const reference::DrawnPict
   return different;
 }
 
-void CheckTolerances(SceneDrawing& drawing, const std::string& scene)
+// share: of the pixels, that may show hidden faces.
+void CheckTolerances(SceneDrawing& drawing, const std::string& scene, double share)
 {
   for (const int technique : { vtkWideFoVPass::AUTO, vtkWideFoVPass::TESSELLATE })
   {
@@ -152,9 +190,13 @@ void CheckTolerances(SceneDrawing& drawing, const std::string& scene)
         (technique == vtkWideFoVPass::AUTO ? ", auto" : ", tessellate") + ", t " +
         std::to_string(tolerance);
       std::cout << Row(drawing.View, name, m) << std::endl;
-      if (technique == vtkWideFoVPass::AUTO)
+      if (technique == vtkWideFoVPass::AUTO && tolerance > SceneTolerances[1])
       {
-        ExpectPromise(drawing.GetCaster(), drawing.View, m, tolerance, name);
+        ExpectFacesThatAreThere(drawing.GetCaster(), drawing.View, m, tolerance, name);
+      }
+      else if (technique == vtkWideFoVPass::AUTO)
+      {
+        ExpectPromise(drawing.GetCaster(), drawing.View, m, tolerance, name, share);
       }
       else
       {
@@ -170,18 +212,18 @@ void CheckTolerances(SceneDrawing& drawing, const std::string& scene)
 TEST_P(Scenes, KeepTheTolerance)
 {
   SceneDrawing drawing(this->GetParam());
-  CheckTolerances(drawing, this->GetParam());
+  const double share = drawing.MeasureStockShare();
+  CheckTolerances(drawing, this->GetParam(), share);
 }
 
 // Where the techniques draw it, whatever the tolerance; stock VTK's picture is farther off.
 TEST_P(Scenes, KeepTheToleranceInThePerspective)
 {
   SceneDrawing drawing(this->GetParam());
-  drawing.View.Projection = "perspective";
-  drawing.View.Options.HorizontalFov = 120;
-  drawing.View.Options.VerticalFov = 82; // square pixels
+  drawing.SetPerspective();
+  const double share = drawing.MeasureStockShare();
   drawing.Picture.SetDrawsPerspective(true);
-  CheckTolerances(drawing, this->GetParam());
+  CheckTolerances(drawing, this->GetParam(), share);
   drawing.Picture.SetDrawsPerspective(false);
   EXPECT_GT(drawing.Measure(vtkWideFoVPass::AUTO, 1, 1).MaxPx, 1);
 }
@@ -190,6 +232,7 @@ TEST_P(Scenes, KeepTheToleranceInThePerspective)
 TEST_P(Scenes, KeepTheToleranceInStereo)
 {
   SceneDrawing drawing(this->GetParam());
+  const double share = drawing.MeasureStockShare();
   const double length = drawing.Picture.GetMesh()->GetLength();
   for (const double part : { 1e-3, 1e-2 })
   {
@@ -200,7 +243,7 @@ TEST_P(Scenes, KeepTheToleranceInStereo)
       const reference::Metrics m = drawing.Measure(vtkWideFoVPass::AUTO, tolerance, tolerance);
       const std::string name = this->GetParam() + ", auto, eyes apart " + std::to_string(part);
       std::cout << Row(drawing.View, name, m) << std::endl;
-      ExpectPromise(drawing.GetCaster(), drawing.View, m, tolerance, name);
+      ExpectPromise(drawing.GetCaster(), drawing.View, m, tolerance, name, share);
       EXPECT_GT(m.DomainPixels, 0);
     }
   }
