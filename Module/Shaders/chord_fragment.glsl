@@ -46,41 +46,6 @@ vec2 wfvHere()
   return gl_FragCoord.xy + wfvSample - wfvViewport.xy - 0.5 * wfvViewport.zw;
 }
 
-#if WFV_MEETS_CHORDS
-uniform float wfvTolerance; // pixels
-
-// True where this sample is beside the way from a to b, or no farther from an end of it than chords
-// may be off.
-bool wfvIsBeside(vec2 a, vec2 b)
-{
-  vec2 way = b - a;
-  vec2 here = wfvHere() - a;
-  float along = dot(here, way) / max(dot(way, way), 1e-12);
-  vec2 off = here - clamp(along, 0.0, 1.0) * way;
-  return (along >= 0.0 && along <= 1.0) || dot(off, off) <= wfvTolerance * wfvTolerance;
-}
-
-// False where this sample is outside both edges of a corner a that is no acute one, and farther from it
-// than chords may be off. (At an acute one it may be between two chords that pass each other.)
-bool wfvIsAtCorner(vec2 a, vec2 b, vec2 c, bool outside)
-{
-  vec2 off = wfvHere() - a;
-  return !outside || dot(b - a, c - a) > 0.0 || dot(off, off) <= wfvTolerance * wfvTolerance;
-}
-
-// Whether the edges of which this sample is outside may be widened to hold it. A widened one ends where
-// it ends: an acute corner would reach far beyond its place.
-bvec3 wfvBesideEdges(bvec3 outside)
-{
-  vec2 a = wfvCorners01.xy;
-  vec2 b = wfvCorners01.zw;
-  vec2 c = wfvCorner2;
-  bool corners = wfvIsAtCorner(a, b, c, outside.y && outside.z) &&
-    wfvIsAtCorner(b, c, a, outside.z && outside.x) && wfvIsAtCorner(c, a, b, outside.x && outside.y);
-  return bvec3(corners && wfvIsBeside(b, c), corners && wfvIsBeside(c, a), corners && wfvIsBeside(a, b));
-}
-#endif
-
 // What to add to the function e of an edge, whose slope per pixel this is, to have that of
 // the chord from a to b; 0 where the chord does not decide.
 float wfvToChord(float e, vec2 slope, float slack, vec2 a, vec2 b)
@@ -142,9 +107,36 @@ vec3 wfvChordReach()
 #endif
 }
 
+#if WFV_MEETS_CHORDS && !WFV_OWN_RAYS
+flat in vec3 wfvCount; // preclip_emit.glsl
+flat in vec3 wfvPlace0;
+flat in vec3 wfvPlace1;
+flat in vec3 wfvPlace2;
+
+// In the picture, from the tile's centre, pixels.
+vec2 wfvInPicture(vec3 p)
+{
+  vec4 c = wfvClip(wfvProject(p, wfvView), wfvLength(p) * wfvScale());
+  return 0.5 * wfvViewport.zw * c.xy / c.w;
+}
+
+// The chord of an edge of several, from p to q, that is at the way which a ray looks beside: its ends.
+// n: the plane of the edge and the eye.
+vec4 wfvChordAt(vec3 p, vec3 q, vec3 n, float chords, vec3 direction)
+{
+  float fromP = dot(cross(p, direction), n);
+  float fromQ = dot(cross(direction, q), n);
+  float share = fromP / (fromP + fromQ);
+  float at = clamp(floor(share * chords), 0.0, chords - 1.0);
+  float first = at / chords;
+  float second = (at + 1.0) / chords;
+  return vec4(wfvInPicture((1.0 - first) * p + first * q), wfvInPicture((1.0 - second) * p + second * q));
+}
+#endif
+
 // What to add to the edge functions e, whose slopes per pixel are dx and dy, to have those
 // of the chords; 0 where no chord decides.
-vec3 wfvToChords(vec3 e, vec3 dx, vec3 dy)
+vec3 wfvToChords(vec3 direction, vec3 e, vec3 dx, vec3 dy)
 {
 #if !WFV_CHORDS
   return vec3(0.0);
@@ -152,9 +144,27 @@ vec3 wfvToChords(vec3 e, vec3 dx, vec3 dy)
   vec2 c0 = vec2(wfvCorners01.x, wfvCorners01.y);
   vec2 c1 = vec2(wfvCorners01.z, wfvCorners01.w);
   vec2 c2 = wfvCorner2;
-  return vec3(wfvToChordOf(0, e.x, vec2(dx.x, dy.x), wfvSlack.x, c1, c2),
-    wfvToChordOf(1, e.y, vec2(dx.y, dy.y), wfvSlack.y, c2, c0),
-    wfvToChordOf(2, e.z, vec2(dx.z, dy.z), wfvSlack.z, c0, c1));
+  vec4 chord0 = vec4(c1, c2);
+  vec4 chord1 = vec4(c2, c0);
+  vec4 chord2 = vec4(c0, c1);
+#if WFV_MEETS_CHORDS && !WFV_OWN_RAYS
+  // loops of one round at the most: software rendering runs through both sides of a branch
+  for (int i = wfvCount.x > 1.0 ? 1 : 0; i > 0; i--)
+  {
+    chord0 = wfvChordAt(wfvPlace1, wfvPlace2, vec3(wfvEdge0), wfvCount.x, direction);
+  }
+  for (int i = wfvCount.y > 1.0 ? 1 : 0; i > 0; i--)
+  {
+    chord1 = wfvChordAt(wfvPlace2, wfvPlace0, vec3(wfvEdge1), wfvCount.y, direction);
+  }
+  for (int i = wfvCount.z > 1.0 ? 1 : 0; i > 0; i--)
+  {
+    chord2 = wfvChordAt(wfvPlace0, wfvPlace1, vec3(wfvEdge2), wfvCount.z, direction);
+  }
+#endif
+  return vec3(wfvToChordOf(0, e.x, vec2(dx.x, dy.x), wfvSlack.x, chord0.xy, chord0.zw),
+    wfvToChordOf(1, e.y, vec2(dx.y, dy.y), wfvSlack.y, chord1.xy, chord1.zw),
+    wfvToChordOf(2, e.z, vec2(dx.z, dy.z), wfvSlack.z, chord2.xy, chord2.zw));
 #endif
 }
 

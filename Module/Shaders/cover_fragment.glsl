@@ -45,10 +45,6 @@ flat in vec3 wfvSlack;
 flat in int wfvMode;
 #endif
 
-#if WFV_MEETS_CHORDS
-flat in vec3 wfvWiden; // preclip_emit.glsl
-#endif
-
 vec3 wfvB = vec3(0.0); // barycentric coordinates here
 float wfvRho = 0.0; // distance from the eye here, in the stage's own units
 float wfvDepth = 0.0; // window depth here, 0 to 1
@@ -69,10 +65,7 @@ void wfvOrder(float approach, vec3 e);
 
 // chord_fragment.glsl
 vec3 wfvChordReach();
-#if WFV_MEETS_CHORDS
-bvec3 wfvBesideEdges(bvec3 outside);
-#endif
-vec3 wfvToChords(vec3 e, vec3 dx, vec3 dy);
+vec3 wfvToChords(vec3 direction, vec3 e, vec3 dx, vec3 dy);
 bool wfvAllInside(vec3 e, vec3 toChords);
 
 #if WFV_WARPED
@@ -278,17 +271,6 @@ bool wfvTurns(vec3 direction)
 }
 #endif
 
-// The edge functions of edges that are widened, from how they change from pixel to pixel.
-vec3 wfvWidened(vec3 e, vec3 x, vec3 y)
-{
-#if WFV_MEETS_CHORDS
-  return e +
-    vec3(wfvBesideEdges(lessThan(e, vec3(0.0)))) * wfvWiden * sqrt(x * x + y * y);
-#else
-  return e;
-#endif
-}
-
 #if WFV_MULTISAMPLE
 // By which ray the fragment has its depth and its attributes: the centre's, or that of a sample
 // where the centre is not covered. A face seen nearly edge-on, continued to there, would come out
@@ -307,7 +289,7 @@ bool wfvCoverage(WfvRay ray, vec3 e, vec3 x, vec3 y, bool rim)
 #endif
   bool certain = wfvByChord || (!rim && all(greaterThan(abs(e), reach)));
   int mask = wfvByChord || (certain && all(greaterThan(e, vec3(0.0)))) ? -1 : 0;
-  bool centre = certain || (ray.inside && wfvAllInside(e, wfvToChords(e, x, y)));
+  bool centre = certain || (ray.inside && wfvAllInside(e, wfvToChords(ray.direction, e, x, y)));
   // without samples, in a shader that still reckons with several, the centre decides
   mask = wfvSamples <= 1 && centre && !certain ? -1 : mask;
   wfvShown = ray.direction;
@@ -315,8 +297,8 @@ bool wfvCoverage(WfvRay ray, vec3 e, vec3 x, vec3 y, bool rim)
   {
     WfvRay at = wfvSurfaceRay(wfvSampleOffsets[i]);
     wfvSample = wfvSampleOffsets[i];
-    vec3 there = wfvWidened(wfvEdgesAt(at.direction), x, y);
-    bool covered = at.inside && wfvAllInside(there, wfvToChords(there, x, y));
+    vec3 there = vec3(wfvEdgesAt(at.direction));
+    bool covered = at.inside && wfvAllInside(there, wfvToChords(at.direction, there, x, y));
     mask |= covered ? 1 << i : 0;
     wfvShown = covered && !centre ? at.direction : wfvShown;
   }
@@ -328,7 +310,7 @@ bool wfvCoverage(WfvRay ray, vec3 e, vec3 x, vec3 y, bool rim)
 #else
 bool wfvCoverage(WfvRay ray, vec3 e, vec3 x, vec3 y, bool rim)
 {
-  return wfvByChord || (wfvAllInside(e, wfvToChords(e, x, y)) && ray.inside);
+  return wfvByChord || (wfvAllInside(e, wfvToChords(ray.direction, e, x, y)) && ray.inside);
 }
 #endif
 
@@ -345,7 +327,7 @@ bool wfvCovered(WfvRay ray, vec3 e)
 #endif
   vec3 x = wfvEdgeStep(ray.direction, pixel[0]);
   vec3 y = wfvEdgeStep(ray.direction, pixel[1]);
-  return wfvCoverage(ray, wfvWidened(e, x, y), x, y, rim);
+  return wfvCoverage(ray, e, x, y, rim);
 #endif
 }
 

@@ -59,11 +59,16 @@ const int WFV_COVERED = 1;
 // Neighbours may be drawn by their chords: edges whose chord error is within the tolerance end there
 // (chord_fragment.glsl).
 flat out vec3 wfvSlack; // pixels between edge i and its chord, at the most; < 0: it ends at the edge
-flat out vec3 wfvWiden; // pixels by which it is widened
 flat out vec4 wfvCorners01;
 flat out vec2 wfvCorner2;
+#if !WFV_OWN_RAYS
+flat out vec3 wfvCount; // of the chords of edge i
+flat out vec3 wfvPlace0; // the corners, that chords lie between
+flat out vec3 wfvPlace1;
+flat out vec3 wfvPlace2;
+#endif
 vec3 wfvSlackHere = vec3(-1.0);
-vec3 wfvWidenHere = vec3(0.0);
+vec3 wfvCountHere = vec3(0.0);
 vec2 wfvChordEnds[3] = vec2[3](vec2(0.0), vec2(0.0), vec2(0.0));
 #define WFV_LENS wfvTolerance
 #else
@@ -142,9 +147,14 @@ void wfvWriteFlat()
   wfvWriteRises();
 #if WFV_MEETS_CHORDS
   wfvSlack = wfvSlackHere;
-  wfvWiden = wfvWidenHere;
   wfvCorners01 = vec4(wfvChordEnds[0], wfvChordEnds[1]);
   wfvCorner2 = wfvChordEnds[2];
+#if !WFV_OWN_RAYS
+  wfvCount = wfvCountHere;
+  wfvPlace0 = wfvP[0];
+  wfvPlace1 = wfvP[1];
+  wfvPlace2 = wfvP[2];
+#endif
 #endif
 #if WFV_WARPED
   wfvDepths = wfvDepthsHere;

@@ -240,20 +240,15 @@ bool wfvGrazes()
 #endif
 
 #if WFV_MEETS_CHORDS
-// Of the tolerance: chords are no farther from their edges, for the bound that they are chosen by is as
-// much larger (LocalSafety of Projections/LocalBend.cxx).
-const float WFV_MOST_OFF = 0.8;
-
-// An edge that one chord stands for ends there; one of more is widened by as much as these may be from
-// it, which overlaps a little with the neighbour; another is as it is.
+// An edge that chords stand for ends there; another is as it is.
 void wfvFindChords()
 {
   ivec3 chords = wfvReadChords();
+  wfvCountHere = vec3(chords);
   for (int i = 0; i < 3; i++)
   {
     wfvChordEnds[i] = wfvPixel(wfvP[i]);
-    wfvWidenHere[i] = chords[i] > 1 ? WFV_MOST_OFF * wfvTolerance : 0.0;
-    wfvSlackHere[i] = chords[i] == 1 ? wfvTolerance : -1.0;
+    wfvSlackHere[i] = chords[i] > 0 ? wfvTolerance : -1.0;
   }
 }
 #endif
