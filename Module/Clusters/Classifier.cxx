@@ -152,24 +152,18 @@ double Classifier::LimitAt(const vec3& p) const
                                : this->V.Limits->At(p);
 }
 
-// Seen from the eye no part of an edge looks longer than it would at its nearer end. Of several
-// chords none is beside a pole, where what is ray-tested beside them could not be widened evenly.
+// Seen from the eye no part of an edge looks longer than it would at its nearer end.
 bool Classifier::FitChords(const vec3& p, const vec3& q, int chords) const
 {
   const vec3 step = (q - p) / double(chords);
   const double step2 = glm::dot(step, step);
-  if (chords > 1 && this->V.Limits->IsBesideSingularity(p))
-  {
-    return false;
-  }
   double before = this->LimitAt(p) * glm::dot(p, p);
   for (int i = 1; i <= chords; i++)
   {
     const vec3 at = i < chords ? p + double(i) * step : q;
     const double here = this->LimitAt(at) * glm::dot(at, at);
     if (!(step2 <= std::min(before, here)) ||
-      (this->V.EyeRadius > 0 && this->BendsFromEye(at - step, at)) ||
-      (chords > 1 && this->V.Limits->IsBesideSingularity(at)))
+      (this->V.EyeRadius > 0 && this->BendsFromEye(at - step, at)))
     {
       return false;
     }
@@ -202,7 +196,7 @@ int Classifier::ChordsOf(const vec3& p, const vec3& q, double reach2) const
     return 1;
   }
   int chords = std::max(1, static_cast<int>(std::ceil(std::sqrt(length2 / reach2))));
-  // what is ray-tested is not widened by an even width where each pixel's ray begins elsewhere
+  // where each pixel's ray begins elsewhere, the fragment stage does not find one of several
   const int most = this->V.EyeRadius > 0 ? 1 : MostChords;
   while (chords <= most && !this->FitChords(from, to, chords))
   {
@@ -289,7 +283,8 @@ DrawClass Classifier::OfCluster(const Box& box, double radius, double edge) cons
     return DrawClass::Mixed;
   }
   const double limit = this->V.Limits->LeastAround(centre, radius / distance);
-  const bool all = edge * edge <= limit * nearest * nearest &&
+  const bool all = !this->V.Limits->IsBesideSingularity(centre, radius / distance) &&
+    edge * edge <= limit * nearest * nearest &&
     !this->SphereMayTear(centre, radius, ChordLimits::LongestChord);
   return all ? DrawClass::Projected : DrawClass::Mixed;
 }

@@ -18,15 +18,18 @@ constexpr double NarrowestCell = 0.03;
 // ends are.
 constexpr double Farther = 0.75;
 
-// Pixels, or tolerances where these are larger: nearer to a pole or an antipode the map bends from
-// pixel to pixel.
-constexpr double BesidePole = 6;
+// Pixels, and tolerances besides: nearer to a pole or an antipode the map bends from pixel to
+// pixel.
+constexpr double BesidePole = 4;
+constexpr double BesidePoleOff = 16;
 
 // Over the distance of an edge's middle from the chord: the farthest place is beside the middle.
 constexpr double MiddleSafety = 1.25;
 
-// Pixels: so near a rim, a seam or a border of faces nothing is projected.
-constexpr double RimPixels = 4;
+// Pixels, and tolerances besides, for a chord decides within two of them: so near a rim, a seam or
+// a border of faces nothing is projected.
+constexpr double RimPixels = 3;
+constexpr double RimOff = 4;
 
 // Angles are tried from this one on, radians, each larger by this factor, up to the largest.
 constexpr double FirstAngle = 0.001;
@@ -57,22 +60,22 @@ double SineBeside(const Projection& map, const WfvView& view, const vec2& half, 
 {
   double angle = FirstAngle;
   while (angle < LargestAngle &&
-    LeastPixels(map, view, half, angle) < BesidePole * std::max(1.0, tolerance))
+    LeastPixels(map, view, half, angle) < BesidePole + BesidePoleOff * tolerance)
   {
     angle *= AngleFactor;
   }
   return std::sin(angle);
 }
 
-// The angle from the rim of a round map at which RimPixels lie between.
-double AngleFromRim(const Projection& map, const WfvView& view, const vec2& half)
+// The angle from the rim of a round map at which so many pixels lie between.
+double AngleFromRim(const Projection& map, const WfvView& view, const vec2& half, double pixels)
 {
   const auto at = [&](double angle) {
     const double polar = view.maxAngle - angle;
     return half * map.Project(vec3(std::sin(polar), 0, -std::cos(polar)), view);
   };
   double angle = FirstAngle;
-  while (angle < LargestAngle && glm::length(at(angle) - at(0.01 * FirstAngle)) < RimPixels)
+  while (angle < LargestAngle && glm::length(at(angle) - at(0.01 * FirstAngle)) < pixels)
   {
     angle *= AngleFactor;
   }
@@ -134,13 +137,14 @@ ChordLimits::ChordLimits(const Projection& projection, const WfvView& view, cons
     this->Limits[cell] = LimitOf(bends, cell, half, tolerance);
     this->Stretches[cell] = static_cast<float>(bends.OfCell(cell, 0)[2] * std::max(half.x, half.y));
   }
+  const double rim = RimPixels + RimOff * tolerance;
   if (Axis == Family::Azimuthal)
   {
-    this->RimAngle = AngleFromRim(projection, view, half);
+    this->RimAngle = AngleFromRim(projection, view, half, rim);
   }
   else if (Axis != Family::Planar) // that has no rim
   {
-    this->RimAngle = RimPixels / this->StretchAt(vec3(0, 0, -1));
+    this->RimAngle = rim / this->StretchAt(vec3(0, 0, -1));
   }
   this->BesideSine = singular ? SineBeside(projection, view, half, tolerance) : 0;
   this->SpreadLimits();
@@ -168,8 +172,8 @@ vec2 ChordLimits::PlaceOf(const vec3& p) const
 bool ChordLimits::IsNearChord(const vec3& p, const vec3& q) const
 {
   const vec3 way = q - p;
-  if (!(glm::dot(way, way) <=
-        LongestChord * LongestChord * std::min(glm::dot(p, p), glm::dot(q, q))))
+  const double nearest2 = std::min(glm::dot(p, p), glm::dot(q, q));
+  if (!(glm::dot(way, way) <= LongestChord * LongestChord * nearest2))
   {
     return false;
   }
@@ -178,11 +182,6 @@ bool ChordLimits::IsNearChord(const vec3& p, const vec3& q) const
   const vec2 middle = this->PlaceOf(0.5 * (p + q)) - from;
   const double off = std::abs(chord.x * middle.y - chord.y * middle.x);
   return MiddleSafety * off <= this->Tolerance * glm::length(chord);
-}
-
-bool ChordLimits::IsBesideSingularity(const vec3& direction) const
-{
-  return SineToSingularity(this->Axis, glm::normalize(direction)) < this->BesideSine;
 }
 
 float ChordLimits::NearSingularity(const vec3& direction) const

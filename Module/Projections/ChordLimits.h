@@ -27,6 +27,10 @@ public:
   // of any point of the edge.
   float At(const vec3& direction) const
   {
+    if (this->IsBesideSingularity(direction))
+    {
+      return 0;
+    }
     const float limit = this->Limits[LocalBend::CellOf(direction)];
     return limit < Coarse ? std::max(limit, this->NearSingularity(direction)) : limit;
   }
@@ -52,8 +56,17 @@ public:
   // chord it is.
   double GetRimAngle() const { return this->RimAngle; }
 
-  // So near a pole or an antipode that the map bends within a few times the tolerance.
-  bool IsBesideSingularity(const vec3& direction) const;
+  // Whether a direction, or one that an angle of this sine leads to from there, is so near a pole
+  // or an antipode that the map bends from pixel to pixel. direction: of any length but 0.
+  bool IsBesideSingularity(const vec3& direction, double sine = 0) const
+  {
+    const vec3& d = direction;
+    const double beside = this->BesideSine + sine;
+    const double level = this->Axis == Family::Meridian ? d.z : d.y;
+    const bool ahead = this->Axis == Family::Azimuthal && d.z <= 0;
+    return this->BesideSine > 0 && !ahead &&
+      d.x * d.x + level * level < beside * beside * glm::dot(d, d);
+  }
 
 private:
   // Squared radians: beside a pole or an antipode a cell has as little as this, if any, for all

@@ -37,9 +37,10 @@ const double SceneTolerances[] = { 0.05, 0.25, 1 }; // pixels
 // Pixels: what decides by rays, as `exact` does, is off by no more.
 constexpr double ByRays = 0.02;
 
-// Times what stock VTK shows of hidden faces. Tubes of a tenth of a pixel, as flow has here, are drawn
-// in several ways side by side, of which those that are ray-tested reach a little beyond their edges.
-constexpr double StockTimes = 2;
+// Times what stock VTK shows of hidden faces. Tubes of a tenth of a pixel, as flow has here, are
+// drawn in several ways side by side, of which those that are ray-tested reach a little beyond
+// their edges.
+constexpr double StockTimes = 1;
 
 class SceneDrawing
 {
