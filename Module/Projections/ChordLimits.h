@@ -16,7 +16,7 @@ class WFV_EXPORT ChordLimits
 {
 public:
   // Radians: no chord is longer, whatever the map. Depth and attributes are interpolated
-  // along chords; a distance is then off by a quarter of the squared angle at the most.
+  // along chords; a distance is then off by half of the squared angle at the most.
   static constexpr double LongestChord = 0.08;
 
   // pixels: of the whole picture; tolerance: pixels.
