@@ -148,16 +148,19 @@ vec3 wfvToChords(vec3 direction, vec3 e, vec3 dx, vec3 dy)
   vec4 chord1 = vec4(c2, c0);
   vec4 chord2 = vec4(c0, c1);
 #if WFV_MEETS_CHORDS && !WFV_OWN_RAYS
-  // loops of one round at the most: software rendering runs through both sides of a branch
-  for (int i = wfvCount.x > 1.0 ? 1 : 0; i > 0; i--)
+  // where a chord may decide; by loops of one round at the most, for software rendering runs through
+  // both sides of a branch
+  bvec3 several = greaterThan(wfvCount, vec3(1.0));
+  bvec3 near = lessThanEqual(abs(e), wfvChordReach() * sqrt(dx * dx + dy * dy));
+  for (int i = several.x && near.x ? 1 : 0; i > 0; i--)
   {
     chord0 = wfvChordAt(wfvPlace1, wfvPlace2, vec3(wfvEdge0), wfvCount.x, direction);
   }
-  for (int i = wfvCount.y > 1.0 ? 1 : 0; i > 0; i--)
+  for (int i = several.y && near.y ? 1 : 0; i > 0; i--)
   {
     chord1 = wfvChordAt(wfvPlace2, wfvPlace0, vec3(wfvEdge1), wfvCount.y, direction);
   }
-  for (int i = wfvCount.z > 1.0 ? 1 : 0; i > 0; i--)
+  for (int i = several.z && near.z ? 1 : 0; i > 0; i--)
   {
     chord2 = wfvChordAt(wfvPlace0, wfvPlace1, vec3(wfvEdge2), wfvCount.z, direction);
   }
