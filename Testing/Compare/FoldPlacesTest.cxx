@@ -44,15 +44,59 @@ vtkSmartPointer<vtkPolyData> MakeFold(const PassedFold& fold, bool frontFirst)
   return mesh;
 }
 
+// Triangles from which on a mesh is classified.
+constexpr vtkIdType ManyTriangles = 256;
+
+// Makes one of so many: where the two do not meet each goes on in its own plane beyond each edge,
+// turned alike; all others are on the other side of the eye.
+void AddSurroundings(vtkPolyData* mesh, const vec3& ray)
+{
+  vtkPoints* const points = mesh->GetPoints();
+  vtkCellArray* const triangles = mesh->GetPolys();
+  const auto at = [&](vtkIdType point) {
+    const double* const p = points->GetPoint(point);
+    return vec3(p[0], p[1], p[2]);
+  };
+  const auto put = [&](const vec3& p) { return points->InsertNextPoint(p.x, p.y, p.z); };
+  std::array<std::array<vtkIdType, 3>, 2> two;
+  for (vtkIdType i = 0; i < 2; i++)
+  {
+    vtkNew<vtkIdList> corners;
+    triangles->GetCellAtId(i, corners);
+    std::copy_n(corners->begin(), 3, two[i].begin());
+  }
+  for (std::size_t i = 0; i < 6; i++)
+  {
+    const std::array<vtkIdType, 3>& own = two[i / 3];
+    const std::array<vtkIdType, 3>& other = two[1 - i / 3];
+    const vtkIdType from = own[i % 3];
+    const vtkIdType to = own[(i + 1) % 3];
+    const auto has = [&](vtkIdType p) { return std::count(other.begin(), other.end(), p) > 0; };
+    if (!has(from) || !has(to))
+    {
+      triangles->InsertNextCell({ to, from, put(at(from) + at(to) - at(own[(i + 2) % 3])) });
+    }
+  }
+  while (triangles->GetNumberOfCells() < ManyTriangles)
+  {
+    triangles->InsertNextCell(
+      { put(-ray), put(-ray + vec3(0.01, 0, 0)), put(-ray + vec3(0, 0.01, 0)) });
+  }
+}
+
 // The front is seen at the pixel, in whichever order the two are drawn.
-void CheckFold(const PassedFold& fold, const Shot& shot, int i, int j, int technique)
+void CheckFold(const PassedFold& fold, const Shot& shot, int i, int j, bool surrounded)
 {
   Drawing picture;
-  picture.SetTechnique(technique);
+  picture.SetTechnique(surrounded ? vtkWideFoVPass::AUTO : vtkWideFoVPass::EXACT);
   picture.SetTolerance(0.02);
   for (const bool frontFirst : { true, false })
   {
     const vtkSmartPointer<vtkPolyData> mesh = MakeFold(fold, frontFirst);
+    if (surrounded)
+    {
+      AddSurroundings(mesh, shot.Direction);
+    }
     picture.SetMesh(mesh);
     const reference::DrawnPicture drawn = picture.Draw(shot);
     const vtkIdType front = frontFirst ? 0 : 1;
@@ -65,10 +109,11 @@ void CheckFold(const PassedFold& fold, const Shot& shot, int i, int j, int techn
   }
 }
 
+// Of the two alone nobody knows that they meet in a fold, or that they do not.
 void CheckFold(const PassedFold& fold, const Shot& shot, int i, int j)
 {
-  CheckFold(fold, shot, i, j, vtkWideFoVPass::EXACT);
-  CheckFold(fold, shot, i, j, vtkWideFoVPass::AUTO);
+  CheckFold(fold, shot, i, j, false);
+  CheckFold(fold, shot, i, j, true);
 }
 }
 
