@@ -332,6 +332,16 @@ TEST_P(FoldBeyondTheEdge, FrontHidesAThinBack)
   Check(this->GetParam(), vtkWideFoVPass::EXACT, 0.02, ThinBacks());
 }
 
+// At a tolerance at which every triangle is ray-tested.
+TEST_P(FoldBeyondTheEdge, FrontHidesItsBackWithoutChords)
+{
+  for (const Add& add : { Folds(SharpFold, true), Folds(FlatFold, true), Folds(FlatterFold, true),
+         Needles(FlatNeedle), ThinBacks() })
+  {
+    Check(this->GetParam(), vtkWideFoVPass::AUTO, 0.02, add);
+  }
+}
+
 // With chords, either face beside a fold may be seen, but nothing that is not there.
 TEST_P(FoldBeyondTheEdge, OneOfTheTwoIsSeenWithChords)
 {

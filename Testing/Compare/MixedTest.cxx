@@ -123,7 +123,7 @@ TEST_P(Mixed, IsClosedForAnEye)
     GTEST_SKIP() << "omnidirectional is for wide projections";
   }
   int mixed = 0;
-  for (const double distance : { 0.02 })
+  for (const double distance : { 0.004, 0.02, 0.2 })
   {
     const double fov = FindProjection(this->GetParam())->MaxHorizontalFov;
     this->InAllShots(fov, [&](Shot shot, double tolerance, const std::string& scene) {

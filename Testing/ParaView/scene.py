@@ -28,15 +28,6 @@ def require(good, text):
         raise AssertionError(text)
 
 
-# Share of the pixels that may show a hidden face beside a silhouette: what stock VTK has of them.
-HIDDEN = 2e-4
-
-
-def is_as_cast(answer):
-    """Whether a picture is the ray caster's, but for what `auto` may draw otherwise."""
-    return answer["unexplained"] <= HIDDEN * answer["pixels"]
-
-
 def run(main):
     """Runs a test. A failure ends the process at once, and with it its other ranks, which
     would wait for ever; sys.exit crashes in ParaView's own clean-up."""

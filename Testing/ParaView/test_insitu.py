@@ -62,7 +62,7 @@ def check(options):
         name = os.path.join(options.output, "%02d" % step)
         answer = scene.check(options, request, name + ".vtp", name + ".png", TOLERANCE)
         print(step, answer, flush=True)
-        scene.require(scene.is_as_cast(answer) and answer["hits"] > 10000, "step %d" % step)
+        scene.require(answer["unexplained"] == 0 and answer["hits"] > 10000, "step %d" % step)
 
 
 def main(options):

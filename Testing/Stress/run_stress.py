@@ -7,8 +7,8 @@
 Draws one picture of some cases in every projection, so that every case and every
 projection takes part; with WIDEFOV_STRESS_PRIMITIVES=N in the environment everything, N
 primitives of each projection. What is not zero and not listed in NOT_YET fails; where the
-tolerance is more than EXACT, pixels that the 48 points do not explain fail where they are more than
-the share HIDDEN.
+tolerance is more than EXACT, pixels that the 48 points do not explain fail where the cell that
+they show is seen farther away than that: the points step over what is thin.
 """
 
 import json
@@ -22,7 +22,6 @@ PICTURES = 36  # of the small run: about a second each
 
 COUNTERS = ["nan", "gl_errors", "holes", "double_hits", "unexplained", "crashes"]
 EXACT = 0.02  # pixels
-HIDDEN = 2e-4  # share of the pixels that may show hidden faces beside silhouettes where edges are chords
 PARTS = [(["exact", "auto"], EXACT), (["auto"], 0.25)]
 
 # What is not zero yet: (technique, counter), or (technique, counter, case). Nothing is.
@@ -96,9 +95,8 @@ def breaches(report):
         for technique, counts in techniques.items():
             for counter in COUNTERS:
                 near = counter == "unexplained" and tolerance > EXACT
-                if near and counts[counter] > HIDDEN * counts["pixels"]:
-                    yield "%s, %s: %d pixels of %d are off, up to %g px" % (
-                        technique, case, counts[counter], counts["pixels"], counts["max_px"])
+                if near and counts["max_px"] > tolerance:
+                    yield "%s, %s: a pixel is %g px off" % (technique, case, counts["max_px"])
                 if not near and counts[counter] > 0 and not allowed(technique, counter, case):
                     yield "%s, %s: %s %d" % (technique, case, counter, counts[counter])
 
