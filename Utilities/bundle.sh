@@ -66,6 +66,12 @@ awk '$3 ~ /^\// { print $3 }' <<< "$needed" | sort -u | grep -vE "$own" |
 [ -f "$folder/lib/gl/libXext.so.6" ] || fail "libXext.so.6 is missing; as root: apt-get install libxext6"
 cp LICENSE "$folder/licences/widefov"
 
+# The data of the scenes, where they are: "winds", and beside the checkout "office".
+mkdir -p "$folder/data"
+for data in /usr/share/ferret-vis/data/{etopo20,coads_climatology}.cdf ../shared/data/office.binary.vtk; do
+  [ ! -f "$data" ] || cp "$data" "$folder/data/"
+done
+
 # (of our own the names of functions stay, for whoever reads where one of them crashed)
 find "$folder/bin" "$folder/lib" -type f -name '*WideFoV*' -exec strip --strip-debug {} +
 find "$folder/lib" -type f ! -name '*WideFoV*' -exec strip --strip-unneeded {} +

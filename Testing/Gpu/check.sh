@@ -22,6 +22,7 @@ mkdir -p "$2/tests"
 out="$(realpath "$2")"
 : > "$out/summary.txt"
 failed=0
+export WIDEFOV_DATA_DIR="$bundle/data"
 
 # step SECONDS NAME COMMAND...: runs it, notes what became of it.
 step() {
@@ -76,11 +77,15 @@ fi
 for size in "${sizes[@]}"; do
   for n in "${samples[@]}"; do
     step 100 "bench-$size-$n" "$bundle/bin/widefov-bench" --quick --size "$size" --samples "$n" \
-      --turn 1 --tolerance 0.25 --frames 15 --scenes "$scenes" \
-      --methods auto,exact,preclip,vertex,perspective,cubemap \
+      --turn 1 --tolerance 0.25 --frames 11 --scenes "$scenes" \
+      --methods auto,exact,preclip,vertex,perspective,cubemap --data "$bundle/data" \
       --output "$out/bench-$size-$n.json"
   done
 done
+# Both eyes in one pass and in two.
+step 60 bench-stereo "$bundle/bin/widefov-bench" --quick --size "${sizes[0]}" --turn 1 \
+  --frames 11 --scenes cornell,atrium --methods auto,stereo-omnidirectional,stereo-offaxis \
+  --tolerance 0.25 --output "$out/bench-stereo.json"
 for file in "$out"/bench-*.json; do
   sed -n '/"gl": {/,/}/p' "$file"
 done > "$out/gl.txt"
