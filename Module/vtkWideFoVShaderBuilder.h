@@ -52,21 +52,22 @@ public:
     const wfv::StereoModel* Stereo = nullptr; // none: mono
     Variant Stage = Variant::Plain;
     Primitive Kind = Primitive::Triangles;
-    bool WidePoints = false;  // points wider than a pixel
-    bool WideLines = false;   // lines wider than the hardware draws
-    bool Edges = false;       // surface with edges
-    bool EdgeFlags = false;   // some edges of the triangles are inside a cell
-    bool ByRays = false;      // triangles are covered, whatever their edges: no chords
-    bool DebugView = false;   // coloured by what happens to each primitive
-    bool Multisample = false; // the framebuffer may have several samples a pixel
-    bool Tilted = false;      // the view may have a tilt
-    bool Fades = false;       // the eyes' circle may have a fade
-    Material Surface;         // of triangles
-    int Headlights = 0;       // which lights are at the eye, one bit each
-    int DepthMapping = 0;     // wfv::DepthMapping; all but linear by the fragment stage
-    bool MeetsChords = false; // triangles that are drawn by their chords may be beside these
-    bool Whole = false;       // covered triangles are decided in double, where OpenGL has that
-    int Runs = 1;             // of the geometry stage, which share in covering a triangle
+    bool WidePoints = false;    // points wider than a pixel
+    bool WideLines = false;     // lines wider than the hardware draws
+    bool Edges = false;         // surface with edges
+    bool EdgeFlags = false;     // some edges of the triangles are inside a cell
+    bool ByRays = false;        // triangles are covered, whatever their edges: no chords
+    bool DebugView = false;     // coloured by what happens to each primitive
+    bool Multisample = false;   // the framebuffer may have several samples a pixel
+    bool Tilted = false;        // the view may have a tilt
+    bool Fades = false;         // the eyes' circle may have a fade
+    Material Surface;           // of triangles
+    int Headlights = 0;         // which lights are at the eye, one bit each
+    int DepthMapping = 0;       // wfv::DepthMapping; all but linear by the fragment stage
+    bool MeetsChords = false;   // triangles that are drawn by their chords may be beside these
+    bool SeveralChords = false; // and an edge of these may have several
+    bool Whole = false;         // covered triangles are decided in double, where OpenGL has that
+    int Runs = 1;               // of the geometry stage, which share in covering a triangle
 
     // Of wfv::SteadyLights; none: all of every light is uniforms.
     const std::string* Lights = nullptr;

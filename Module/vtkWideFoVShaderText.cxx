@@ -115,6 +115,7 @@ std::string ViewSource(const Request& r)
     Define("WFV_FLAT_RIM", r.Projection->FlatRim) +
     Define("WFV_EXACT", r.ByRays || r.Stage == vtkWideFoVShaderBuilder::Variant::Exact) +
     Define("WFV_BY_RAYS", r.ByRays) + Define("WFV_MEETS_CHORDS", r.MeetsChords && AllCovered(r)) +
+    Define("WFV_SEVERAL_CHORDS", r.SeveralChords && AllCovered(r) && !OwnRays(r)) +
     Define("WFV_WHOLE", r.Whole) + Define("WFV_DEPTH_MAPPING(v)", r.DepthMapping) +
     Define("WFV_MULTISAMPLE", r.Multisample) + Define("WFV_WIDE_LINES", r.WideLines) +
     Define("WFV_EDGES", r.Edges || r.DebugView) + Define("WFV_EDGE_FLAGS", r.EdgeFlags) +

@@ -290,6 +290,7 @@ bool vtkWideFoVStage::PostReplaceShaderValues(std::string& vertexShader,
   const bool classifies =
     triangles && (vtkWideFoVPolyDataMapper::SafeDownCast(mapper) || wfv::ClassifiesBlocks(mapper));
   request.MeetsChords = classifies && this->MeetsChords && !request.Edges && MayClassify(mapper);
+  request.SeveralChords = request.MeetsChords && this->SeveralChords;
   using Texts = wfv::ShaderMemory::Texts;
   Texts texts{ vertexShader, geometryShader, fragmentShader };
   const Texts* const before =

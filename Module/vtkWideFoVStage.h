@@ -109,6 +109,9 @@ public:
     }
   }
 
+  // And an edge of these may have several.
+  void SetSeveralChords(bool several) { this->SeveralChords = several; }
+
   // The tables of a direction map; they outlive the frame.
   void SetTextures(vtkWideFoVDirectionTextures* textures) { this->Textures = textures; }
 
@@ -188,6 +191,7 @@ private:
   bool Fades = false;  // likewise
   bool ByRays = false;
   bool MeetsChords = false;
+  bool SeveralChords = false;
   bool ExactLines = false;
   bool DebugView = false;
   int Runs = 1;

@@ -42,16 +42,18 @@ vtkWideFoVStages::vtkWideFoVStages()
   this->PreClip->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
   this->PreClipOfFew->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
   this->PreClipOfFew->SetRuns(RunsOfFew);
+  this->PreClipAtChords->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
+  this->PreClipAtChords->SetSeveralChords(true);
   this->Exact->SetVariant(vtkWideFoVShaderBuilder::Variant::Exact);
   this->ExactInSingle->SetVariant(vtkWideFoVShaderBuilder::Variant::Exact);
   this->ExactInSingle->SetRuns(RunsOfFew);
   this->Tessellate->SetVariant(vtkWideFoVShaderBuilder::Variant::Tessellate);
 }
 
-std::array<vtkWideFoVStage*, 7> vtkWideFoVStages::GetAll()
+std::array<vtkWideFoVStage*, 8> vtkWideFoVStages::GetAll()
 {
-  return { this->Plain, this->Cut, this->PreClip, this->PreClipOfFew, this->Exact,
-    this->ExactInSingle, this->Tessellate };
+  return { this->Plain, this->Cut, this->PreClip, this->PreClipOfFew, this->PreClipAtChords,
+    this->Exact, this->ExactInSingle, this->Tessellate };
 }
 
 bool vtkWideFoVStages::CanTessellate()

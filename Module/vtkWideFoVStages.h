@@ -95,10 +95,11 @@ public:
   // The stage in the prop's keys, or nullptr.
   static vtkWideFoVStage* FindAttached(vtkProp* prop);
 
-  vtkNew<vtkWideFoVStage> Plain;        // vertex, preclip; auto: what is projected
-  vtkNew<vtkWideFoVStage> Cut;          // auto: what is projected once it is cut
-  vtkNew<vtkWideFoVStage> PreClip;      // auto: covers triangles that are not
-  vtkNew<vtkWideFoVStage> PreClipOfFew; // auto: of few triangles
+  vtkNew<vtkWideFoVStage> Plain;           // vertex, preclip; auto: what is projected
+  vtkNew<vtkWideFoVStage> Cut;             // auto: what is projected once it is cut
+  vtkNew<vtkWideFoVStage> PreClip;         // auto: covers triangles that are not
+  vtkNew<vtkWideFoVStage> PreClipOfFew;    // auto: of few triangles
+  vtkNew<vtkWideFoVStage> PreClipAtChords; // auto: with edges that several chords stand for
   vtkNew<vtkWideFoVStage> Exact;
   vtkNew<vtkWideFoVStage> ExactInSingle; // in float32: of few triangles, all of them fat
   vtkNew<vtkWideFoVStage> Tessellate;    // other mappers than ours: the pre-clip
@@ -139,7 +140,7 @@ private:
   wfv::Window Part;      // of the picture, with a margin
   wfv::vec2 Pixels{ 1 }; // of the whole picture
   bool Culling = true;
-  std::array<vtkWideFoVStage*, 7> GetAll();
+  std::array<vtkWideFoVStage*, 8> GetAll();
   void Instruct(vtkWideFoVStage* stage);
   void SetEyes(vtkWideFoVCamera* camera, const wfv::StereoModel* stereo); // after SetPart
   double Reach = 0; // of the rays' beginnings from the middle between the eyes, scene units

@@ -30,7 +30,7 @@ int OwnComponents(const Request& r)
   const int chords = 3 + 3 + 3 + 4 + 2 + 4 + 1;
   const int order = 3 + 3;
   return 4 + 1 + edges + plane + (exact ? order : chords) + (rays ? 3 * 3 : 0) + r.DebugView +
-    (Warped(r) ? 2 : 0) + (r.MeetsChords ? 3 + 3 + 4 + 2 : 0);
+    (Warped(r) ? 2 : 0) + (r.MeetsChords ? 3 + 4 + 2 : 0) + (r.SeveralChords ? 3 + 3 * 3 : 0);
 }
 }
 

@@ -28,6 +28,8 @@ vtkWideFoVStage* ClusterDraw::GetStage(Kind kind, vtkWideFoVStage* stage)
       return stages->Plain;
     case Cut:
       return stages->Cut;
+    case AtChords:
+      return stages->PreClipAtChords;
     default:
       return stage;
   }

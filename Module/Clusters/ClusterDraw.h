@@ -52,13 +52,15 @@ public:
   bool Prepare(vtkPolyData* data, vtkActor* actor, vtkWideFoVStage* stage);
 
   // The triangles that a program draws: those that the stage of the prop draws, those that the
-  // vertex stage projects, those that are cut into smaller ones before; All:
+  // vertex stage projects, those that are cut into smaller ones before, and those that are
+  // ray-tested as well but end at an edge of several chords, which takes a longer program; All:
   // every triangle, in the mapper's own order.
   enum Kind
   {
     ByStage,
     Projected,
     Cut,
+    AtChords,
     NumberOfKinds,
     All = NumberOfKinds
   };

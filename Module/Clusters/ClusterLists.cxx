@@ -70,7 +70,7 @@ namespace
 constexpr int KindBits = 2;
 constexpr int EdgeBits = 5;
 
-ClusterDraw::Kind KindOf(DrawClass class_)
+ClusterDraw::Kind KindOf(DrawClass class_, bool several = false)
 {
   switch (class_)
   {
@@ -79,7 +79,7 @@ ClusterDraw::Kind KindOf(DrawClass class_)
     case DrawClass::Cut:
       return ClusterDraw::Cut;
     default:
-      return ClusterDraw::ByStage;
+      return several ? ClusterDraw::AtChords : ClusterDraw::ByStage;
   }
 }
 
@@ -90,7 +90,8 @@ int KindOf(unsigned int code)
 
 unsigned int CodeOf(const Classifier::Triangle& triangle)
 {
-  int code = KindOf(triangle.Class);
+  const int* const n = triangle.Chords;
+  int code = KindOf(triangle.Class, std::max({ n[0], n[1], n[2] }) > 1);
   for (int i = 0; i < 3; i++)
   {
     code |= triangle.Chords[i] << (KindBits + EdgeBits * i);

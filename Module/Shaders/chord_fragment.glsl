@@ -107,7 +107,7 @@ vec3 wfvChordReach()
 #endif
 }
 
-#if WFV_MEETS_CHORDS && !WFV_OWN_RAYS
+#if WFV_SEVERAL_CHORDS
 flat in vec3 wfvCount; // preclip_emit.glsl
 flat in vec3 wfvPlace0;
 flat in vec3 wfvPlace1;
@@ -147,7 +147,7 @@ vec3 wfvToChords(vec3 direction, vec3 e, vec3 dx, vec3 dy)
   vec4 chord0 = vec4(c1, c2);
   vec4 chord1 = vec4(c2, c0);
   vec4 chord2 = vec4(c0, c1);
-#if WFV_MEETS_CHORDS && !WFV_OWN_RAYS
+#if WFV_SEVERAL_CHORDS
   // where a chord may decide; by loops of one round at the most, for software rendering runs through
   // both sides of a branch
   bvec3 several = greaterThan(wfvCount, vec3(1.0));

@@ -61,7 +61,7 @@ const int WFV_COVERED = 1;
 flat out vec3 wfvSlack; // pixels between edge i and its chord, at the most; < 0: it ends at the edge
 flat out vec4 wfvCorners01;
 flat out vec2 wfvCorner2;
-#if !WFV_OWN_RAYS
+#if WFV_SEVERAL_CHORDS
 flat out vec3 wfvCount; // of the chords of edge i
 flat out vec3 wfvPlace0; // the corners, that chords lie between
 flat out vec3 wfvPlace1;
@@ -149,7 +149,7 @@ void wfvWriteFlat()
   wfvSlack = wfvSlackHere;
   wfvCorners01 = vec4(wfvChordEnds[0], wfvChordEnds[1]);
   wfvCorner2 = wfvChordEnds[2];
-#if !WFV_OWN_RAYS
+#if WFV_SEVERAL_CHORDS
   wfvCount = wfvCountHere;
   wfvPlace0 = wfvP[0];
   wfvPlace1 = wfvP[1];
