@@ -45,8 +45,8 @@ std::vector<NamedMesh> MakeMeshes(double widening = 1)
     { "tube", MakeTube(400, tube) }, { "hills", MakeHills(96) } };
 }
 
-// Rays that begin 0.1 from a place 0.33 from the tube's axis leave it, with a radius of 0.4, through
-// its wall: from there the ray caster sees the background too. So for them it is 0.5.
+// Rays that begin 0.1 from a place 0.33 from the tube's axis leave it, with a radius of 0.4,
+// through its wall: from there the ray caster sees the background too. So for them it is 0.5.
 constexpr double FarEyes = 0.2; // scene units
 constexpr double WideTube = 1.25;
 
