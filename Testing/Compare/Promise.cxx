@@ -80,6 +80,12 @@ void ExpectFacesThatAreThere(const reference::RayCaster& caster, const Shot& sho
   }
 }
 
+long MostOff(double share, long pixels)
+{
+  const double mean = share * double(pixels);
+  return static_cast<long>(mean + MostDeviations * std::sqrt(mean));
+}
+
 long CountOff(const reference::RayCaster& caster, const Shot& shot, const reference::Metrics& m,
   double tolerance)
 {
@@ -94,7 +100,7 @@ void ExpectPromise(const reference::RayCaster& caster, const Shot& shot,
     scene + "\n  " + Describe(shot) + "\n" + Details(shot, caster.GetView(), m);
   const long off = CountOff(caster, shot, m, tolerance);
   ASSERT_LT(off, long(reference::Metrics::MaxWorst)) << details; // or not all are known
-  EXPECT_LE(off, share * shot.Width * shot.Height) << details;
+  EXPECT_LE(off, MostOff(share, long(shot.Width) * shot.Height)) << details;
   ExpectFacesThatAreThere(caster, shot, m, tolerance, scene);
 }
 
