@@ -14,13 +14,21 @@ namespace test
 // Of the pixels: what stock VTK shows of hidden faces beside silhouettes, in its own perspective.
 constexpr double HiddenShare = 2e-4;
 
+// Deviations that a count may be more than its mean: which pixels are so unlucky is chance, so
+// their number varies by the square root of what it is in the mean, and by three times that in one
+// of several hundred pictures.
+constexpr double MostDeviations = 3;
+
+// Of so many pixels, that may be off where this share of them is in the mean.
+long MostOff(double share, long pixels);
+
 // Of the worst pixels of a picture that was compared with the ray caster's, those that show what is
 // seen nowhere so near.
 long CountOff(const reference::RayCaster& caster, const Shot& shot, const reference::Metrics& m,
   double tolerance);
 
 // Asserts what `auto` promises of such a picture at its tolerance. share: of the pixels, that may
-// be off.
+// be off in the mean.
 void ExpectPromise(const reference::RayCaster& caster, const Shot& shot,
   const reference::Metrics& m, double tolerance, const std::string& scene,
   double share = HiddenShare);
