@@ -240,20 +240,6 @@ std::string DescribePixel(const View& view, int width, int height, const referen
   return text;
 }
 
-bool IsClear(const View& view, int i, int j, int w, int h, double slack, bool& inside)
-{
-  inside = view.Ray(reference::PixelToNdc(i + 0.5, j + 0.5, w, h)).Inside;
-  for (double d : { -slack, slack })
-  {
-    if (view.Ray(reference::PixelToNdc(i + 0.5 + d, j + 0.5, w, h)).Inside != inside ||
-      view.Ray(reference::PixelToNdc(i + 0.5, j + 0.5 + d, w, h)).Inside != inside)
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
 HoleCount CountHoles(const reference::DrawnPicture& picture, const View& view)
 {
   HoleCount count;

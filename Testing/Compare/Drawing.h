@@ -118,10 +118,6 @@ private:
 // Where a pixel looks: NDC, and longitude and latitude (view coordinates) in degrees.
 std::string DescribePixel(const View& view, int width, int height, const reference::WorstPixel& p);
 
-// True where all places within `slack` pixels of a pixel's centre, along the axes, are in the
-// map, or none is; which of the two is told.
-bool IsClear(const View& view, int i, int j, int width, int height, double slack, bool& inside);
-
 // Pixels of the domain with nothing drawn, pixels outside with something drawn.
 struct HoleCount
 {

@@ -209,7 +209,8 @@ public:
     {
       bool inside = false;
       const int row = shot.Height - 1 - k / shot.Width;
-      if (IsClear(view, k % shot.Width, row, shot.Width, shot.Height, 1, inside) && inside)
+      if (reference::IsClear(view, k % shot.Width, row, shot.Width, shot.Height, 1, inside) &&
+        inside)
       {
         dark += pixels->GetValue(3 * k) != 255;
       }

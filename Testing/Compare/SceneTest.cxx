@@ -118,12 +118,14 @@ public:
     }
     const double tolerance = SceneTolerances[1];
     const reference::Metrics m = this->Measure(vtkWideFoVPass::AUTO, tolerance, tolerance);
-    const double share = double(CountOff(*this->Caster, this->View, m, tolerance)) /
-      (this->View.Width * this->View.Height);
+    const int width = this->View.Width;
+    const int height = this->View.Height;
+    const double off = double(reference::CountOff(*this->Caster, width, height, m, tolerance));
+    const double share = off / (width * height);
     this->View = kept;
     this->Caster.reset();
     std::cout << "stock VTK's own perspective: " << share << " of the pixels are off" << std::endl;
-    return std::max(share, HiddenShare);
+    return std::max(share, reference::HiddenShare);
   }
 
   void SetPerspective()

@@ -4,45 +4,27 @@
 #include "Metrics.h"
 #include "NearestFace.h"
 #include "NearestPlace.h"
+#include "PlacedTriangles.h"
 #include "RayCaster.h"
 
 #include <gtest/gtest.h>
 
 using namespace wfv;
 using namespace wfv::reference;
+using namespace wfv::test;
 
 namespace
 {
-constexpr int Width = 1024;
-constexpr int Height = 512;
+constexpr int Width = PlacedWidth;
+constexpr int Height = PlacedHeight;
 const vec2 Centre(600.5, 256.5); // of pixel (600, 256), next to the equator
 
 // Pixels: the ray is cast so far inside of an edge, and the frame is true to first order.
 constexpr double PlaceSlack = 2 * ApartFromEdge;
 
-View WholeSphere()
-{
-  ViewOptions o;
-  o.Radii = { { 0.1, 100 } };
-  return View(*FindProjection("equirectangular"), o);
-}
-
-// Triangles given by their places in the picture, all corners at one distance from the eye.
-class Picture
+class Picture : public PlacedTriangles
 {
 public:
-  void Add(double distance, const std::array<vec2, 3>& places)
-  {
-    const vtkIdType first = vtkIdType(this->Soup.Points.size());
-    for (const vec2& place : places)
-    {
-      const ViewRay ray = WholeSphere().Ray(PixelToNdc(place.x, place.y, Width, Height));
-      this->Soup.Points.push_back(ray.Direction * distance);
-    }
-    this->Soup.CellIds.push_back(vtkIdType(this->Soup.Triangles.size()));
-    this->Soup.Triangles.push_back({ { first, first + 1, first + 2 } });
-  }
-
   // A needle up and down: its left side is on the meridian so many pixels right of Centre.
   void AddNeedle(double distance, double beside, double thickness)
   {
@@ -61,8 +43,6 @@ public:
     const RayCaster caster(this->Soup, WholeSphere());
     return NearestFace(caster, Width, Height, Centre, cell, SearchLimit);
   }
-
-  TriangleSoup Soup;
 };
 }
 

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the technique `auto` may show where the ray caster sees it nowhere near: a face that runs
+// through the place and is hidden there, beside a silhouette or where surfaces cross, in few
+// pixels.
+#ifndef WideFoVHiddenFaces_h
+#define WideFoVHiddenFaces_h
+
+#include "ChordLimits.h"
+#include "Metrics.h"
+#include "RayCaster.h"
+
+namespace wfv
+{
+namespace reference
+{
+// Relative: by so much a distance may be off that is interpolated along the longest chord.
+constexpr double ChordDepth = 0.25 * ChordLimits::LongestChord * ChordLimits::LongestChord;
+
+// Of the pixels: what stock VTK shows of hidden faces beside silhouettes, in its own perspective.
+constexpr double HiddenShare = 2e-4;
+
+// Whether the cell that was drawn there is seen within so many pixels of the pixel's centre: by
+// many more places than the 48 that explain most, which step over thin corners of cells, and by the
+// cell's own picture.
+bool IsSeenWithin(
+  const RayCaster& caster, int width, int height, const WorstPixel& pixel, double tolerance);
+
+// Whether it is seen so near, or would be, were nothing before it.
+bool IsThere(
+  const RayCaster& caster, int width, int height, const WorstPixel& pixel, double tolerance);
+
+// Whether a border or a silhouette of what is seen passes within so many pixels of the pixel's
+// centre, along both axes: elsewhere a hidden face shows through a crack.
+bool IsBesideRim(
+  const RayCaster& caster, int width, int height, const WorstPixel& pixel, double tolerance);
+
+// Whether the drawn cell is behind what is seen there by so little that depth which is interpolated
+// along chords does not tell: where surfaces cross.
+bool IsHardlyHidden(const RayCaster& caster, int width, int height, const WorstPixel& pixel);
+
+// Of the worst pixels of a picture that was compared, those that show what is seen nowhere so near.
+// As many as Metrics::MaxWorst may be more.
+long CountOff(const RayCaster& caster, int width, int height, const Metrics& m, double tolerance);
+}
+}
+
+#endif
