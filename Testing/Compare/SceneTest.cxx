@@ -246,7 +246,8 @@ TEST_P(Scenes, KeepTheToleranceInStereo)
       std::cout << Row(drawing.View, name, m) << std::endl;
       ExpectPromise(drawing.GetCaster(), drawing.View, m, tolerance, name, share);
       EXPECT_GT(m.DomainPixels, 0);
-      off += CountOff(drawing.GetCaster(), drawing.View, m, tolerance);
+      off += reference::CountOff(
+        drawing.GetCaster(), drawing.View.Width, drawing.View.Height, m, tolerance);
       pixels += long(drawing.View.Width) * drawing.View.Height;
     }
   }

@@ -15,22 +15,6 @@ namespace reference
 {
 namespace
 {
-// The triangles of one cell alone.
-TriangleSoup OnlyCell(const TriangleSoup& all, vtkIdType cell)
-{
-  TriangleSoup own;
-  own.Points = all.Points;
-  for (std::size_t i = 0; i < all.Triangles.size(); ++i)
-  {
-    if (all.CellIds[i] == cell)
-    {
-      own.Triangles.push_back(all.Triangles[i]);
-      own.CellIds.push_back(cell);
-    }
-  }
-  return own;
-}
-
 vec2 CentreOf(const WorstPixel& pixel, int width, int height)
 {
   return PixelToNdc(pixel.I + 0.5, pixel.J + 0.5, width, height);

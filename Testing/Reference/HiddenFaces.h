@@ -13,8 +13,12 @@ namespace wfv
 {
 namespace reference
 {
-// Relative: by so much a distance may be off that is interpolated along the longest chord.
-constexpr double ChordDepth = 0.25 * ChordLimits::LongestChord * ChordLimits::LongestChord;
+// Relative: by so much a distance may be off that is interpolated between corners which are no
+// farther from one another than the longest chord, L radians. Along a plane, over the angle t from
+// its normal, it is d / cos(t), of which the second derivative is r (1 + 2 tan(t)^2); an edge of
+// the length e looks e cos(t) / r long. So twice the square of L is what it bends by at the most,
+// and between three corners at most a sixth of that is missed.
+constexpr double ChordDepth = ChordLimits::LongestChord * ChordLimits::LongestChord / 3;
 
 // Of the pixels: what stock VTK shows of hidden faces beside silhouettes, in its own perspective.
 constexpr double HiddenShare = 2e-4;

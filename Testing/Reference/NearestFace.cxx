@@ -98,25 +98,6 @@ private:
   vec3 B;
   double Angle;
 };
-
-// The triangles of one cell alone.
-TriangleSoup OnlyCell(const TriangleSoup& all, vtkIdType cell)
-{
-  TriangleSoup own;
-  const auto range = std::equal_range(all.CellIds.begin(), all.CellIds.end(), cell);
-  for (auto id = range.first; id != range.second; ++id)
-  {
-    std::array<vtkIdType, 3> corners;
-    for (int k = 0; k < 3; ++k)
-    {
-      corners[k] = vtkIdType(own.Points.size());
-      own.Points.push_back(all.Points[all.Triangles[id - all.CellIds.begin()][k]]);
-    }
-    own.Triangles.push_back(corners);
-    own.CellIds.push_back(cell);
-  }
-  return own;
-}
 }
 
 double NearestFace(
