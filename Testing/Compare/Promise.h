@@ -27,12 +27,13 @@ void ExpectPromise(const reference::RayCaster& caster, const Shot& shot,
   double share = reference::HiddenShare);
 
 // Asserts of the worst pixels that each shows a face which runs through its place, no farther from
-// it than the tolerance (pixels), seen or hidden there.
+// it than the tolerance (pixels), seen or hidden there beside a silhouette or where surfaces cross.
 void ExpectFacesThatAreThere(const reference::RayCaster& caster, const Shot& shot,
   const reference::Metrics& m, double tolerance, const std::string& scene);
 
 // Asserts that no pixel of the drawing's last picture is off by more than the tolerance (pixels),
-// but for so few that show a face which runs through their place and is hidden there. Prints a row.
+// but for so few that show a face which runs through their place and is hidden there beside a
+// silhouette or where surfaces cross. Prints a row.
 void ExpectPromise(const Drawing& drawing, const Shot& shot, const reference::DrawnPicture& picture,
   double tolerance, const std::string& scene);
 }

@@ -83,24 +83,14 @@ json Describe(const reference::WorstPixel& pixel)
     { "reference", pixel.Reference }, { "px", pixel.Pixels } };
 }
 
-// Whether the pixel shows neither what is seen near, nor what is hidden there beside a silhouette
-// or where surfaces cross.
-bool IsBroken(const reference::RayCaster& caster, int width, int height,
-  const reference::WorstPixel& pixel, double tolerance)
-{
-  return !reference::IsThere(caster, width, height, pixel, tolerance) ||
-    !(reference::IsSeenWithin(caster, width, height, pixel, tolerance) ||
-      reference::IsBesideRim(caster, width, height, pixel, tolerance) ||
-      reference::IsHardlyHidden(caster, width, height, pixel));
-}
-
 // What `auto` promises of the picture.
 json Judge(const reference::RayCaster& caster, int width, int height, const reference::Metrics& m,
   double tolerance)
 {
   const long off = reference::CountOff(caster, width, height, m, tolerance);
-  const long broken = std::count_if(m.Worst.begin(), m.Worst.end(),
-    [&](const auto& pixel) { return IsBroken(caster, width, height, pixel, tolerance); });
+  const long broken = std::count_if(m.Worst.begin(), m.Worst.end(), [&](const auto& pixel) {
+    return !reference::MayShow(caster, width, height, pixel, tolerance);
+  });
   // of more than are known, any may be
   const long unknown = m.UnexplainedPixels - long(m.Worst.size());
   return { { "off", off + unknown }, { "broken", broken + unknown },

@@ -156,6 +156,15 @@ bool IsHardlyHidden(const RayCaster& caster, int width, int height, const WorstP
   return distance <= (1 + ChordDepth) * pixel.ReferenceDistance && std::isfinite(distance);
 }
 
+bool MayShow(
+  const RayCaster& caster, int width, int height, const WorstPixel& pixel, double tolerance)
+{
+  return IsSeenWithin(caster, width, height, pixel, tolerance) ||
+    (IsThere(caster, width, height, pixel, tolerance) &&
+      (IsBesideRim(caster, width, height, pixel, tolerance) ||
+        IsHardlyHidden(caster, width, height, pixel)));
+}
+
 long CountOff(const RayCaster& caster, int width, int height, const Metrics& m, double tolerance)
 {
   return std::count_if(m.Worst.begin(), m.Worst.end(),

@@ -42,6 +42,11 @@ bool IsBesideRim(
 // along chords does not tell: where surfaces cross.
 bool IsHardlyHidden(const RayCaster& caster, int width, int height, const WorstPixel& pixel);
 
+// Whether `auto` may show there what was drawn: what is seen so near, or a face that is hidden
+// there beside a rim or by next to nothing.
+bool MayShow(
+  const RayCaster& caster, int width, int height, const WorstPixel& pixel, double tolerance);
+
 // Of the worst pixels of a picture that was compared, those that show what is seen nowhere so near.
 // As many as Metrics::MaxWorst may be more.
 long CountOff(const RayCaster& caster, int width, int height, const Metrics& m, double tolerance);
