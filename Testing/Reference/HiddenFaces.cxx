@@ -153,7 +153,9 @@ bool IsHardlyHidden(const RayCaster& caster, int width, int height, const WorstP
 {
   const RayCaster alone(OnlyCell(caster.GetTriangles(), pixel.Drawn), caster.GetView());
   const double distance = alone.Cast(CentreOf(pixel, width, height)).Distance;
-  return distance <= (1 + ChordDepth) * pixel.ReferenceDistance && std::isfinite(distance);
+  // (a chord may have given the pixel to a cell that its ray passes)
+  const double shown = std::isfinite(distance) ? distance : pixel.DrawnDistance;
+  return shown <= (1 + ChordDepth) * pixel.ReferenceDistance;
 }
 
 bool MayShow(
