@@ -187,6 +187,11 @@ void FinishVertices(const Request& r, const std::vector<Varying>& varyings, std:
   const bool keepModel =
     CoversTriangles(r) && r.Stage != vtkWideFoVShaderBuilder::Variant::Tessellate;
   const std::string toView = TakeFromEye(r, vertex, keepModel);
+  const std::size_t main = vertex.find("void main");
+  if (r.Kind == Primitive::Triangles && main != std::string::npos)
+  {
+    vertex.insert(main, SamePlaces); // there, for extensions of volumes stand behind the head
+  }
   if (vtkWideFoVShaderBuilder::NeedsGeometryStage(r))
   {
     geometry = GeometrySource(r, varyings, keepModel ? toView : "");
@@ -196,10 +201,6 @@ void FinishVertices(const Request& r, const std::vector<Varying>& varyings, std:
     vtkWideFoVShaderBuilder::WrapMain(
       vertex, "", "  gl_Position = wfvProjectVertex(gl_Position.xyz);\n");
     vtkWideFoVShaderBuilder::Declare(vertex, ViewSource(r));
-  }
-  if (r.Kind == Primitive::Triangles)
-  {
-    vtkWideFoVShaderBuilder::Declare(vertex, SamePlaces);
   }
 }
 
