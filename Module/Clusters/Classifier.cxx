@@ -53,6 +53,7 @@ Classifier::Classifier(const ClassifierView& view)
   this->Inner2 = inner * inner;
   this->Outer2 = outer * outer;
   this->RimCosine = std::cos(view.View.maxAngle);
+  this->AllAround = view.Culls && ShowsAll(*view.Map, view.View, view.Part);
   this->RimAngle = view.Limits ? view.Limits->GetRimAngle() : 0;
 }
 
@@ -265,7 +266,9 @@ DrawClass Classifier::OfCluster(const Box& box, double radius, double edge) cons
 {
   Box seen = box;
   seen.Grow(this->V.Reach);
-  if (this->V.Culls && IsUnseen(*this->V.Map, this->V.View, seen, this->V.Part))
+  if (this->V.Culls &&
+    (this->AllAround ? !IsBetweenClips(this->V.View, seen)
+                     : IsUnseen(*this->V.Map, this->V.View, seen, this->V.Part)))
   {
     return DrawClass::Culled;
   }

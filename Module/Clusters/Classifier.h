@@ -81,6 +81,7 @@ private:
   double Outer2;
   double RimCosine; // of the angle at which a round map ends
   double RimAngle;  // ChordLimits::GetRimAngle
+  bool AllAround;   // the window shows all directions
 };
 }
 
