@@ -187,11 +187,6 @@ void FinishVertices(const Request& r, const std::vector<Varying>& varyings, std:
   const bool keepModel =
     CoversTriangles(r) && r.Stage != vtkWideFoVShaderBuilder::Variant::Tessellate;
   const std::string toView = TakeFromEye(r, vertex, keepModel);
-  const std::size_t main = vertex.find("void main");
-  if (r.Kind == Primitive::Triangles && main != std::string::npos)
-  {
-    vertex.insert(main, SamePlaces); // there, for extensions of volumes stand behind the head
-  }
   if (vtkWideFoVShaderBuilder::NeedsGeometryStage(r))
   {
     geometry = GeometrySource(r, varyings, keepModel ? toView : "");
@@ -201,6 +196,11 @@ void FinishVertices(const Request& r, const std::vector<Varying>& varyings, std:
     vtkWideFoVShaderBuilder::WrapMain(
       vertex, "", "  gl_Position = wfvProjectVertex(gl_Position.xyz);\n");
     vtkWideFoVShaderBuilder::Declare(vertex, ViewSource(r));
+  }
+  // not of what asks for extensions itself, as volumes do: nothing may be declared before those
+  if (r.Kind == Primitive::Triangles && vertex.find("#extension") == std::string::npos)
+  {
+    vtkWideFoVShaderBuilder::Declare(vertex, SamePlaces);
   }
 }
 
