@@ -20,6 +20,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <vector>
 #include <iostream>
 
 using namespace wfv;
@@ -123,7 +124,8 @@ TEST_P(Mixed, IsClosedInNarrowViews)
   });
 }
 
-// The same for an eye whose rays begin on a circle, small and large beside the mesh.
+// The same for an eye whose rays begin on a circle; of a cylinder's map and of a curved seam's
+// small and large beside the mesh as well, which takes three times as long.
 TEST_P(Mixed, IsClosedForAnEye)
 {
   if (this->IsPlanar())
@@ -131,7 +133,9 @@ TEST_P(Mixed, IsClosedForAnEye)
     GTEST_SKIP() << "omnidirectional is for wide projections";
   }
   int mixed = 0;
-  for (const double distance : { 0.004, 0.02, FarEyes })
+  const bool all = this->GetParam() == "equirectangular" || this->GetParam() == "hammer";
+  const std::vector<double> distances{ 0.02, 0.004, FarEyes };
+  for (const double distance : all ? distances : std::vector<double>{ 0.02 })
   {
     const double fov = FindProjection(this->GetParam())->MaxHorizontalFov;
     const auto check = [&](Shot shot, double tolerance, const std::string& scene) {
@@ -139,17 +143,17 @@ TEST_P(Mixed, IsClosedForAnEye)
       shot.Options.Stereo.Eye = Eye::Left;
       shot.Options.Stereo.InterpupillaryDistance = distance;
       const reference::DrawnPicture picture = Picture->Draw(shot);
-      const std::string all = scene + ", eyes apart " + std::to_string(distance);
+      const std::string name = scene + ", eyes apart " + std::to_string(distance);
       mixed += Picture->WasMixed();
-      CheckClosed(*Picture, shot, picture, all);
+      CheckClosed(*Picture, shot, picture, name);
       if (tolerance < 1)
       {
-        ExpectPromise(*Picture, shot, picture, tolerance, all);
+        ExpectPromise(*Picture, shot, picture, tolerance, name);
       }
     };
     this->InAllShots(fov, check, distance < FarEyes ? 1 : WideTube);
   }
-  EXPECT_GT(mixed, 10);
+  EXPECT_GT(mixed, 3);
 }
 
 // What was drawn before in another way leaves nothing behind.
