@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers that a shader reads by their place (usamplerBuffer, samplerBuffer).
+// Numbers that a shader reads by their place (usamplerBuffer).
 #ifndef vtkWideFoVBufferTexture_h
 #define vtkWideFoVBufferTexture_h
 
@@ -28,22 +28,12 @@ public:
   // At least one.
   void Load(vtkOpenGLRenderWindow* window, const std::vector<unsigned int>& numbers)
   {
-    this->LoadSingles(window, numbers, GL_R32UI, VTK_UNSIGNED_INT);
-  }
-  void Load(vtkOpenGLRenderWindow* window, const std::vector<unsigned char>& numbers)
-  {
-    this->LoadSingles(window, numbers, GL_R8UI, VTK_UNSIGNED_CHAR);
-  }
-
-  // Four a place, at least one.
-  void LoadFours(vtkOpenGLRenderWindow* window, const std::vector<float>& numbers)
-  {
     this->Texture->SetContext(window);
-    this->Texture->SetInternalFormat(GL_RGBA32F);
-    this->Texture->SetFormat(GL_RGBA);
+    this->Texture->SetInternalFormat(GL_R32UI);
+    this->Texture->SetFormat(GL_RED_INTEGER);
     this->Buffer->Upload(numbers, vtkOpenGLBufferObject::TextureBuffer);
     this->Texture->CreateTextureBuffer(
-      static_cast<unsigned int>(numbers.size() / 4), 4, VTK_FLOAT, this->Buffer);
+      static_cast<unsigned int>(numbers.size()), 1, VTK_UNSIGNED_INT, this->Buffer);
   }
 
   void Activate(vtkShaderProgram* program, const char* name)
@@ -67,18 +57,6 @@ public:
   }
 
 private:
-  template <typename Number>
-  void LoadSingles(vtkOpenGLRenderWindow* window, const std::vector<Number>& numbers,
-    unsigned int format, int type)
-  {
-    this->Texture->SetContext(window);
-    this->Texture->SetInternalFormat(format);
-    this->Texture->SetFormat(GL_RED_INTEGER);
-    this->Buffer->Upload(numbers, vtkOpenGLBufferObject::TextureBuffer);
-    this->Texture->CreateTextureBuffer(
-      static_cast<unsigned int>(numbers.size()), 1, type, this->Buffer);
-  }
-
   vtkNew<vtkOpenGLBufferObject> Buffer;
   vtkNew<vtkTextureObject> Texture;
 };

@@ -177,29 +177,3 @@ double vtkWideFoVChordError(const wfv::Projection& projection, const wfv::WfvVie
   return angle <= LongestAngle && sine2 > 0 && !folds ? 0.125 * view.bend * angle * angle / sine2
                                                       : VTK_DOUBLE_MAX;
 }
-
-// A ray that begins at the distance r from the origin meets what is at the distance d under an
-// angle of at most asin(r / d); the map stretches angles by wfv::Stretch, over the squared sine.
-wfv::vec2 vtkWideFoVParallax(const wfv::Projection& projection, const wfv::WfvView& view,
-  const double bounds[6], const double worldToView[16], double reach)
-{
-  const wfv::vec2 unknown(VTK_DOUBLE_MAX);
-  if (!(reach > 0))
-  {
-    return wfv::vec2(0);
-  }
-  double low[3];
-  double high[3];
-  ViewBounds(bounds, worldToView, view, low, high);
-  const double nearest = Nearest(low, high);
-  if (!(nearest > reach))
-  {
-    return unknown;
-  }
-  const double angle = std::asin(reach / nearest);
-  Grow(low, high, 2 * angle); // what is seen of it, by either
-  const double sine2 = SineToSingularity2(projection.Axis, low, high);
-  return angle <= LongestAngle && sine2 > 0 && !MeetsDiscontinuity(projection, low, high)
-    ? wfv::Stretch(projection, view) * (angle / sine2)
-    : unknown;
-}

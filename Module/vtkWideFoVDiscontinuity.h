@@ -17,10 +17,4 @@ bool vtkWideFoVNeedsPreClip(const wfv::Projection& projection, const wfv::WfvVie
 double vtkWideFoVChordError(const wfv::Projection& projection, const wfv::WfvView& view,
   const double bounds[6], const double worldToView[16], double longestEdge);
 
-// How far at the most, in NDC on each axis, a point in these bounds is seen from where the origin
-// sees it, by rays that begin so near the origin; very large where nothing can be said: beside
-// seams, where it may be seen on the other border, and poles. Scene units.
-WFV_EXPORT wfv::vec2 vtkWideFoVParallax(const wfv::Projection& projection, const wfv::WfvView& view,
-  const double bounds[6], const double worldToView[16], double reach);
-
 #endif

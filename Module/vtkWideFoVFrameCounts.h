@@ -9,13 +9,13 @@ namespace wfv
 {
 struct FrameCounts
 {
-  int Clusters = 0; // runs of triangles
+  int Clusters = 0; // of triangles
   int UnseenClusters = 0;
   vtkIdType Triangles = 0; // of them
   vtkIdType UnseenTriangles = 0;
-  vtkIdType HiddenTriangles = 0; // of the unseen ones, behind others
-  int ChosenProps = 0;           // anew
-  int SortedMeshes = 0;          // anew
+  vtkIdType ProjectedTriangles = 0; // by their chords
+  int ChosenProps = 0;              // anew
+  int ClassifiedMeshes = 0;         // anew
 
   void Add(const FrameCounts& other)
   {
@@ -23,9 +23,9 @@ struct FrameCounts
     this->UnseenClusters += other.UnseenClusters;
     this->Triangles += other.Triangles;
     this->UnseenTriangles += other.UnseenTriangles;
-    this->HiddenTriangles += other.HiddenTriangles;
+    this->ProjectedTriangles += other.ProjectedTriangles;
     this->ChosenProps += other.ChosenProps;
-    this->SortedMeshes += other.SortedMeshes;
+    this->ClassifiedMeshes += other.ClassifiedMeshes;
   }
 };
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVFrameProps.h"
 
-#include "vtkWideFoVHiddenScene.h"
 #include "vtkWideFoVStages.h"
 
 #include "vtkActor.h"
@@ -96,7 +95,6 @@ void FrameProps::Look(vtkProp* prop, bool asked, Entry& entry)
   if (!same)
   {
     entry = now;
-    entry.Number = mapper ? HiddenScene::MakeNumber() : 0;
   }
 }
 

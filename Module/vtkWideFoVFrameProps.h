@@ -41,10 +41,6 @@ public:
   bool IsUnseen(int i) const { return this->Entries[i].Unseen; }
   vtkProp* GetProp(int i) const { return this->Entries[i].Prop; }
   vtkWideFoVStage* GetStage(int i) const { return this->Entries[i].Stage; }
-  const PropFacts& GetFacts(int i) const { return this->Entries[i].Facts; }
-
-  // Of an actor, another one whenever it, or what it draws, has changed; else 0.
-  std::uint64_t GetNumber(int i) const { return this->Entries[i].Number; }
 
 private:
   struct Entry
@@ -60,7 +56,6 @@ private:
     bool Unseen = false;
     PropFacts Facts;
     vtkWideFoVStage* Stage = nullptr;
-    std::uint64_t Number = 0;
     std::uint64_t View = 0; // that Unseen and Stage are of; 0: none
   };
 

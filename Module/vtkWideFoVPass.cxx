@@ -23,8 +23,7 @@ namespace
 // Seconds: a frame that may take longer is for standing still.
 constexpr double LongestShare = 1;
 
-// Fraction of its share under which a frame leaves time for a better one: covering triangles may
-// take four times as long as chords.
+// Fraction of its share under which a frame leaves time for a better one.
 constexpr double SpareTime = 0.2;
 
 // Pixels, by how much a frame is relaxed.
@@ -53,20 +52,15 @@ void vtkWideFoVPass::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "KeepUpdateRate: " << this->KeepUpdateRate << "\n"
      << indent << "Relaxation: " << this->Relaxation << "\n"
      << indent << "Culling: " << this->Culling << "\n"
-     << indent << "OcclusionCulling: " << this->OcclusionCulling << "\n"
-     << indent << "SortWhileMoving: " << this->SortWhileMoving << "\n"
-     << indent << "EyesAtOnce: " << this->EyesAtOnce << "\n"
-     << indent << "NumberOfSharedProps: " << this->NumberOfSharedProps << "\n"
-     << indent << "NumberOfFarProps: " << this->NumberOfFarProps << "\n"
      << indent << "NumberOfDrawnProps: " << this->NumberOfDrawnProps << "\n"
      << indent << "NumberOfCulledProps: " << this->NumberOfCulledProps << "\n"
      << indent << "NumberOfClusters: " << this->NumberOfClusters << "\n"
      << indent << "NumberOfCulledClusters: " << this->NumberOfCulledClusters << "\n"
      << indent << "NumberOfTriangles: " << this->NumberOfTriangles << "\n"
      << indent << "NumberOfCulledTriangles: " << this->NumberOfCulledTriangles << "\n"
-     << indent << "NumberOfHiddenTriangles: " << this->NumberOfHiddenTriangles << "\n"
+     << indent << "NumberOfProjectedTriangles: " << this->NumberOfProjectedTriangles << "\n"
      << indent << "NumberOfChosenProps: " << this->NumberOfChosenProps << "\n"
-     << indent << "NumberOfSortedMeshes: " << this->NumberOfSortedMeshes << "\n"
+     << indent << "NumberOfClassifiedMeshes: " << this->NumberOfClassifiedMeshes << "\n"
      << indent << "NumberOfMadePrograms: " << this->NumberOfMadePrograms << "\n"
      << indent << "ShaderTime: " << this->ShaderTime << "\n";
 }
@@ -97,7 +91,7 @@ void vtkWideFoVPass::DrawDelegate(const vtkRenderState* s)
   this->UpdateCamera(renderer);
   this->UpdateLightGeometry(renderer);
   this->UpdateLights(renderer);
-  this->DrawShared(s);
+  this->UpdateGeometry(renderer, s->GetFrameBuffer());
 }
 
 int vtkWideFoVPass::Cull(vtkProp** props)
@@ -111,27 +105,22 @@ int vtkWideFoVPass::Cull(vtkProp** props)
     if (!in.Texts.Take(in.Props.GetProp(i)) && !in.Props.IsUnseen(i))
     {
       in.Chosen.push_back(in.Props.GetStage(i));
-      this->NumberOfFarProps += in.Stages.IsFar(in.Chosen.back());
       props[seen++] = in.Props.GetProp(i);
     }
   }
-  this->GatherShared(props, seen);
   return seen;
 }
 
 void vtkWideFoVPass::DrawProps(const vtkRenderState* s, vtkProp** props, int count)
 {
   Internals& in = *this->Internal;
-  this->BeginShared(s, props);
-  this->BeginHidden(s, props);
-  const int first = in.Role == wfv::EyesAtOnce::Second ? in.Shared : 0;
   in.Keys.resize(std::max<std::size_t>(in.Keys.size(), count));
-  for (int i = first; i < count; i++)
+  for (int i = 0; i < count; i++)
   {
     in.Keys[i].Attach(props[i], in.Chosen[i]);
     if (auto* const actor = vtkActor::SafeDownCast(props[i]))
     {
-      wfv::SortBlocksOf(actor->GetMapper(), s->GetRenderer()->GetRenderWindow());
+      wfv::ClassifyBlocksOf(actor->GetMapper(), s->GetRenderer()->GetRenderWindow());
     }
   }
   vtkRenderState seen(s->GetRenderer());
@@ -139,7 +128,7 @@ void vtkWideFoVPass::DrawProps(const vtkRenderState* s, vtkProp** props, int cou
   seen.SetRequiredKeys(s->GetRequiredKeys());
   seen.SetPropArrayAndCount(props, count);
   this->DrawDelegate(&seen);
-  for (int i = first; i < count; i++)
+  for (int i = 0; i < count; i++)
   {
     in.Keys[i].Detach(props[i], in.Chosen[i]);
   }
@@ -201,13 +190,9 @@ void vtkWideFoVPass::RenderWide(const vtkRenderState* s, vtkWideFoVCamera* camer
   double bounds[6];
   camera->BeginFrame(renderer, in.Props.GetSceneBounds(renderer, bounds) ? bounds : nullptr);
   in.Stages.SetCulling(this->Culling != 0);
-  in.Stages.SetShares(true);
-  in.Stages.SetSortWhileMoving(this->SortWhileMoving != 0);
-  in.Stages.SetHurries(renderer->GetAllocatedRenderTime() <= LongestShare);
   this->FindRelaxation(renderer);
-  const bool relaxed = this->Relaxation > 0;
-  in.Stages.Begin(renderer, camera, relaxed ? static_cast<int>(PRECLIP) : this->Technique,
-    relaxed ? std::max(this->Tolerance, RelaxedTolerances[this->Relaxation]) : this->Tolerance);
+  in.Stages.Begin(renderer, camera, this->Technique,
+    std::max(this->Tolerance, RelaxedTolerances[this->Relaxation]));
   in.Stages.SetDebugView(this->DebugView != 0);
   in.Props.Choose(in.Stages, in.Stages.GetViewNumber());
   const int seen = this->Cull(props);
@@ -232,39 +217,30 @@ void vtkWideFoVPass::ResetCounts(int props)
   this->NumberOfPlainDraws = this->NumberOfPreClipDraws = 0;
   this->NumberOfExactDraws = this->NumberOfTessellateDraws = 0;
   this->NumberOfClusters = this->NumberOfCulledClusters = 0;
-  this->NumberOfTriangles = this->NumberOfCulledTriangles = this->NumberOfHiddenTriangles = 0;
-  this->NumberOfChosenProps = this->NumberOfSortedMeshes = 0;
+  this->NumberOfTriangles = this->NumberOfCulledTriangles = this->NumberOfProjectedTriangles = 0;
+  this->NumberOfChosenProps = this->NumberOfClassifiedMeshes = 0;
   this->NumberOfCulledProps = 0;
   this->NumberOfDrawnProps = props;
-  this->NumberOfSharedProps = this->NumberOfFarProps = 0;
-  this->Internal->Role = wfv::EyesAtOnce::Alone;
-  this->Internal->Shared = 0;
 }
 
 void vtkWideFoVPass::TakeCounts()
 {
   const vtkWideFoVStages& stages = this->Internal->Stages;
-  this->NumberOfPlainDraws = stages.Plain->GetNumberOfDraws() +
-    stages.PlainAlone->GetNumberOfDraws() + stages.PlainAmong->GetNumberOfDraws() +
-    stages.FarPlainAlone->GetNumberOfDraws() + stages.FarPlainAmong->GetNumberOfDraws();
+  this->NumberOfPlainDraws = stages.Plain->GetNumberOfDraws() + stages.Cut->GetNumberOfDraws();
   // of the tessellate stage too, what cannot be tessellated is drawn by the pre-clip
   const int patches = stages.Tessellate->GetNumberOfTessellateDraws();
-  const int calm = stages.CalmAmong->GetNumberOfDraws() + stages.CalmOfBoth->GetNumberOfDraws() +
-    stages.FarCalmAmong->GetNumberOfDraws();
-  const bool exact = this->Technique == EXACT;
   this->NumberOfPreClipDraws = stages.PreClip->GetNumberOfDraws() +
-    stages.FarPreClip->GetNumberOfDraws() + stages.Tessellate->GetNumberOfDraws() - patches +
-    (exact ? 0 : calm);
+    stages.PreClipOfFew->GetNumberOfDraws() + stages.Tessellate->GetNumberOfDraws() - patches;
   this->NumberOfTessellateDraws = patches;
   this->NumberOfExactDraws =
-    stages.Exact->GetNumberOfDraws() + stages.ExactOfBoth->GetNumberOfDraws() + (exact ? calm : 0);
+    stages.Exact->GetNumberOfDraws() + stages.ExactInSingle->GetNumberOfDraws();
   this->NumberOfClusters = stages.Counts.Clusters;
   this->NumberOfCulledClusters = stages.Counts.UnseenClusters;
   this->NumberOfTriangles = stages.Counts.Triangles;
   this->NumberOfCulledTriangles = stages.Counts.UnseenTriangles;
-  this->NumberOfHiddenTriangles = stages.Counts.HiddenTriangles;
+  this->NumberOfProjectedTriangles = stages.Counts.ProjectedTriangles;
   this->NumberOfChosenProps = stages.Counts.ChosenProps;
-  this->NumberOfSortedMeshes = stages.Counts.SortedMeshes;
+  this->NumberOfClassifiedMeshes = stages.Counts.ClassifiedMeshes;
   this->NumberOfMadePrograms = stages.Shaders.GetNumberOfPrograms();
   this->ShaderTime = stages.Shaders.GetSeconds();
 }
@@ -272,7 +248,6 @@ void vtkWideFoVPass::TakeCounts()
 void vtkWideFoVPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internal->Stages.ReleaseGraphicsResources(window);
-  this->Internal->Eyes.ReleaseGraphicsResources(window);
   if (this->Internal->Delegate)
   {
     this->Internal->Delegate->ReleaseGraphicsResources(window);

@@ -4,7 +4,6 @@
 #define vtkWideFoVPassInternals_h
 
 #include "vtkWideFoVBillboards.h"
-#include "vtkWideFoVEyesAtOnce.h"
 #include "vtkWideFoVFrameProps.h"
 #include "vtkWideFoVHeadlights.h"
 #include "vtkWideFoVPass.h"
@@ -26,16 +25,6 @@ struct vtkWideFoVPass::Internals
   wfv::Billboards Texts;                   // that stand in the scene
   std::vector<vtkWideFoVStage*> Chosen;    // one a prop that is seen, kept for its memory
   std::vector<wfv::PropKeys> Keys;         // the same, as many as there ever were
-
-  // Of this frame.
-  wfv::EyesAtOnce Eyes;
-  wfv::EyesAtOnce::Frame Frame;
-  wfv::EyesAtOnce::Role Role = wfv::EyesAtOnce::Alone;
-  int Shared = 0; // of the props that are seen, the first may be drawn for both eyes at once
-
-  // Props and their stages, while they are put in another order.
-  std::vector<vtkProp*> Others;
-  std::vector<vtkWideFoVStage*> OtherStages;
 };
 
 namespace wfv
@@ -55,13 +44,6 @@ public:
     {
       renderer->*(&RendererAccess::PropArrayCount) = count;
     }
-  }
-
-  // So many further on in the list, or back.
-  static void Skip(vtkRenderer* renderer, int count)
-  {
-    renderer->*(&RendererAccess::PropArray) += count;
-    renderer->*(&RendererAccess::PropArrayCount) -= count;
   }
 };
 }

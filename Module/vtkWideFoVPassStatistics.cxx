@@ -31,25 +31,16 @@ std::string vtkWideFoVPass::GetStatistics()
     this->Relaxation > 0 ? ", relaxed" : "");
   AddLine(
     text, "props: %d drawn, %d left out", this->NumberOfDrawnProps, this->NumberOfCulledProps);
-  if (this->NumberOfSharedProps > 0)
-  {
-    AddLine(text, "for both eyes at once: %d", this->NumberOfSharedProps);
-  }
-  if (this->NumberOfFarProps > 0)
-  {
-    AddLine(text, "too far away for two eyes: %d", this->NumberOfFarProps);
-  }
-  AddLine(text, "runs: %d, %d left out", this->NumberOfClusters, this->NumberOfCulledClusters);
+  AddLine(text, "clusters: %d, %d left out", this->NumberOfClusters, this->NumberOfCulledClusters);
   AddLine(text, "their triangles: %lld, %lld left out",
     static_cast<long long>(this->NumberOfTriangles),
     static_cast<long long>(this->NumberOfCulledTriangles));
-  if (this->NumberOfHiddenTriangles > 0)
-  {
-    AddLine(text, "of those hidden: %lld", static_cast<long long>(this->NumberOfHiddenTriangles));
-  }
+  AddLine(
+    text, "of those projected: %lld", static_cast<long long>(this->NumberOfProjectedTriangles));
   AddLine(text, "draws: plain %d, pre-clip %d, tessellate %d, exact %d", this->NumberOfPlainDraws,
     this->NumberOfPreClipDraws, this->NumberOfTessellateDraws, this->NumberOfExactDraws);
-  AddLine(text, "anew: %d props, %d meshes", this->NumberOfChosenProps, this->NumberOfSortedMeshes);
+  AddLine(
+    text, "anew: %d props, %d meshes", this->NumberOfChosenProps, this->NumberOfClassifiedMeshes);
   AddLine(text, "shaders: %d in %.1f ms", this->NumberOfMadePrograms, 1000 * this->ShaderTime);
   return text;
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVPolyDataMapper.h"
 
+#include "Clusters/ClusterDraw.h"
 #include "vtkWideFoVCamera.h"
 #include "vtkWideFoVPass.h"
 #include "vtkWideFoVPropKeys.h"
-#include "vtkWideFoVSortedDraw.h"
 #include "vtkWideFoVStages.h"
 #include "vtkWideFoVTessellation.h"
 
@@ -30,12 +30,12 @@ struct vtkWideFoVPolyDataMapper::Internals
 {
   vtkWideFoVStages Stages;
   wfv::PropKeys Keys; // of the actor that is drawn, where no pass draws it
-  wfv::SortedDraw Polygons{ false };
-  wfv::SortedDraw Strips{ true };
+  wfv::ClusterDraw Polygons{ false };
+  wfv::ClusterDraw Strips{ true };
   vtkWindow* Window = nullptr;      // that is drawn to
   vtkWideFoVStage* Stage = nullptr; // that is attached to the actor that is drawn
 
-  wfv::SortedDraw& Of(int primitive)
+  wfv::ClusterDraw& Of(int primitive)
   {
     return primitive == vtkOpenGLPolyDataMapper::PrimitiveTriStrips ? this->Strips : this->Polygons;
   }
@@ -64,11 +64,6 @@ void vtkWideFoVPolyDataMapper::RenderPiece(vtkRenderer* renderer, vtkActor* acto
   if (!camera || !camera->IsWide() || stage)
   {
     this->Superclass::RenderPiece(renderer, actor);
-    if (stage)
-    {
-      vtkWideFoVStages* const drawn = stage->GetStages();
-      drawn->Hidden.EndProp(actor, renderer, drawn->GetEye(stage));
-    }
     return;
   }
   vtkWideFoVStages& stages = this->Internal->Stages;
@@ -145,37 +140,36 @@ void vtkWideFoVPolyDataMapper::DrawPrimitives(
   cellBO.IBO->Release();
 }
 
-// Covered ones with the program that the stage asks for, the others each with their own.
-void vtkWideFoVPolyDataMapper::DrawSorted(int primitive, vtkRenderer* renderer, vtkActor* actor)
+// Projected ones with a program of their own, the others with the one that the stage asks for.
+void vtkWideFoVPolyDataMapper::DrawClusters(int primitive, vtkRenderer* renderer, vtkActor* actor)
 {
-  using Sorted = wfv::SortedDraw;
-  Sorted& sorted = this->Internal->Of(primitive);
+  wfv::ClusterDraw& clusters = this->Internal->Of(primitive);
   vtkOpenGLHelper& own = this->Primitives[primitive];
   wfv::DrawnPart part;
   part.Vertices = static_cast<unsigned int>(this->VBOs->GetNumberOfTuples("vertexMC"));
+  part.Indices = own.IBO->IndexCount;
   vtkWideFoVStage* const stage = vtkWideFoVStages::FindAttached(actor);
-  vtkWideFoVStages* const stages = stage->GetStages();
-  for (const Sorted::Lot lot : { Sorted::Covered, Sorted::Calm, Sorted::Plain })
+  for (int i = 0; i < wfv::ClusterDraw::NumberOfKinds; i++)
   {
-    if (sorted.GetNumberOf(lot) == 0)
+    const auto kind = static_cast<wfv::ClusterDraw::Kind>(i);
+    if (!clusters.Has(kind))
     {
       continue;
     }
-    vtkWideFoVStage* const other = lot == Sorted::Calm ? stages->GetCalmAmong(stage)
-      : lot == Sorted::Plain                           ? stages->GetPlainAmong(stage)
-                                                       : stage;
-    vtkOpenGLHelper& helper = lot == Sorted::Covered ? own : sorted.GetHelper(lot);
-    helper.IBO->IndexCount = own.IBO->IndexCount; // the others have none of their own
+    const bool byStage = kind == wfv::ClusterDraw::ByStage;
+    vtkWideFoVStage* const other = wfv::ClusterDraw::GetStage(kind, stage);
+    vtkOpenGLHelper& helper = byStage ? own : clusters.GetHelper(kind);
+    helper.IBO->IndexCount = own.IBO->IndexCount; // the other has none of its own
     vtkWideFoVStages::Replace(actor, stage, other);
-    sorted.Choose(lot);
+    clusters.Choose(kind);
     this->UpdateShaders(helper, renderer, actor);
-    sorted.Draw(own.IBO, part);
+    clusters.Draw(own.IBO, part);
     vtkWideFoVStages::Replace(actor, other, stage);
   }
-  sorted.Choose(Sorted::All);
+  clusters.Choose(wfv::ClusterDraw::All);
 }
 
-// Where patches may be among the primitives, or triangles are sorted. The mode that the stock
+// Where patches may be among the primitives, or clusters have classes. The mode that the stock
 // mapper draws them in cannot be overridden; everything else goes to it.
 void vtkWideFoVPolyDataMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
 {
@@ -187,22 +181,17 @@ void vtkWideFoVPolyDataMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* 
     stage && !this->PointPicking && !edges && property->GetRepresentation() == VTK_SURFACE;
   const bool patches =
     surface && stage->GetVariant() == vtkWideFoVShaderBuilder::Variant::Tessellate;
-  bool sorts[PrimitiveEnd] = { false };
+  bool classified[PrimitiveEnd] = { false };
   if (surface && !patches)
   {
     for (const int i : { PrimitiveTris, PrimitiveTriStrips })
     {
-      // few triangles are not asked how the buffer rounds their points, which takes a while
-      const bool worth = wfv::SortedDraw::IsWorthIt(this->CurrentInput, i == PrimitiveTriStrips);
-      const double rounding = worth ? wfv::RoundingOf(this->VBOs, this->CurrentInput->GetPoints(),
-                                        this->CurrentInput->GetBounds())
-                                    : 0;
-      sorts[i] = this->Internal->Of(i).Prepare(this->CurrentInput, actor, stage, rounding);
+      classified[i] = this->Internal->Of(i).Prepare(this->CurrentInput, actor, stage);
     }
   }
-  if (patches || sorts[PrimitiveTris] || sorts[PrimitiveTriStrips])
+  if (patches || classified[PrimitiveTris] || classified[PrimitiveTriStrips])
   {
-    this->DrawSurface(renderer, actor, sorts);
+    this->DrawSurface(renderer, actor, classified);
   }
   else
   {
@@ -212,9 +201,9 @@ void vtkWideFoVPolyDataMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* 
   this->Internal->Strips.Finish();
 }
 
-// As the stock mapper does it, but for the triangles. sorts: of each primitive, whether.
+// As the stock mapper does it, but for the triangles. classified: of each primitive, whether.
 void vtkWideFoVPolyDataMapper::DrawSurface(
-  vtkRenderer* renderer, vtkActor* actor, const bool* sorts)
+  vtkRenderer* renderer, vtkActor* actor, const bool* classified)
 {
   this->DrawingVertices = false;
   for (int i = PrimitiveStart; i <= PrimitiveTriStrips; i++)
@@ -222,9 +211,9 @@ void vtkWideFoVPolyDataMapper::DrawSurface(
     this->DrawingSelection = false;
     if (this->Primitives[i].IBO->IndexCount)
     {
-      if (sorts[i])
+      if (classified[i])
       {
-        this->DrawSorted(i, renderer, actor);
+        this->DrawClusters(i, renderer, actor);
       }
       else
       {

@@ -63,11 +63,11 @@ private:
   // Draws one kind of primitives, as patches where its program tessellates.
   void DrawPrimitives(vtkOpenGLHelper& cellBO, int mode, vtkRenderer* renderer, vtkActor* actor);
 
-  // Draws what there is of a surface; its triangles sorted, or as patches.
-  void DrawSurface(vtkRenderer* renderer, vtkActor* actor, const bool* sorts);
+  // Draws what there is of a surface; its triangles by their classes, or as patches.
+  void DrawSurface(vtkRenderer* renderer, vtkActor* actor, const bool* classified);
 
-  // Draws the triangles that are seen, sorted by what they need.
-  void DrawSorted(int primitive, vtkRenderer* renderer, vtkActor* actor);
+  // Draws the triangles that are seen, by the classes of their clusters.
+  void DrawClusters(int primitive, vtkRenderer* renderer, vtkActor* actor);
 
   struct Internals;
   std::unique_ptr<Internals> Internal;

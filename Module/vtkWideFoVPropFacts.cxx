@@ -24,10 +24,4 @@ bool HasOwnShaders(vtkActor* actor)
   return shaders->HasVertexShaderCode() || shaders->HasGeometryShaderCode() ||
     shaders->GetNumberOfShaderReplacements() > 0;
 }
-
-bool DrawsAsStock(vtkActor* actor)
-{
-  return IsStockActor(actor) && !HasOwnShaders(actor) &&
-    !actor->GetShaderProperty()->HasFragmentShaderCode();
-}
 }

@@ -19,21 +19,14 @@ bool IsStockActor(vtkActor* actor);
 // Shaders of a user's own may move vertices anywhere.
 bool HasOwnShaders(vtkActor* actor);
 
-// Such an actor, drawn by the shaders of VTK and of the stage alone.
-bool DrawsAsStock(vtkActor* actor);
-
 struct PropFacts
 {
   bool Known = false;
   bool Prepared = false;   // its buffer
   bool Bounded = false;    // its bounds hold what it draws, but for its reach
-  bool Shareable = false;  // may be drawn for both eyes at once
   double Reach = 0;        // by which its lines and points may be wider than they are, pixels
   double PointSize = 1;    // pixels
-  bool Tells = false;      // all that is opaque of it is seen to change by its times
-  bool Surface = false;    // it draws triangles
-  bool Sorts = false;      // its mapper sorts them one by one
-  vtkIdType Few = 0;       // triangles, where too few to sort; 0: not few
+  vtkIdType Few = 0;       // cells, where too few to classify; 0: not few
   double LongestEdge = -1; // scene units; negative: not asked for yet
 };
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVShaderBuilder.h"
 
+#include "Clusters/Classifier.h"
 #include "Compat/vtkWideFoVStockEdits.h"
 #include "WideFoVGlsl.h"
 #include "vtkWideFoVShaderArrays.h"
@@ -11,6 +12,7 @@
 #include "vtkWideFoVTriangleOutputs.h"
 #include "vtkWideFoVWholeText.h"
 
+#include <algorithm>
 #include <vector>
 
 using namespace wfv::shader;
@@ -58,9 +60,42 @@ std::string LineOutputs(const std::vector<Varying>& varyings)
   return declarations + "void wfvWriteMix(float t)\n{\n" + body + "}\n";
 }
 
+// True where the geometry stage cuts triangles into smaller ones, which are projected.
+bool CutsTriangles(const Request& r)
+{
+  return r.Stage == vtkWideFoVShaderBuilder::Variant::Cut;
+}
+
 bool CoversTriangles(const Request& r)
 {
-  return vtkWideFoVShaderBuilder::NeedsGeometryStage(r) && r.Kind == Primitive::Triangles;
+  return vtkWideFoVShaderBuilder::NeedsGeometryStage(r) && r.Kind == Primitive::Triangles &&
+    !CutsTriangles(r);
+}
+
+// Triangles carry every output on, mixed between the corners.
+std::string CutSource(const std::vector<Varying>& varyings)
+{
+  std::string declarations;
+  std::string body;
+  for (const Varying& v : varyings)
+  {
+    std::string out = v.Name;
+    ReplaceAll(out, "VSOut", "GSOut");
+    if (out == v.Name)
+    {
+      continue;
+    }
+    declarations += v.Input();
+    declarations += (v.Flat ? "flat out " : "out ") + v.Declaration(out);
+    body += "  " + out + " = ";
+    body += v.Flat
+      ? v.Name + "[2];\n"
+      : "w.x * " + v.Name + "[0] + w.y * " + v.Name + "[1] + w.z * " + v.Name + "[2];\n";
+  }
+  constexpr int rows = wfv::Classifier::MostRows;
+  constexpr int vertices = std::max(2 * wfv::Classifier::MostChords + 1, rows * (rows + 2));
+  return Define("WFV_CUT_VERTICES", vertices) + declarations + "void wfvWriteMix(vec3 w)\n{\n" +
+    body + "}\n" + edge_chords_glsl + cut_triangles_glsl;
 }
 
 // True where an eye whose rays begin in several places is served by moving the vertices.
@@ -87,10 +122,8 @@ const char* const Doubles = "#extension GL_ARB_gpu_shader_fp64 : enable\n"
 // For gl_SampleMask; without it a covered pixel is covered whole.
 const char* const SampleMasks = "#extension GL_ARB_sample_shading : enable\n";
 
-// For a stage that is invoked several times for a triangle; and for a vertex stage that says for
-// which one a vertex is, without it there is one alone.
+// For a stage that is invoked several times for a triangle; without it there is one run alone.
 const char* const Invocations = "#extension GL_ARB_gpu_shader5 : enable\n";
-const char* const Layers = "#extension GL_ARB_shader_viewport_layer_array : enable\n";
 
 // The geometry stage of points, lines or triangles, behind what all have.
 std::string PrimitiveSource(const Request& r, const std::vector<Varying>& varyings)
@@ -103,6 +136,10 @@ std::string PrimitiveSource(const Request& r, const std::vector<Varying>& varyin
   {
     return wfv::line::GeometrySource(r, varyings);
   }
+  if (CutsTriangles(r))
+  {
+    return CutSource(varyings);
+  }
   if (r.Kind == Primitive::Lines)
   {
     return LineOutputs(varyings) + preclip_lines_glsl +
@@ -112,14 +149,18 @@ std::string PrimitiveSource(const Request& r, const std::vector<Varying>& varyin
   // copies of every vertex output at the three corners, which the fragment stage weighs:
   // exact wherever the geometry stage cuts
   return InvocationsSource(r, varyings, KnownOf(r)) + CornerOutputs(varyings, 3, KnownOf(r)) +
-    (r.BothEyes ? both_eyes_glsl : "") + preclip_emit_glsl + preclip_planes_glsl +
+    preclip_emit_glsl + preclip_planes_glsl +
     (OwnRays(r)     ? own_rays_glsl
         : Warped(r) ? warped_cover_glsl
                     : "") +
     preclip_cover_glsl + preclip_narrow_glsl + CoverSource(*r.Projection) +
-    (r.DebugView ? preclip_kinds_glsl : "") +
-    (r.Calm ? calm_triangles_glsl : preclip_triangles_glsl);
+    (r.DebugView ? preclip_kinds_glsl : "") + (r.MeetsChords ? edge_chords_glsl : "") +
+    preclip_triangles_glsl;
 }
+
+// Corners that a vertex stage projects and those that a geometry stage does are of one mesh: they
+// come out alike, or pixels between them were left out.
+const char* const SamePlaces = "invariant gl_Position;\n";
 
 // toView: the name of the matrix from the vertex buffer to view coordinates; empty where the
 // coordinates of the buffer do not come along.
@@ -128,9 +169,9 @@ std::string GeometrySource(
 {
   std::string source = std::string("//VTK::System::Dec\n") + (CoversTriangles(r) ? Doubles : "") +
     (CoversTriangles(r) ? Invocations : "") + Define("WFV_MODEL", !toView.empty()) +
-    "#define WFV_TO_VIEW " + toView + "\n" + ViewSource(r) +
-    (r.Kind == Primitive::Points ? "" : preclip_glsl) + (r.DebugView ? debug_kinds_glsl : "") +
-    PrimitiveSource(r, varyings);
+    (CutsTriangles(r) ? SamePlaces : "") + "#define WFV_TO_VIEW " + toView + "\n" + ViewSource(r) +
+    (r.Kind == Primitive::Points || CutsTriangles(r) ? "" : preclip_glsl) +
+    (r.DebugView ? debug_kinds_glsl : "") + PrimitiveSource(r, varyings);
   if (r.Stage == vtkWideFoVShaderBuilder::Variant::Tessellate)
   {
     ReplaceAll(source, "gl_PrimitiveIDIn", "wfvPrimitive[0]");
@@ -152,10 +193,14 @@ void FinishVertices(const Request& r, const std::vector<Varying>& varyings, std:
   }
   else
   {
-    vtkWideFoVShaderBuilder::WrapMain(vertex, r.BothEyes ? "  wfvChooseEye();\n" : "",
-      "  gl_Position = wfvProjectVertex(gl_Position.xyz);\n");
-    vtkWideFoVShaderBuilder::Declare(vertex,
-      (r.BothEyes ? Layers : "") + ViewSource(r) + (r.BothEyes ? both_eyes_vertex_glsl : ""));
+    vtkWideFoVShaderBuilder::WrapMain(
+      vertex, "", "  gl_Position = wfvProjectVertex(gl_Position.xyz);\n");
+    vtkWideFoVShaderBuilder::Declare(vertex, ViewSource(r));
+  }
+  // not of what asks for extensions itself, as volumes do: nothing may be declared before those
+  if (r.Kind == Primitive::Triangles && vertex.find("#extension") == std::string::npos)
+  {
+    vtkWideFoVShaderBuilder::Declare(vertex, SamePlaces);
   }
 }
 
@@ -178,8 +223,7 @@ std::string CoverFragment(
     return wfv::point::FragmentSource(r, varyings, fragment);
   }
   RewriteFlatNormal(r, fragment);
-  return std::string(r.BothEyes ? "flat in float wfvEye; // that the fragment is for\n" : "") +
-    ray_fragment_glsl + (r.Whole ? WholeSource(*r.Projection) : "") + cover_fragment_glsl +
+  return ray_fragment_glsl + (r.Whole ? WholeSource(*r.Projection) : "") + cover_fragment_glsl +
     (Warped(r) ? warped_fragment_glsl : "") + chord_fragment_glsl + order_fragment_glsl +
     (r.Whole ? fine_depth_glsl : "") + (r.Edges || r.DebugView ? edge_distance_glsl : "") +
     CornerInputs(varyings, { "wfvB.x", "wfvB.y", "wfvB.z" }, KnownOf(r));
@@ -220,7 +264,7 @@ std::string BorderSource(const Request& r)
 // True where depth is not what the rasterizer interpolates: places are, on the surface.
 bool WritesDepth(const Request& r)
 {
-  return r.DepthMapping != wfv::WFV_DEPTH_LINEAR || r.SurfaceDepth;
+  return r.DepthMapping != wfv::WFV_DEPTH_LINEAR;
 }
 
 // What the fragment stage has as its place in view coordinates: the stock position, which light
@@ -245,7 +289,7 @@ bool KeepsPlace(const Request& r, const std::string& fragment)
 // What is needed for that.
 std::string PlaceSource(const Request& r, const std::string& fragment)
 {
-  const bool tells = MovesVertices(r) && !r.RayDepth; // else depth_fragment.glsl says it
+  const bool tells = MovesVertices(r);
   const std::string distance = tells ? "#define WFV_DISTANCE length(" + OwnPlace + ")\n" : "";
   return KeepsPlace(r, fragment) ? "in vec3 " + OwnPlace + ";\n" + distance : "";
 }
@@ -256,31 +300,23 @@ std::string Extensions(const Request& r)
   return Covers(r) ? std::string(SampleMasks) + (r.Whole ? Doubles : "") : "";
 }
 
-// Writes the depth of what is not covered.
-std::string DepthSource(const Request& r)
-{
-  return Define("WFV_RAY_DEPTH", r.RayDepth) + (r.RayDepth ? ray_fragment_glsl : "") +
-    depth_fragment_glsl;
-}
-
-void FinishFragment(Request r, const std::vector<Varying>& varyings, std::string& fragment)
+void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
 {
   const bool covers = Covers(r);
-  r.BothEyes = r.BothEyes && covers; // to others both see alike
   std::string declarations = PlaceSource(r, fragment);
   std::string before, after;
   if (covers)
   {
     RemoveInputs(r, fragment, varyings);
     declarations = CoverFragment(r, varyings, fragment);
-    before = std::string(r.BothEyes ? "  wfvSeeBy(wfvEye);\n" : "") + "  wfvPrepare();\n";
+    before = "  wfvPrepare();\n";
     after = "  if (wfvHide) { discard; }\n";
     stock::Replace(fragment, Edit::FrontFacing, "wfvFront", stock::Found::May);
     before += RewriteDepth(r, fragment);
   }
   else if (WritesDepth(r))
   {
-    declarations += DepthSource(r);
+    declarations += depth_fragment_glsl;
     before = "  wfvPrepareDepth(" + PlaceOf(r, fragment) + ".xyz);\n" + RewriteDepth(r, fragment);
   }
   const std::string border = BorderSource(r);

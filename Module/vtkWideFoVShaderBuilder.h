@@ -17,6 +17,7 @@ public:
   enum class Variant
   {
     Plain,     // the vertex stage projects
+    Cut,       // a geometry stage does, and cuts triangles into smaller ones before
     PreClip,   // a geometry stage clips, then projects
     Exact,     // the same, every triangle by the ray of each pixel, lines as exact strips
     Tessellate // triangles cut finer before the pre-clip (vtkWideFoVTessellation)
@@ -51,26 +52,22 @@ public:
     const wfv::StereoModel* Stereo = nullptr; // none: mono
     Variant Stage = Variant::Plain;
     Primitive Kind = Primitive::Triangles;
-    bool WidePoints = false;   // points wider than a pixel
-    bool WideLines = false;    // lines wider than the hardware draws
-    bool Edges = false;        // surface with edges
-    bool EdgeFlags = false;    // some edges of the triangles are inside a cell
-    bool ByRays = false;       // triangles are covered, whatever their edges: no chords
-    bool DebugView = false;    // coloured by what happens to each primitive
-    bool Multisample = false;  // the framebuffer may have several samples a pixel
-    bool Tilted = false;       // the view may have a tilt
-    bool Fades = false;        // the eyes' circle may have a fade
-    Material Surface;          // of triangles
-    int Headlights = 0;        // which lights are at the eye, one bit each
-    int DepthMapping = 0;      // wfv::DepthMapping; all but linear by the fragment stage
-    bool Calm = false;         // covered triangles are small, and nothing is torn where they are
-    bool SurfaceDepth = false; // depth is the surface's, not interpolated along chords
-    bool Whole = false;        // covered triangles are decided in double, where OpenGL has that
-    bool Folds = false;        // of triangles that are sorted is known where they fold
-    int Runs = 1;              // of the geometry stage, which share in covering a triangle
-    bool RayDepth = false;     // with it, of triangles: where the pixel's ray meets it
-    bool BothEyes = false; // triangles are drawn for both eyes at once, a layer each; or, by the
-                           // vertex stage, may be
+    bool WidePoints = false;    // points wider than a pixel
+    bool WideLines = false;     // lines wider than the hardware draws
+    bool Edges = false;         // surface with edges
+    bool EdgeFlags = false;     // some edges of the triangles are inside a cell
+    bool ByRays = false;        // triangles are covered, whatever their edges: no chords
+    bool DebugView = false;     // coloured by what happens to each primitive
+    bool Multisample = false;   // the framebuffer may have several samples a pixel
+    bool Tilted = false;        // the view may have a tilt
+    bool Fades = false;         // the eyes' circle may have a fade
+    Material Surface;           // of triangles
+    int Headlights = 0;         // which lights are at the eye, one bit each
+    int DepthMapping = 0;       // wfv::DepthMapping; all but linear by the fragment stage
+    bool MeetsChords = false;   // triangles that are drawn by their chords may be beside these
+    bool SeveralChords = false; // and an edge of these may have several
+    bool Whole = false;         // covered triangles are decided in double, where OpenGL has that
+    int Runs = 1;               // of the geometry stage, which share in covering a triangle
 
     // Of wfv::SteadyLights; none: all of every light is uniforms.
     const std::string* Lights = nullptr;

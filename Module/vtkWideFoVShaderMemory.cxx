@@ -16,13 +16,13 @@ void Append(std::string& key, const Values&... values)
 void AppendRequest(std::string& key, const vtkWideFoVShaderBuilder::Request& request)
 {
   const auto& [projection, stereo, stage, kind, widePoints, wideLines, edges, edgeFlags, byRays,
-    debugView, multisample, tilted, fades, surface, headlights, depthMapping, calm, surfaceDepth,
-    whole, folds, runs, rayDepth, bothEyes, lights, stock] = request;
+    debugView, multisample, tilted, fades, surface, headlights, depthMapping, meetsChords,
+    severalChords, whole, runs, lights, stock] = request;
   const auto& [noAmbient, noDiffuse, fullDiffuse, noSpecular, opaque] = surface;
   const auto& [known, light, physical, normals, wireframe, glyphs, clips, imposters] = stock;
   Append(key, projection, stereo, stage, kind, widePoints, wideLines, edges, edgeFlags, byRays,
-    debugView, multisample, tilted, fades, headlights, depthMapping, calm, surfaceDepth, whole,
-    folds, runs, rayDepth, bothEyes, noAmbient, noDiffuse, fullDiffuse, noSpecular, opaque);
+    debugView, multisample, tilted, fades, headlights, depthMapping, meetsChords, severalChords,
+    whole, runs, noAmbient, noDiffuse, fullDiffuse, noSpecular, opaque);
   Append(key, known, light, physical, normals, wireframe, glyphs, clips, imposters);
   key += lights ? *lights : "";
   key += '\0'; // where they end
@@ -32,11 +32,11 @@ void AppendRequest(std::string& key, const vtkWideFoVShaderBuilder::Request& req
 namespace wfv
 {
 const ShaderMemory::Texts* ShaderMemory::Find(
-  const Request& request, bool sorts, const Texts& texts)
+  const Request& request, bool numbered, const Texts& texts)
 {
   this->Wanted.clear();
   AppendRequest(this->Wanted, request);
-  Append(this->Wanted, sorts);
+  Append(this->Wanted, numbered);
   for (const std::string* const text : { &texts.Vertex, &texts.Geometry, &texts.Fragment })
   {
     Append(this->Wanted, text->size());

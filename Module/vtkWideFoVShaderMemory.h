@@ -25,8 +25,9 @@ public:
     std::string Fragment;
   };
 
-  // What became of these texts, or nullptr. sorts: they were told to ask for sorted numbers.
-  const Texts* Find(const Request& request, bool sorts, const Texts& texts);
+  // What became of these texts, or nullptr. numbered: they were told to ask for the numbers of
+  // triangles (TakeTriangleNumbers).
+  const Texts* Find(const Request& request, bool numbered, const Texts& texts);
 
   // Of the texts that were looked for last.
   void Keep(const Texts& made);

@@ -83,6 +83,7 @@ bool AllCovered(const Request& r)
 {
   return r.Kind == vtkWideFoVShaderBuilder::Primitive::Triangles &&
     r.Stage != vtkWideFoVShaderBuilder::Variant::Plain &&
+    r.Stage != vtkWideFoVShaderBuilder::Variant::Cut &&
     (r.ByRays || r.Stage == vtkWideFoVShaderBuilder::Variant::Exact);
 }
 }
@@ -113,16 +114,16 @@ std::string ViewSource(const Request& r)
     Define("WFV_STRAIGHT_SEAM", r.Projection->StraightSeam) +
     Define("WFV_FLAT_RIM", r.Projection->FlatRim) +
     Define("WFV_EXACT", r.ByRays || r.Stage == vtkWideFoVShaderBuilder::Variant::Exact) +
-    Define("WFV_BY_RAYS", r.ByRays) + Define("WFV_CALM", r.Calm) + Define("WFV_WHOLE", r.Whole) +
-    Define("WFV_FOLDS", r.Folds) + Define("WFV_DEPTH_MAPPING(v)", r.DepthMapping) +
+    Define("WFV_BY_RAYS", r.ByRays) + Define("WFV_MEETS_CHORDS", r.MeetsChords && AllCovered(r)) +
+    Define("WFV_SEVERAL_CHORDS", r.SeveralChords && AllCovered(r) && !OwnRays(r)) +
+    Define("WFV_WHOLE", r.Whole) + Define("WFV_DEPTH_MAPPING(v)", r.DepthMapping) +
     Define("WFV_MULTISAMPLE", r.Multisample) + Define("WFV_WIDE_LINES", r.WideLines) +
     Define("WFV_EDGES", r.Edges || r.DebugView) + Define("WFV_EDGE_FLAGS", r.EdgeFlags) +
     Define("WFV_DEBUG_VIEW", r.DebugView) + "#define WFV_TILTED " + (r.Tilted ? "true" : "false") +
     "\n" + "#define WFV_FADES " + (r.Fades ? "true" : "false") + "\n" + "#define WFV_ANGLES " +
     (meridian ? "wfvMeridianAngles" : "wfvAzimuthalAngles") + "\n" +
     Define("WFV_OWN_RAYS", OwnRays(r)) + Define("WFV_OWN_BODIES", OwnBodies(r)) +
-    Define("WFV_WARPED", Warped(r)) + Define("WFV_BOTH_EYES", r.BothEyes) +
-    Define("WFV_RUNS", r.Runs) +
+    Define("WFV_WARPED", Warped(r)) + Define("WFV_RUNS", r.Runs) +
     Define("WFV_SHIFTED", r.Stereo && !r.Stereo->Straight && !Warped(r)) + wfv::MathGlsl() +
     wfv::CommonGlsl() + wfv::DepthGlsl() + (r.Stereo ? sight_glsl + r.Stereo->Glsl : "") +
     (sampled ? directions_glsl : "") + r.Projection->Glsl + interface_glsl;

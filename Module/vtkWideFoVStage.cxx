@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVStage.h"
 
+#include "Clusters/ClusterDraw.h"
 #include "Compat/vtkWideFoVStockText.h"
 #include "vtkWideFoVCamera.h"
 #include "vtkWideFoVCompositeMapper.h"
@@ -12,7 +13,6 @@
 #include "vtkWideFoVPass.h"
 #include "vtkWideFoVQuadricKind.h"
 #include "vtkWideFoVQuadricShaders.h"
-#include "vtkWideFoVSortedDraw.h"
 #include "vtkWideFoVStages.h"
 #include "vtkWideFoVPolyDataMapper.h"
 #include "vtkWideFoVTessellation.h"
@@ -108,7 +108,7 @@ private:
 void vtkWideFoVStage::NoteView(const wfv::View& view)
 {
   const bool tilts = !this->Tilted && view.GetParameters().tilt != wfv::vec2(1, 0);
-  const wfv::StereoModel* const stereo = this->Middle ? nullptr : view.GetStereoModel();
+  const wfv::StereoModel* const stereo = view.GetStereoModel();
   const bool fades = !this->Fades && stereo && stereo->Fades(view.GetParameters());
   if (&view.GetProjection() != this->Projection || tilts || fades || stereo != this->Stereo ||
     view.GetParameters().depthMapping != this->View.depthMapping)
@@ -128,10 +128,6 @@ void vtkWideFoVStage::SetView(vtkRenderer* renderer, vtkWideFoVCamera* camera, d
   this->TakeSamples();
   this->Renderer = renderer;
   this->View = view.GetParameters();
-  if (this->Middle)
-  {
-    this->View.stereo = wfv::vec4(0);
-  }
   this->Tolerance = static_cast<float>(tolerance);
 
   this->Pixels = wfv::PixelsOfTile(renderer);
@@ -168,6 +164,15 @@ bool WarnOfBodies()
 }
 }
 
+namespace
+{
+bool IsProjected(vtkWideFoVShaderBuilder::Variant variant)
+{
+  using Variant = vtkWideFoVShaderBuilder::Variant;
+  return variant == Variant::Plain || variant == Variant::Cut;
+}
+}
+
 void vtkWideFoVStage::FinishTriangles(vtkWideFoVShaderBuilder::Request& request) const
 {
   request.Stereo = this->Stereo;
@@ -189,28 +194,22 @@ void vtkWideFoVStage::FinishTriangles(vtkWideFoVShaderBuilder::Request& request)
   {
     return;
   }
-  const bool moves = this->SurfaceDepth && this->Stereo && this->Stereo->OwnRays;
-  request.BothEyes = this->BothEyes || moves;
-  request.ByRays = this->ByRays || this->Calm;
-  request.Calm = this->Calm;
-  request.RayDepth = this->RayDepth && straight;
+  request.ByRays = this->ByRays;
   const bool upright =
     this->Projection->Axis == wfv::Family::Meridian && this->Projection->StraightSeam;
-  request.Runs = upright && !request.BothEyes ? this->Runs : 1;
+  request.Runs = upright ? this->Runs : 1;
   // how far edges are is asked of float32 alone
   request.Whole = this->IsWhole() && !request.Edges && !this->DebugView;
-  if ((!straight || (this->Stereo && this->Stereo->OwnRays)) && !this->Clipless &&
-    !this->SurfaceDepth)
+  if ((!straight || (this->Stereo && this->Stereo->OwnRays)) && !IsProjected(request.Stage))
   {
-    // their edges are no great circles, which is what chords are chosen by; those of triangles
-    // among covered ones have been measured
+    // their edges are no great circles, which is what chords are chosen by
     request.Stage = vtkWideFoVShaderBuilder::Variant::Exact;
   }
 }
 
 bool vtkWideFoVStage::HasWholeRays() const
 {
-  const bool exact = this->Variant == vtkWideFoVShaderBuilder::Variant::Exact || this->Calm;
+  const bool exact = this->Variant == vtkWideFoVShaderBuilder::Variant::Exact;
   const bool moved = this->Stereo && (this->Stereo->OwnRays || !this->Stereo->Straight);
   return exact && !moved && !this->Multisample && this->Projection->Axis != wfv::Family::Planar;
 }
@@ -226,7 +225,6 @@ vtkWideFoVShaderBuilder::Request vtkWideFoVStage::MakeRequest(
   request.DepthMapping = this->View.depthMapping;
   request.Multisample = this->Multisample;
   request.Tilted = this->Tilted;
-  request.SurfaceDepth = this->SurfaceDepth;
   auto* polydata = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
   if (auto* actor = vtkActor::SafeDownCast(prop); polydata && actor && this->Renderer)
   {
@@ -269,12 +267,13 @@ bool vtkWideFoVStage::PreReplaceShaderValues(std::string&, std::string& geometry
 
 namespace
 {
-// Of one that sorts triangles: meshes of few are drawn as they are. Blocks are not asked for.
-bool MaySort(vtkAbstractMapper* mapper)
+// Of one that classifies clusters: meshes of few triangles are drawn as they are. Blocks are not
+// asked for.
+bool MayClassify(vtkAbstractMapper* mapper)
 {
   auto* const own = vtkWideFoVPolyDataMapper::SafeDownCast(mapper);
   vtkPolyData* const mesh = own ? own->GetInput() : nullptr;
-  return !mesh || wfv::SortedDraw::IsWorthIt(mesh);
+  return !mesh || wfv::ClusterDraw::IsWorthIt(mesh);
 }
 }
 
@@ -288,19 +287,19 @@ bool vtkWideFoVStage::PostReplaceShaderValues(std::string& vertexShader,
   }
   vtkWideFoVShaderBuilder::Request request = this->MakeRequest(mapper, prop);
   const bool triangles = request.Kind == vtkWideFoVShaderBuilder::Primitive::Triangles;
-  const bool sorts =
-    triangles && (vtkWideFoVPolyDataMapper::SafeDownCast(mapper) || wfv::SortsBlocks(mapper));
-  request.Folds =
-    sorts && this->KnowsFolds() && !request.Edges && !this->DebugView && MaySort(mapper);
+  const bool classifies =
+    triangles && (vtkWideFoVPolyDataMapper::SafeDownCast(mapper) || wfv::ClassifiesBlocks(mapper));
+  request.MeetsChords = classifies && this->MeetsChords && !request.Edges && MayClassify(mapper);
+  request.SeveralChords = request.MeetsChords && this->SeveralChords;
   using Texts = wfv::ShaderMemory::Texts;
   Texts texts{ vertexShader, geometryShader, fragmentShader };
   const Texts* const before =
-    this->Stages ? this->Stages->Texts.Find(request, sorts, texts) : nullptr;
+    this->Stages ? this->Stages->Texts.Find(request, classifies, texts) : nullptr;
   if (!before)
   {
-    if (sorts)
+    if (classifies)
     {
-      wfv::TakeSortedNumbers(texts.Fragment);
+      wfv::TakeTriangleNumbers(texts.Fragment);
     }
     vtkWideFoVShaderBuilder::Finish(request, texts.Vertex, texts.Geometry, texts.Fragment);
     if (this->Stages)

@@ -50,15 +50,6 @@ public:
     }
   }
 
-  // Depth of the surface itself where the vertex stage projects: for triangles among others that
-  // are covered, so that which of two is in front is decided alike.
-  void SetSurfaceDepth(bool surfaceDepth) { this->SurfaceDepth = surfaceDepth; }
-
-  // With it: where the pixel's own ray meets the surface, not at the place that is interpolated
-  // along chords, which is off by as much as these are. Beyond an outline what is behind comes out
-  // in front so; for triangles of which is known that none is drawn there.
-  void SetRayDepth(bool rayDepth) { this->RayDepth = rayDepth; }
-
   // Runs of the geometry stage that share in covering a triangle: the shapes of large ones are
   // tighter. Set before anything is drawn.
   void SetRuns(int runs) { this->Runs = runs; }
@@ -73,20 +64,6 @@ public:
       this->SourceTime.Modified();
     }
   }
-
-  // Of sorted triangles that are covered is known which edges are folds, though rays are in
-  // float32: the technique "auto".
-  void SetFolds(bool folds)
-  {
-    if (folds != this->Folds)
-    {
-      this->Folds = folds;
-      this->SourceTime.Modified();
-    }
-  }
-
-  // Whether it is known, as the view and its samples are now.
-  bool KnowsFolds() const { return this->Folds || this->IsWhole(); }
 
   // Whether covered triangles are decided so, as the view and its samples are now.
   bool IsWhole() const { return this->Whole && this->HasWholeRays(); }
@@ -122,14 +99,18 @@ public:
     }
   }
 
-  // For triangles that are known to be easy to cover: small, nothing torn where they are.
-  void SetCalm(bool calm) { this->Calm = calm; }
+  // Among the triangles of a mesh some may be drawn by their chords: covered ones meet those.
+  void SetMeetsChords(bool meets)
+  {
+    if (meets != this->MeetsChords)
+    {
+      this->MeetsChords = meets;
+      this->SourceTime.Modified();
+    }
+  }
 
-  // For triangles that are drawn for both eyes at once, into a layer each.
-  void SetBothEyes(bool both) { this->BothEyes = both; }
-
-  // For what both eyes see alike: as the middle between them does, without stereo.
-  void SetMiddle(bool middle) { this->Middle = middle; }
+  // And an edge of these may have several.
+  void SetSeveralChords(bool several) { this->SeveralChords = several; }
 
   // The tables of a direction map; they outlive the frame.
   void SetTextures(vtkWideFoVDirectionTextures* textures) { this->Textures = textures; }
@@ -209,16 +190,12 @@ private:
   bool Tilted = false; // once, and from then on
   bool Fades = false;  // likewise
   bool ByRays = false;
-  bool Calm = false;
-  bool BothEyes = false;
-  bool Middle = false;
+  bool MeetsChords = false;
+  bool SeveralChords = false;
   bool ExactLines = false;
   bool DebugView = false;
-  bool SurfaceDepth = false;
-  bool RayDepth = false;
   int Runs = 1;
   bool Whole = false;
-  bool Folds = false;
   int NumberOfDraws = 0;
   int NumberOfTessellateDraws = 0;
 };

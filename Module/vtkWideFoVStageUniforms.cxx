@@ -53,8 +53,6 @@ void SetViewParameters(vtkShaderProgram* program, const wfv::WfvView& v)
   const float stereo[4] = { static_cast<float>(v.stereo.x), static_cast<float>(v.stereo.y),
     static_cast<float>(v.stereo.z), static_cast<float>(v.stereo.w) };
   program->SetUniform4f("wfvView.stereo", stereo);
-  // both are drawn in the left one's turn
-  set2("wfvEyes", wfv::vec2(v.stereo.x, std::abs(v.stereo.x)));
   program->SetUniformf("wfvView.lens5", static_cast<float>(v.lens5));
   program->SetUniformf("wfvView.maxAngle", static_cast<float>(v.maxAngle));
   program->SetUniformf("wfvView.bend", static_cast<float>(v.bend));

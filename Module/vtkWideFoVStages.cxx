@@ -38,41 +38,22 @@ constexpr double PixelSafety = 8;
 
 vtkWideFoVStages::vtkWideFoVStages()
 {
-  this->PlainAlone->SetSurfaceDepth(true);
-  this->PlainAmong->SetSurfaceDepth(true);
-  this->PlainAmong->SetRayDepth(true);
-  this->CalmAmong->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
-  this->CalmAmong->SetCalm(true);
+  this->Cut->SetVariant(vtkWideFoVShaderBuilder::Variant::Cut);
   this->PreClip->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
   this->PreClipOfFew->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
   this->PreClipOfFew->SetRuns(RunsOfFew);
+  this->PreClipAtChords->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
+  this->PreClipAtChords->SetSeveralChords(true);
   this->Exact->SetVariant(vtkWideFoVShaderBuilder::Variant::Exact);
   this->ExactInSingle->SetVariant(vtkWideFoVShaderBuilder::Variant::Exact);
   this->ExactInSingle->SetRuns(RunsOfFew);
   this->Tessellate->SetVariant(vtkWideFoVShaderBuilder::Variant::Tessellate);
-  this->ExactOfBoth->SetVariant(vtkWideFoVShaderBuilder::Variant::Exact);
-  this->CalmOfBoth->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
-  this->CalmOfBoth->SetCalm(true);
-  this->ExactOfBoth->SetBothEyes(true);
-  this->CalmOfBoth->SetBothEyes(true);
-  this->FarPlainAlone->SetSurfaceDepth(true);
-  this->FarPlainAmong->SetSurfaceDepth(true);
-  this->FarPlainAmong->SetRayDepth(true);
-  this->FarCalmAmong->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
-  this->FarCalmAmong->SetCalm(true);
-  this->FarPreClip->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
-  this->FarPlainAlone->SetMiddle(true);
-  this->FarPlainAmong->SetMiddle(true);
-  this->FarCalmAmong->SetMiddle(true);
-  this->FarPreClip->SetMiddle(true);
 }
 
-std::array<vtkWideFoVStage*, 15> vtkWideFoVStages::GetAll()
+std::array<vtkWideFoVStage*, 8> vtkWideFoVStages::GetAll()
 {
-  return { this->Plain, this->PlainAlone, this->PlainAmong, this->CalmAmong, this->PreClip,
-    this->PreClipOfFew, this->Exact, this->ExactInSingle, this->Tessellate, this->ExactOfBoth,
-    this->CalmOfBoth, this->FarPlainAlone, this->FarPlainAmong, this->FarCalmAmong,
-    this->FarPreClip };
+  return { this->Plain, this->Cut, this->PreClip, this->PreClipOfFew, this->PreClipAtChords,
+    this->Exact, this->ExactInSingle, this->Tessellate };
 }
 
 bool vtkWideFoVStages::CanTessellate()
@@ -134,18 +115,13 @@ void vtkWideFoVStages::Instruct(vtkWideFoVStage* stage)
   stage->SetClipless(this->Technique == vtkWideFoVPass::VERTEX);
   stage->SetByRays(automatic || this->Technique == vtkWideFoVPass::TESSELLATE);
   stage->SetWhole(this->IsExact() && stage != this->ExactInSingle);
-  stage->SetFolds(
-    automatic && !this->ByPixels && (stage == this->PreClip || stage == this->CalmAmong));
+  stage->SetMeetsChords(automatic && AllowsChords(this->Tolerance));
   stage->SetExactLines(automatic && (!this->Stereo || this->Stereo->Straight));
 }
 
 void vtkWideFoVStages::SetDebugView(bool debugView)
 {
-  this->DebugView = debugView;
-  for (vtkWideFoVStage* stage : { this->Plain.Get(), this->PlainAlone.Get(), this->PlainAmong.Get(),
-         this->PreClip.Get(), this->PreClipOfFew.Get(), this->Exact.Get(),
-         this->ExactInSingle.Get(), this->ExactOfBoth.Get(), this->FarPlainAlone.Get(),
-         this->FarPlainAmong.Get(), this->FarPreClip.Get() })
+  for (vtkWideFoVStage* const stage : this->GetAll())
   {
     stage->SetDebugView(debugView);
   }
@@ -157,20 +133,10 @@ bool vtkWideFoVStages::IsFine(vtkProp* prop, const double bounds[6], wfv::PropFa
   {
     return true;
   }
-  double most = this->Tolerance;
-  if (this->Technique == vtkWideFoVPass::AUTO && facts.Surface && !this->Hurries)
-  {
-    // beside an outline that is off by more a hidden face shows; sorting finds where
-    if (facts.Sorts)
-    {
-      return false;
-    }
-    most = std::min(most, wfv::SortView::PlainError);
-  }
   facts.LongestEdge = facts.LongestEdge < 0 ? this->Meshes.Get(prop) : facts.LongestEdge;
   const double error = vtkWideFoVChordError(
     *this->Projection, this->View, bounds, this->WorldToView, facts.LongestEdge);
-  return error * this->HalfDiagonal <= most;
+  return error * this->HalfDiagonal <= this->Tolerance;
 }
 
 bool vtkWideFoVStages::IsExact() const
@@ -228,13 +194,9 @@ vtkWideFoVStage* vtkWideFoVStages::Choose(
   // a direction map has no chords that something could be said of
   const bool sampled = this->Projection->Axis == wfv::Family::Sampled;
   const bool covers = this->IsExact() || sampled;
-  const bool far = !covers && this->IsFar(bounds, facts);
-  if (covers || (this->ByPixels && !far))
+  if (covers || this->ByPixels)
   {
-    const bool both = this->Shares && this->ByPixels && facts.Shareable;
-    return both                          ? this->ExactOfBoth
-      : this->IsFat(prop, bounds, facts) ? this->ExactInSingle
-                                         : this->Exact;
+    return this->IsFat(prop, bounds, facts) ? this->ExactInSingle : this->Exact;
   }
   if (this->Technique == vtkWideFoVPass::TESSELLATE)
   {
@@ -244,23 +206,20 @@ vtkWideFoVStage* vtkWideFoVStages::Choose(
   {
     return this->PreClip;
   }
-  return this->ChooseByBounds(prop, bounds, facts, far);
+  return this->ChooseByBounds(prop, bounds, facts);
 }
 
 vtkWideFoVStage* vtkWideFoVStages::ChooseByBounds(
-  vtkProp* prop, const double bounds[6], wfv::PropFacts& facts, bool far)
+  vtkProp* prop, const double bounds[6], wfv::PropFacts& facts)
 {
   const bool torn = vtkWideFoVNeedsPreClip(
     *this->Projection, this->View, bounds, this->WorldToView, this->GetPointReach(facts));
   if (torn || !this->IsFine(prop, bounds, facts))
   {
     const bool few = this->Technique == vtkWideFoVPass::AUTO && this->IsCoarse(bounds, facts);
-    return far ? this->FarPreClip : few ? this->PreClipOfFew : this->PreClip;
+    return few ? this->PreClipOfFew : this->PreClip;
   }
-  // no bound on chords is one on depth: along an edge that runs away from the eye it is off by
-  // the square of the edge's share of the distance, however near chord and edge are
-  vtkWideFoVStage* const alone = far ? this->FarPlainAlone : this->PlainAlone;
-  return this->Technique == vtkWideFoVPass::AUTO ? alone : this->Plain.Get();
+  return this->Plain;
 }
 
 vtkWideFoVStage* vtkWideFoVStages::FindAttached(vtkProp* prop)

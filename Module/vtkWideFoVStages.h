@@ -3,18 +3,17 @@
 #ifndef vtkWideFoVStages_h
 #define vtkWideFoVStages_h
 
+#include "Clusters/Classifier.h"
 #include "vtkWideFoVAbi.h"
 #include "vtkWideFoVBufferScale.h"
 #include "vtkWideFoVDirectionTextures.h"
 #include "vtkWideFoVFineDepth.h"
 #include "vtkWideFoVFrameCounts.h"
-#include "vtkWideFoVHiddenScene.h"
 #include "vtkWideFoVMeshScale.h"
 #include "vtkWideFoVProgramMemory.h"
 #include "vtkWideFoVPropFacts.h"
 #include "vtkWideFoVShaderClock.h"
 #include "vtkWideFoVShaderMemory.h"
-#include "vtkWideFoVSorter.h"
 #include "vtkWideFoVStage.h"
 
 #include <array>
@@ -61,13 +60,6 @@ public:
   // Whether what is not seen is left out (true).
   void SetCulling(bool culling) { this->Culling = culling; }
 
-  // Whether triangles are sorted one by one while the view changes from frame to frame (false).
-  void SetSortWhileMoving(bool sort) { this->SortMoving = sort; }
-  bool SortsWhileMoving() const { return this->SortMoving; }
-
-  // Whether chords within the tolerance are drawn while triangles are sorted in haste (false).
-  void SetHurries(bool hurries) { this->Hurries = hurries; }
-
   // The stage for a prop: the cheapest that the technique allows it. Prepares its vertex
   // buffer, too. bounds: the prop's, which have just been asked for; nullptr where it has none.
   vtkWideFoVStage* Choose(vtkProp* prop, const double* bounds, wfv::PropFacts& facts);
@@ -78,16 +70,9 @@ public:
   // Another one whenever what Choose and IsUnseen go by has changed, but the prop.
   std::uint64_t GetViewNumber() const { return this->ViewNumber; }
 
-  // What the triangles of an actor, drawn with this stage, are sorted by. False where they are
-  // all drawn alike.
-  bool GetSortView(const vtkWideFoVStage* stage, vtkActor* actor, wfv::SortView& view);
-
-  // Which eye this stage draws for: -1, 1; 0: both, or without stereo.
-  int GetEye(const vtkWideFoVStage* stage) const
-  {
-    const double x = this->IsOfBoth(stage) ? 0 : this->View.stereo.x;
-    return x < 0 ? -1 : x > 0 ? 1 : 0;
-  }
+  // What the clusters of an actor, drawn with this stage, are classified by. False where all its
+  // triangles are drawn alike.
+  bool GetClassifierView(const vtkWideFoVStage* stage, vtkActor* actor, wfv::ClassifierView& view);
 
   // From the actor's coordinates to the map's own frame, row-major.
   void GetToMap(vtkActor* actor, double matrix[16]) const;
@@ -98,17 +83,11 @@ public:
   // What of it has been drawn.
   wfv::FineDepth Fine;
 
-  // What stands before what.
-  wfv::HiddenScene Hidden;
-
   // What this frame did and left out.
   wfv::FrameCounts Counts;
   wfv::ShaderClock Shaders;
   wfv::ShaderMemory Texts;
   wfv::ProgramMemory Programs;
-
-  // Whether Choose tells props that may be drawn for both eyes at once (false).
-  void SetShares(bool shares) { this->Shares = shares; }
 
   // Puts one stage in the place of another in the prop's keys.
   static void Replace(vtkProp* prop, vtkWideFoVStage* from, vtkWideFoVStage* to);
@@ -116,57 +95,21 @@ public:
   // The stage in the prop's keys, or nullptr.
   static vtkWideFoVStage* FindAttached(vtkProp* prop);
 
-  vtkNew<vtkWideFoVStage> Plain;      // vertex, preclip: with depth interpolated along chords
-  vtkNew<vtkWideFoVStage> PlainAlone; // auto: with the surface's own
-  vtkNew<vtkWideFoVStage> PlainAmong; // auto: among covered ones, with that on the pixel's own ray
-  vtkNew<vtkWideFoVStage> CalmAmong;  // covered triangles that are easy, of a prop with others
-  vtkNew<vtkWideFoVStage> PreClip;
-  vtkNew<vtkWideFoVStage> PreClipOfFew; // auto: of few triangles
+  vtkNew<vtkWideFoVStage> Plain;           // vertex, preclip; auto: what is projected
+  vtkNew<vtkWideFoVStage> Cut;             // auto: what is projected once it is cut
+  vtkNew<vtkWideFoVStage> PreClip;         // auto: covers triangles that are not
+  vtkNew<vtkWideFoVStage> PreClipOfFew;    // auto: of few triangles
+  vtkNew<vtkWideFoVStage> PreClipAtChords; // auto: with edges that several chords stand for
   vtkNew<vtkWideFoVStage> Exact;
   vtkNew<vtkWideFoVStage> ExactInSingle; // in float32: of few triangles, all of them fat
   vtkNew<vtkWideFoVStage> Tessellate;    // other mappers than ours: the pre-clip
-
-  // Of triangles that are drawn for both eyes at once.
-  vtkNew<vtkWideFoVStage> ExactOfBoth;
-  vtkNew<vtkWideFoVStage> CalmOfBoth;
-
-  // Of what is so far away that both eyes see it alike: as without stereo.
-  vtkNew<vtkWideFoVStage> FarPlainAlone;
-  vtkNew<vtkWideFoVStage> FarPlainAmong;
-  vtkNew<vtkWideFoVStage> FarCalmAmong;
-  vtkNew<vtkWideFoVStage> FarPreClip;
-
-  // What the calm ones are drawn with among triangles of this stage, and plain ones, of both eyes
-  // once for each. In a hurry nobody has looked at outlines.
-  vtkWideFoVStage* GetCalmAmong(const vtkWideFoVStage* stage)
-  {
-    return this->IsFar(stage) ? this->FarCalmAmong
-      : this->IsOfBoth(stage) ? this->CalmOfBoth
-                              : this->CalmAmong;
-  }
-  vtkWideFoVStage* GetPlainAmong(const vtkWideFoVStage* stage)
-  {
-    return this->IsFar(stage) ? (this->Hurries ? this->FarPlainAlone : this->FarPlainAmong)
-                              : (this->Hurries ? this->PlainAlone : this->PlainAmong);
-  }
-  bool IsFar(const vtkWideFoVStage* stage) const
-  {
-    return stage == this->FarPlainAlone || stage == this->FarPlainAmong ||
-      stage == this->FarPreClip;
-  }
-  bool IsOfBoth(const vtkWideFoVStage* stage) const { return stage == this->ExactOfBoth; }
 
 private:
   // True where no edge of the prop bends by more than the tolerance, seen from here.
   bool IsFine(vtkProp* prop, const double bounds[6], wfv::PropFacts& facts);
 
-  // True where the prop is so far away that nobody tells where either eye sees it from where the
-  // middle between them does.
-  bool IsFar(const double* bounds, const wfv::PropFacts& facts) const;
-
-  // For a prop whose rays begin all in one place; far: so far away.
-  vtkWideFoVStage* ChooseByBounds(
-    vtkProp* prop, const double bounds[6], wfv::PropFacts& facts, bool far);
+  // For a prop whose rays begin all in one place.
+  vtkWideFoVStage* ChooseByBounds(vtkProp* prop, const double bounds[6], wfv::PropFacts& facts);
 
   // Fills in what is not known yet.
   static void FindFacts(vtkProp* prop, wfv::PropFacts& facts);
@@ -184,7 +127,6 @@ private:
   bool CanTessellate();
 
   int Technique = 0;
-  bool DebugView = false;
   int Tessellates = -1; // -1: not asked yet
   const wfv::Projection* Projection = nullptr;
   bool ByPixels = false; // the stereo model leaves chords no edge to stand for
@@ -197,12 +139,8 @@ private:
   void SetPart(vtkRenderer* renderer, const float tile[4]);
   wfv::Window Part;      // of the picture, with a margin
   wfv::vec2 Pixels{ 1 }; // of the whole picture
-  wfv::SampleGrid Samples;
   bool Culling = true;
-  bool SortMoving = false;
-  bool Hurries = false;
-  bool Shares = false;
-  std::array<vtkWideFoVStage*, 15> GetAll();
+  std::array<vtkWideFoVStage*, 8> GetAll();
   void Instruct(vtkWideFoVStage* stage);
   void SetEyes(vtkWideFoVCamera* camera, const wfv::StereoModel* stereo); // after SetPart
   double Reach = 0; // of the rays' beginnings from the middle between the eyes, scene units
@@ -214,11 +152,14 @@ private:
   const void* NumberedObjects[3] = { nullptr, nullptr, nullptr };
   double NumberedMatrix[16];
 
-  // The present view's, made when it is first asked for.
-  std::shared_ptr<const wfv::LocalBend> GetBends();
+  // The present view's, made when they are first asked for.
+  std::shared_ptr<const wfv::ChordLimits> GetLimits(double tolerance);
   std::shared_ptr<const wfv::LocalBend> Bends;
   wfv::WfvView BendsView;
   const wfv::Projection* BendsProjection = nullptr;
+  std::shared_ptr<const wfv::ChordLimits> Limits;
+  wfv::vec2 LimitsPixels{ 0 };
+  double LimitsTolerance = 0;
 };
 VTK_ABI_NAMESPACE_END
 

@@ -2,12 +2,7 @@
 // vtkWideFoVStages: is the view still that of the last frame, and that of the other eye?
 #include "vtkWideFoVStages.h"
 
-#include "vtkWideFoVDiscontinuity.h"
-#include "vtkWideFoVPass.h"
-
 #include "Stereo/Stereo.h"
-
-#include "vtkMath.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +19,7 @@ void vtkWideFoVStages::NumberView(const wfv::StereoModel* stereo)
     v.tables.x, v.tables.y, v.tables.z, v.tables.w, this->Tolerance, this->HalfDiagonal,
     this->PixelAngle, this->Part.Low.x, this->Part.Low.y, this->Part.High.x, this->Part.High.y,
     this->Pixels.x, this->Pixels.y, static_cast<double>(this->Technique),
-    static_cast<double>(this->Culling), static_cast<double>(this->Hurries) };
+    static_cast<double>(this->Culling) };
   const void* const objects[] = { this->Projection, stereo, v.map };
   const bool same = this->ViewNumber > 0 &&
     std::equal(std::begin(seen), std::end(seen), this->Numbered.begin(), this->Numbered.end()) &&
@@ -37,21 +32,4 @@ void vtkWideFoVStages::NumberView(const wfv::StereoModel* stereo)
     std::copy(std::begin(objects), std::end(objects), this->NumberedObjects);
     std::copy_n(this->WorldToView, 16, this->NumberedMatrix);
   }
-}
-
-// Not of a warped picture: there what is far away is moved by as much as the plane of zero parallax
-// is before it.
-bool vtkWideFoVStages::IsFar(const double* bounds, const wfv::PropFacts& facts) const
-{
-  const bool own = this->Stereo && this->Stereo->OwnRays;
-  if (!own || this->Technique != vtkWideFoVPass::AUTO || !facts.Bounded || !bounds ||
-    !vtkMath::AreBoundsInitialized(bounds))
-  {
-    return false;
-  }
-  const double most =
-    this->Hurries ? this->Tolerance : std::min(this->Tolerance, wfv::SortView::PlainError);
-  const wfv::vec2 off = vtkWideFoVParallax(
-    *this->Projection, this->View, bounds, this->WorldToView, std::abs(this->View.stereo.x));
-  return 0.5 * std::hypot(off.x * this->Pixels.x, off.y * this->Pixels.y) <= most;
 }

@@ -11,10 +11,11 @@ void TakeCounts(vtkWideFoVPass* pass, int others, RenderStats& stats)
   stats.PropsCulled = pass->GetNumberOfCulledProps();
   stats.Clusters = pass->GetNumberOfClusters();
   stats.ClustersCulled = pass->GetNumberOfCulledClusters();
-  stats.TrianglesSorted = pass->GetNumberOfTriangles();
+  stats.Triangles = pass->GetNumberOfTriangles();
   stats.TrianglesCulled = pass->GetNumberOfCulledTriangles();
+  stats.TrianglesProjected = pass->GetNumberOfProjectedTriangles();
   stats.ChosenProps = pass->GetNumberOfChosenProps();
-  stats.SortedMeshes = pass->GetNumberOfSortedMeshes();
+  stats.ClassifiedMeshes = pass->GetNumberOfClassifiedMeshes();
   stats.PlainDraws = pass->GetNumberOfPlainDraws();
   stats.PreClipDraws = pass->GetNumberOfPreClipDraws();
   stats.TessellateDraws = pass->GetNumberOfTessellateDraws();

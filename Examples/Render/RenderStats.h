@@ -37,12 +37,13 @@ struct RenderStats
   int PropsTotal = 0;
   std::optional<int> PropsDrawn;
   std::optional<int> PropsCulled;
-  std::optional<int> Clusters; // runs of triangles that were looked at
+  std::optional<int> Clusters; // of triangles, that were classified
   std::optional<int> ClustersCulled;
-  std::optional<long long> TrianglesSorted; // those of runs
+  std::optional<long long> Triangles; // those of clusters
   std::optional<long long> TrianglesCulled;
-  std::optional<int> ChosenProps;  // anew in the last frame
-  std::optional<int> SortedMeshes; // anew in the last frame
+  std::optional<long long> TrianglesProjected;
+  std::optional<int> ChosenProps;      // anew in the last frame
+  std::optional<int> ClassifiedMeshes; // anew in the last frame
   ShaderCost Shaders;
   std::optional<int> PlainDraws;
   std::optional<int> PreClipDraws;

@@ -14,14 +14,14 @@ using Json = nlohmann::ordered_json;
 Json Describe(const FrameCost& cost)
 {
   Json json{ { "ms", cost.Milliseconds }, { "draws", nullptr }, { "props", nullptr },
-    { "sorted_triangles", nullptr }, { "relaxation", nullptr } };
+    { "cluster_triangles", nullptr }, { "relaxation", nullptr } };
   if (cost.Draws)
   {
     json["draws"] = { { "plain", cost.Draws->Plain }, { "preclip", cost.Draws->PreClip },
       { "tessellate", cost.Draws->Tessellate }, { "exact", cost.Draws->Exact } };
     json["props"] = { { "drawn", cost.Draws->Props }, { "culled", cost.Draws->PropsCulled } };
-    json["sorted_triangles"] = { { "total", cost.Draws->Triangles },
-      { "culled", cost.Draws->TrianglesCulled } };
+    json["cluster_triangles"] = { { "total", cost.Draws->Triangles },
+      { "culled", cost.Draws->TrianglesCulled }, { "projected", cost.Draws->TrianglesProjected } };
     json["relaxation"] = cost.Draws->Relaxation;
   }
   return json;

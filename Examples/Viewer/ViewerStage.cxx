@@ -36,7 +36,7 @@ FrameCost operator+(const FrameCost& a, const FrameCost& b)
     sum.Draws = DrawCounts{ x.Plain + y.Plain, x.PreClip + y.PreClip, x.Tessellate + y.Tessellate,
       x.Exact + y.Exact, x.Props + y.Props, x.PropsCulled + y.PropsCulled,
       x.Triangles + y.Triangles, x.TrianglesCulled + y.TrianglesCulled,
-      std::max(x.Relaxation, y.Relaxation) };
+      x.TrianglesProjected + y.TrianglesProjected, std::max(x.Relaxation, y.Relaxation) };
   }
   return sum;
 }
@@ -177,7 +177,8 @@ FrameCost ViewerStage::Measure()
     cost.Draws = DrawCounts{ pass->GetNumberOfPlainDraws(), pass->GetNumberOfPreClipDraws(),
       pass->GetNumberOfTessellateDraws(), pass->GetNumberOfExactDraws(),
       pass->GetNumberOfDrawnProps(), pass->GetNumberOfCulledProps(), pass->GetNumberOfTriangles(),
-      pass->GetNumberOfCulledTriangles(), pass->GetRelaxation() };
+      pass->GetNumberOfCulledTriangles(), pass->GetNumberOfProjectedTriangles(),
+      pass->GetRelaxation() };
   }
   return cost;
 }

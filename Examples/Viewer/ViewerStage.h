@@ -39,8 +39,9 @@ struct DrawCounts
   int Exact = 0;
   int Props = 0; // drawn, and left out
   int PropsCulled = 0;
-  long long Triangles = 0; // of meshes that are sorted, and those left out
+  long long Triangles = 0; // of clusters, those left out, and those projected
   long long TrianglesCulled = 0;
+  long long TrianglesProjected = 0;
   int Relaxation = 0; // of the pass, the largest
 };
 

@@ -76,7 +76,7 @@ std::string Viewer::TextFor(const FrameCost& cost) const
     std::snprintf(line, sizeof(line), "\ndraws: plain %d  pre-clip %d  tessellate %d  exact %d",
       d.Plain, d.PreClip, d.Tessellate, d.Exact);
     text += line;
-    std::snprintf(line, sizeof(line), "\nprops: %d of %d  sorted triangles: %lld of %lld", d.Props,
+    std::snprintf(line, sizeof(line), "\nprops: %d of %d  cluster triangles: %lld of %lld", d.Props,
       d.Props + d.PropsCulled, d.Triangles - d.TrianglesCulled, d.Triangles);
     text += line;
   }

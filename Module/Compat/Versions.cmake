@@ -24,7 +24,7 @@ function(widefov_gl_modules variable)
 endfunction()
 
 # widefov_compat_sources(VARIABLE): what some versions need, below Module/. Blocks of composite data
-# are sorted up to VTK 9.2; see vtkWideFoVCompositeMapper.h.
+# are classified up to VTK 9.2; see vtkWideFoVCompositeMapper.h.
 function(widefov_compat_sources variable)
   set(sources)
   if(VTK_VERSION VERSION_LESS 9.3)

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVCompositeHelper.h"
 
-#include "vtkWideFoVSortedDraw.h"
+#include "Clusters/ClusterDraw.h"
 #include "vtkWideFoVStages.h"
 
 #include "vtkActor.h"
-#include "vtkBoundingBox.h"
 #include "vtkCompositePolyDataMapper2.h"
 #include "vtkHardwareSelector.h"
 #include "vtkObjectFactory.h"
@@ -30,7 +29,7 @@ vtkStandardNewMacro(vtkWideFoVCompositeHelper);
 
 namespace
 {
-using Sorted = wfv::SortedDraw;
+using wfv::ClusterDraw;
 
 // The names under which a composite mapper looks for the helpers of blocks with or without
 // scalars (A), normals (B) and texture coordinates (C). Helpers that it does not ask for it drops.
@@ -100,15 +99,15 @@ struct vtkWideFoVCompositeHelper::Internals
       : Triangles(strips)
     {
     }
-    Sorted Triangles;
-    bool Sorts = false; // in this traversal
+    ClusterDraw Triangles;
+    bool Classified = false; // in this traversal
   };
 
   // Of all blocks the polygons or the strips.
   struct Surfaces
   {
     std::map<vtkPolyData*, std::unique_ptr<Block>> Blocks;
-    vtkOpenGLHelper Helpers[Sorted::NumberOfLots]; // the programs
+    vtkOpenGLHelper Helpers[ClusterDraw::NumberOfKinds]; // the programs
 
     Block* Find(vtkPolyData* data) const
     {
@@ -132,12 +131,12 @@ struct vtkWideFoVCompositeHelper::Internals
 
   Surfaces Polygons;
   Surfaces Strips;
-  Sorted Nothing{ false };     // for what is drawn in the order that it came in
-  vtkWindow* Window = nullptr; // that is drawn to
+  ClusterDraw Nothing{ false }; // for what is drawn in the order that it came in
+  vtkWindow* Window = nullptr;  // that is drawn to
 
   Internals()
   {
-    for (int i = 0; i < Sorted::NumberOfLots; i++)
+    for (int i = 0; i < ClusterDraw::NumberOfKinds; i++)
     {
       this->Polygons.Helpers[i].PrimitiveType = PrimitiveTris;
       this->Strips.Helpers[i].PrimitiveType = PrimitiveTriStrips;
@@ -160,7 +159,7 @@ vtkWideFoVCompositeHelper::~vtkWideFoVCompositeHelper() = default;
 void vtkWideFoVCompositeHelper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "SortedBlocks: " << this->Internal->Polygons.Blocks.size() << "\n";
+  os << indent << "ClassifiedBlocks: " << this->Internal->Polygons.Blocks.size() << "\n";
 }
 
 void vtkWideFoVCompositeHelper::GiveTo(vtkMapper* mapper, vtkWindow* window)
@@ -206,31 +205,23 @@ bool vtkWideFoVCompositeHelper::IsDrawn(
     (actor->IsRenderingTranslucentPolygonalGeometry() ? translucent : opaque);
 }
 
-bool vtkWideFoVCompositeHelper::Sort(int primitive, vtkActor* actor, vtkWideFoVStage* stage)
+bool vtkWideFoVCompositeHelper::Classify(int primitive, vtkActor* actor, vtkWideFoVStage* stage)
 {
   const bool strips = primitive == PrimitiveTriStrips;
   auto& blocks = this->Internal->Of(primitive).Blocks;
-  vtkBoundingBox box;
-  for (const auto& data : this->Data)
-  {
-    box.AddBounds(data.first->GetBounds());
-  }
-  double bounds[6];
-  box.GetBounds(bounds);
   bool any = false;
   for (const auto& data : this->Data)
   {
-    if (!Sorted::IsWorthIt(data.first, strips))
+    if (!ClusterDraw::IsWorthIt(data.first, strips))
     {
       blocks.erase(data.first);
       continue;
     }
     std::unique_ptr<Internals::Block>& block = blocks[data.first];
     block = block ? std::move(block) : std::make_unique<Internals::Block>(strips);
-    const double rounding = wfv::RoundingOf(this->VBOs, data.first->GetPoints(), bounds);
-    block->Sorts = this->IsDrawn(*data.second, actor) &&
-      block->Triangles.Prepare(data.first, actor, stage, rounding);
-    any = any || block->Sorts;
+    block->Classified =
+      this->IsDrawn(*data.second, actor) && block->Triangles.Prepare(data.first, actor, stage);
+    any = any || block->Classified;
   }
   return any;
 }
@@ -244,57 +235,56 @@ void vtkWideFoVCompositeHelper::SetCustomUniforms(vtkOpenGLHelper& cellBO, vtkAc
   this->Superclass::SetCustomUniforms(cellBO, actor);
 }
 
-// With the program that is bound, of the lot's own or of the stage's.
-void vtkWideFoVCompositeHelper::DrawLot(int number, int primitive, vtkActor* actor)
+// With the program that is bound, of the kind's own or of the stage's.
+void vtkWideFoVCompositeHelper::DrawKind(int number, int primitive, vtkActor* actor)
 {
-  const auto lot = static_cast<Sorted::Lot>(number);
+  const auto kind = static_cast<ClusterDraw::Kind>(number);
   const Internals::Surfaces& surfaces = this->Internal->Of(primitive);
   vtkOpenGLHelper& own = this->Primitives[primitive];
   vtkShaderProgram* const program =
-    lot == Sorted::Covered ? own.Program : surfaces.Helpers[lot].Program;
+    kind == ClusterDraw::ByStage ? own.Program : surfaces.Helpers[kind].Program;
   for (const auto& data : this->Data)
   {
     vtkCompositeMapperHelperData& block = *data.second;
-    Internals::Block* const sorted = surfaces.Find(data.first);
-    const bool sorts = sorted && sorted->Sorts;
+    Internals::Block* const known = surfaces.Find(data.first);
+    const bool classified = known && known->Classified;
     wfv::DrawnPart part;
     part.FirstVertex = block.StartVertex;
     part.Vertices = block.NextVertex - block.StartVertex;
     part.FirstIndex = block.StartIndex[primitive];
     part.Indices = block.NextIndex[primitive] - block.StartIndex[primitive];
     const bool has =
-      sorts ? sorted->Triangles.GetNumberOf(lot) > 0 : lot == Sorted::Covered && part.Indices > 0;
+      classified ? known->Triangles.Has(kind) : kind == ClusterDraw::ByStage && part.Indices > 0;
     if (!has || !this->IsDrawn(block, actor))
     {
       continue;
     }
     this->SetShaderValues(program, &block, block.CellCellMap->GetPrimitiveOffsets()[primitive]);
-    Sorted& triangles = sorts ? sorted->Triangles : this->Internal->Nothing;
-    triangles.Choose(sorts ? lot : Sorted::All);
+    ClusterDraw& triangles = classified ? known->Triangles : this->Internal->Nothing;
+    triangles.Choose(classified ? kind : ClusterDraw::All);
     triangles.SetParameters(program, this->Internal->Window);
     triangles.Draw(own.IBO, part);
     triangles.Finish();
   }
 }
 
-void vtkWideFoVCompositeHelper::DrawSorted(
+void vtkWideFoVCompositeHelper::DrawClusters(
   int primitive, vtkRenderer* renderer, vtkActor* actor, vtkWideFoVStage* stage)
 {
   vtkOpenGLHelper& own = this->Primitives[primitive];
   Internals::Surfaces& surfaces = this->Internal->Of(primitive);
-  vtkWideFoVStages* const stages = stage->GetStages();
-  for (const Sorted::Lot lot : { Sorted::Covered, Sorted::Calm, Sorted::Plain })
+  for (int i = 0; i < ClusterDraw::NumberOfKinds; i++)
   {
+    const auto kind = static_cast<ClusterDraw::Kind>(i);
+    const bool byStage = kind == ClusterDraw::ByStage;
     const bool any = std::any_of(surfaces.Blocks.begin(), surfaces.Blocks.end(),
-      [lot](const auto& b) { return b.second->Sorts && b.second->Triangles.GetNumberOf(lot) > 0; });
-    if (!any && lot != Sorted::Covered)
+      [kind](const auto& b) { return b.second->Classified && b.second->Triangles.Has(kind); });
+    if (!any && !byStage)
     {
       continue;
     }
-    vtkWideFoVStage* const other = lot == Sorted::Calm ? stages->GetCalmAmong(stage)
-      : lot == Sorted::Plain                           ? stages->GetPlainAmong(stage)
-                                                       : stage;
-    vtkOpenGLHelper& helper = lot == Sorted::Covered ? own : surfaces.Helpers[lot];
+    vtkWideFoVStage* const other = ClusterDraw::GetStage(kind, stage);
+    vtkOpenGLHelper& helper = byStage ? own : surfaces.Helpers[kind];
     helper.IBO->IndexCount = own.IBO->IndexCount; // the others have none of their own
     vtkWideFoVStages::Replace(actor, stage, other);
     this->UpdateShaders(helper, renderer, actor);
@@ -302,13 +292,14 @@ void vtkWideFoVCompositeHelper::DrawSorted(
     {
       this->PrimIDUsed = helper.Program->IsUniformUsed("PrimitiveIDOffset");
       this->OverideColorUsed = helper.Program->IsUniformUsed("OverridesColor");
-      this->DrawLot(lot, primitive, actor);
+      this->DrawKind(kind, primitive, actor);
     }
     vtkWideFoVStages::Replace(actor, other, stage);
   }
 }
 
-// What is sorted is drawn here; everything else by the stock helper, which finds no triangles left.
+// What is classified is drawn here; everything else by the stock helper, which finds no triangles
+// left.
 void vtkWideFoVCompositeHelper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
 {
   Internals& in = *this->Internal;
@@ -326,9 +317,9 @@ void vtkWideFoVCompositeHelper::RenderPieceDraw(vtkRenderer* renderer, vtkActor*
   for (const int i : { PrimitiveTris, PrimitiveTriStrips })
   {
     counts[i] = this->Primitives[i].IBO->IndexCount;
-    if (surface && counts[i] > 0 && this->Sort(i, actor, stage))
+    if (surface && counts[i] > 0 && this->Classify(i, actor, stage))
     {
-      this->DrawSorted(i, renderer, actor, stage);
+      this->DrawClusters(i, renderer, actor, stage);
       this->Primitives[i].IBO->IndexCount = 0;
     }
   }

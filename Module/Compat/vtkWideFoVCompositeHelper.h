@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkWideFoVCompositeHelper
- * @brief   draws the blocks of a vtkCompositePolyDataMapper2, their triangles sorted
+ * @brief   draws the blocks of a vtkCompositePolyDataMapper2 by clusters
  *
  * A composite mapper hands its blocks to helpers, which are mappers of their own. This one draws
- * as the stock one does, but under a vtkWideFoVPass it sorts the triangles of each block as
- * vtkWideFoVPolyDataMapper sorts its own. Visibility, opacity, colours, picking and what is
- * selected stay the stock helper's work.
+ * as the stock one does, but under a vtkWideFoVPass it classifies the clusters of each block as
+ * vtkWideFoVPolyDataMapper does those of its mesh. Visibility, opacity, colours, picking and what
+ * is selected stay the stock helper's work.
  */
 #ifndef vtkWideFoVCompositeHelper_h
 #define vtkWideFoVCompositeHelper_h
@@ -48,18 +48,18 @@ private:
   vtkWideFoVCompositeHelper(const vtkWideFoVCompositeHelper&) = delete;
   void operator=(const vtkWideFoVCompositeHelper&) = delete;
 
-  // Sorts the polygons or the strips of the blocks; false where none are drawn otherwise than the
-  // stage says.
-  bool Sort(int primitive, vtkActor* actor, vtkWideFoVStage* stage);
+  // Classifies the polygons or the strips of the blocks; false where none are drawn otherwise than
+  // the stage says.
+  bool Classify(int primitive, vtkActor* actor, vtkWideFoVStage* stage);
 
   // Draws them: every block's with one program before the next one.
-  void DrawSorted(int primitive, vtkRenderer* renderer, vtkActor* actor, vtkWideFoVStage* stage);
-  void DrawLot(int lot, int primitive, vtkActor* actor);
+  void DrawClusters(int primitive, vtkRenderer* renderer, vtkActor* actor, vtkWideFoVStage* stage);
+  void DrawKind(int kind, int primitive, vtkActor* actor);
 
   // Whether a block is to be seen, or picked, in this traversal of the props.
   bool IsDrawn(const vtkCompositeMapperHelperData& block, vtkActor* actor) const;
 
-  // What was sorted for blocks that are gone.
+  // What was classified for blocks that are gone.
   void Forget();
 
   struct Internals;

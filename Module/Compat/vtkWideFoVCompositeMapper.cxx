@@ -20,9 +20,9 @@ bool IsNamed(vtkObjectBase* object, const char* name)
 namespace wfv
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
-void SortBlocksOf(vtkMapper*, vtkWindow*) {}
+void ClassifyBlocksOf(vtkMapper*, vtkWindow*) {}
 
-bool SortsBlocks(vtkObjectBase*)
+bool ClassifiesBlocks(vtkObjectBase*)
 {
   return false;
 }
@@ -37,12 +37,12 @@ bool DrawsBlocks(vtkObjectBase* mapper)
   return IsNamed(mapper, "vtkOpenGLBatchedPolyDataMapper");
 }
 #else
-void SortBlocksOf(vtkMapper* mapper, vtkWindow* window)
+void ClassifyBlocksOf(vtkMapper* mapper, vtkWindow* window)
 {
   vtkWideFoVCompositeHelper::GiveTo(mapper, window);
 }
 
-bool SortsBlocks(vtkObjectBase* mapper)
+bool ClassifiesBlocks(vtkObjectBase* mapper)
 {
   return vtkWideFoVCompositeHelper::SafeDownCast(mapper) != nullptr;
 }

@@ -11,11 +11,11 @@
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
 #include "vtkCompositePolyDataMapper.h"
 using vtkWideFoVCompositeMapper = vtkCompositePolyDataMapper;
-#define WIDEFOV_SORTS_BLOCKS 0
+#define WIDEFOV_CLASSIFIES_BLOCKS 0
 #else
 #include "vtkCompositePolyDataMapper2.h"
 using vtkWideFoVCompositeMapper = vtkCompositePolyDataMapper2;
-#define WIDEFOV_SORTS_BLOCKS 1
+#define WIDEFOV_CLASSIFIES_BLOCKS 1
 #endif
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -25,12 +25,12 @@ VTK_ABI_NAMESPACE_END
 
 namespace wfv
 {
-// Before a composite mapper draws: its blocks are to be sorted as the triangles of single meshes
-// are, up to VTK 9.2. From 9.3 on they are drawn as they come, which gives the same picture.
-void SortBlocksOf(vtkMapper* mapper, vtkWindow* window);
+// Before a composite mapper draws: the clusters of its blocks are to be classified as those of
+// single meshes are, up to VTK 9.2. From 9.3 on blocks are drawn as the prop's stage says.
+void ClassifyBlocksOf(vtkMapper* mapper, vtkWindow* window);
 
 // Whether it is a mapper to which that was done.
-bool SortsBlocks(vtkObjectBase* mapper);
+bool ClassifiesBlocks(vtkObjectBase* mapper);
 
 // Whether it is the mapper above and no class derived from it, which may draw more than its input;
 // or one of those that it hands its blocks to.

@@ -4,15 +4,14 @@
 #include "Bend.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 namespace wfv
 {
 namespace
 {
-// Cells along a face of the cube, and nodes along it: one more on either side.
-constexpr int Cells = 32;
+// Along a face of the cube, and nodes along it: one more on either side.
+constexpr int Cells = LocalBend::Cells;
 constexpr int Nodes = Cells + 3;
 
 // For what lies between the nodes; Testing/Unit/LocalBendTest.cxx looks there.
@@ -35,23 +34,9 @@ vec3 FromFace(int face, double s, double t)
   return glm::normalize(d);
 }
 
-// Of a direction, in a level.
-std::size_t CellAt(const vec3& d)
+std::vector<LocalBend::Around> FindNeighbours()
 {
-  const vec3 a = glm::abs(d);
-  const int axis = a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
-  const int face = d[axis] < 0 ? axis : axis + 3;
-  const double scale = 0.5 * Cells / a[axis];
-  const int i = std::min(Cells - 1, int(0.5 * Cells + d[(axis + 1) % 3] * scale));
-  const int j = std::min(Cells - 1, int(0.5 * Cells + d[(axis + 2) % 3] * scale));
-  return static_cast<std::size_t>((face * Cells + i) * Cells + j);
-}
-
-// Of each cell those round it, and itself.
-using Around = std::array<std::size_t, 9>;
-std::vector<Around> FindNeighbours()
-{
-  std::vector<Around> all(6 * Cells * Cells);
+  std::vector<LocalBend::Around> all(LocalBend::NumberOfCells);
   for (std::size_t cell = 0; cell < all.size(); cell++)
   {
     const int face = static_cast<int>(cell / (Cells * Cells));
@@ -61,7 +46,7 @@ std::vector<Around> FindNeighbours()
     {
       const double s = -1 + (2.0 * (i + k % 3) - 1) / Cells;
       const double t = -1 + (2.0 * (j + k / 3) - 1) / Cells;
-      all[cell][k] = CellAt(FromFace(face, s, t));
+      all[cell][k] = LocalBend::CellOf(FromFace(face, s, t));
     }
   }
   return all;
@@ -70,7 +55,7 @@ std::vector<Around> FindNeighbours()
 // Each cell holds for those round it as well.
 std::vector<LocalBend::Cell> Spread(const std::vector<LocalBend::Cell>& table)
 {
-  static const std::vector<Around> neighbours = FindNeighbours();
+  const std::vector<LocalBend::Around>& neighbours = LocalBend::GetNeighbours();
   std::vector<LocalBend::Cell> wider(table);
   for (std::size_t cell = 0; cell < table.size(); cell++)
   {
@@ -104,7 +89,7 @@ LocalBend::Cell NodeAt(const Projection& p, const WfvView& v, int face, int i, i
 LocalBend::LocalBend(const Projection& p, const WfvView& v)
 {
   std::vector<Cell>& table = this->Tables[0];
-  table.assign(6 * Cells * Cells, Cell{ { 0, 0, 0 } });
+  table.assign(NumberOfCells, Cell{ { 0, 0, 0 } });
   for (int face = 0; face < 6; face++)
   {
     for (int i = 0; i < Nodes; i++)
@@ -136,8 +121,9 @@ LocalBend::LocalBend(const Projection& p, const WfvView& v)
   }
 }
 
-const LocalBend::Cell& LocalBend::At(const vec3& d, int level) const
+const std::vector<LocalBend::Around>& LocalBend::GetNeighbours()
 {
-  return this->Tables[level][CellAt(d)];
+  static const std::vector<Around> neighbours = FindNeighbours();
+  return neighbours;
 }
 }

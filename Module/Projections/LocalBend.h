@@ -5,6 +5,7 @@
 
 #include "Projection.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -24,25 +25,34 @@ public:
 
   static constexpr int Levels = 4; // each is for edges twice as long as the one before it
 
-  // The finest level that is for edges of this angle, squared; Levels where there is none.
-  static int LevelOf(double angle2)
-  {
-    int level = 0;
-    double longest2 = LongestEdge * LongestEdge;
-    for (; level < Levels && !(angle2 <= longest2); level++)
-    {
-      longest2 *= 4;
-    }
-    return level;
-  }
-
   LocalBend(const Projection& projection, const WfvView& view);
 
   // Bend along x and y, NDC per radian squared; stretch, NDC per radian.
   using Cell = std::array<float, 3>;
 
-  // direction: unit length, in the map's own frame (behind the tilt).
-  const Cell& At(const vec3& direction, int level = 0) const;
+  // direction: of any length but 0, in the map's own frame (behind the tilt).
+  const Cell& At(const vec3& direction, int level = 0) const
+  {
+    return this->OfCell(CellOf(direction), level);
+  }
+  const Cell& OfCell(std::size_t cell, int level) const { return this->Tables[level][cell]; }
+
+  // Cells of the finest level, which a direction is in one of; and of each those round it, and
+  // itself.
+  static constexpr int Cells = 32; // along a face of the cube
+  static constexpr std::size_t NumberOfCells = 6 * Cells * Cells;
+  static std::size_t CellOf(const vec3& direction)
+  {
+    const vec3 a = glm::abs(direction);
+    const int axis = a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
+    const int face = direction[axis] < 0 ? axis : axis + 3;
+    const double scale = 0.5 * Cells / a[axis];
+    const int i = std::min(Cells - 1, int(0.5 * Cells + direction[(axis + 1) % 3] * scale));
+    const int j = std::min(Cells - 1, int(0.5 * Cells + direction[(axis + 2) % 3] * scale));
+    return static_cast<std::size_t>((face * Cells + i) * Cells + j);
+  }
+  using Around = std::array<std::size_t, 9>;
+  static const std::vector<Around>& GetNeighbours();
 
 private:
   std::vector<Cell> Tables[Levels];

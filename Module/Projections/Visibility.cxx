@@ -110,10 +110,40 @@ vec2 Distances(const Box& b)
     std::hypot(flat.High, std::max(-b.Low.y, b.High.y)));
 }
 
-bool IsUnseen(const Projection& p, const WfvView& v, const Box& b, const Window& w)
+bool IsBetweenClips(const WfvView& v, const Box& b)
 {
   const vec2 distances = Distances(b);
-  if (distances.x > v.radii.y * (1 + Rounding) || distances.y < v.radii.x * (1 - Rounding))
+  return !(distances.x > v.radii.y * (1 + Rounding) || distances.y < v.radii.x * (1 - Rounding));
+}
+
+bool ShowsAll(const Projection& p, const WfvView& v, const Window& w)
+{
+  vec4 all(-1, -1, 1, 1);
+  switch (p.Axis)
+  {
+    case Family::Meridian:
+    {
+      const double endX = glm::radians(0.5 * p.MaxHorizontalFov);
+      const double endY = glm::radians(0.5 * p.MaxVerticalFov);
+      all = p.Bounds(vec4(-endX, -endY, endX, endY), v);
+      break;
+    }
+    case Family::Azimuthal:
+      if (!(v.maxAngle >= WFV_PI))
+      {
+        return false;
+      }
+      all = p.Bounds(vec4(-WFV_PI, 0, WFV_PI, WFV_PI), v);
+      break;
+    default:
+      return true; // as IsUnseen says
+  }
+  return w.Low.x <= all.x && w.Low.y <= all.y && w.High.x >= all.z && w.High.y >= all.w;
+}
+
+bool IsUnseen(const Projection& p, const WfvView& v, const Box& b, const Window& w)
+{
+  if (!IsBetweenClips(v, b))
   {
     return true;
   }

@@ -4,10 +4,14 @@
 // Both must end at the same line. An edge that neighbours draw as a chord therefore ends
 // the covered triangle at that chord too, found from the same two corners in the picture.
 
-#if !WFV_EXACT
+#define WFV_CHORDS (!WFV_EXACT || WFV_MEETS_CHORDS)
+#if WFV_EXACT && WFV_MEETS_CHORDS
+flat in vec3 wfvSlack; // preclip_emit.glsl
+#endif
+#if WFV_CHORDS
 flat in vec4 wfvCorners01; // corners 0 and 1 in the picture, pixels from the tile's centre
 flat in vec2 wfvCorner2;
-#if WFV_MERIDIAN && WFV_STRAIGHT_SEAM
+#if WFV_MERIDIAN && WFV_STRAIGHT_SEAM && !WFV_EXACT
 flat in vec4 wfvSeam; // where the edges cross the seam: three heights, and the seam's x
 #endif
 #endif
@@ -35,7 +39,7 @@ bool wfvInside(float e, WFV_EDGE n)
   return e > 0.0 || (e == 0.0 && shifted > 0.0);
 }
 
-#if !WFV_EXACT
+#if WFV_CHORDS
 // This sample, from the tile's centre as the corners are.
 vec2 wfvHere()
 {
@@ -50,12 +54,12 @@ float wfvToChord(float e, vec2 slope, float slack, vec2 a, vec2 b)
   vec2 chord = b - a;
   float l = length(chord);
   vec2 at = wfvHere() - a;
-  float along = dot(at, chord) / max(l * l, 1e-12);
+  float along = dot(at, chord) / max(l, 1e-6);
   float beside = (chord.x * at.y - chord.y * at.x) / max(l, 1e-6);
   float inside = dot(vec2(-chord.y, chord.x), slope) < 0.0 ? -beside : beside;
   float reach = WFV_LENS_SAFETY * slack + WFV_LENS_PAD;
-  bool decides = slack >= 0.0 && l > WFV_SHORT && along >= 0.0 && along <= 1.0 &&
-    abs(beside) <= reach && abs(e) <= reach * steep;
+  bool decides = slack >= 0.0 && l > WFV_SHORT && along >= -WFV_SNAP &&
+    along <= l + WFV_SNAP && abs(beside) <= reach && abs(e) <= reach * steep;
   return decides ? (inside + WFV_SNAP) * steep - e : 0.0;
 }
 
@@ -66,7 +70,7 @@ const int WFV_AT_SEAM = 128;
 // two parts, which end where the edge crosses; this pixel's side has one of them, if any.
 float wfvToChordOf(int i, float e, vec2 slope, float slack, vec2 a, vec2 b)
 {
-#if WFV_MERIDIAN && WFV_STRAIGHT_SEAM
+#if WFV_MERIDIAN && WFV_STRAIGHT_SEAM && !WFV_EXACT
   if ((wfvMode & WFV_AT_SEAM) != 0)
   {
     vec2 half_ = 0.5 * wfvViewport.zw;
@@ -96,26 +100,74 @@ float wfvToChordOf(int i, float e, vec2 slope, float slack, vec2 a, vec2 b)
 // Pixels from each edge within which its chord counts.
 vec3 wfvChordReach()
 {
-#if WFV_EXACT
+#if !WFV_CHORDS
   return vec3(0.0);
 #else
   return step(0.0, wfvSlack) * (WFV_LENS_SAFETY * wfvSlack + WFV_LENS_PAD);
 #endif
 }
 
+#if WFV_SEVERAL_CHORDS
+flat in vec3 wfvCount; // preclip_emit.glsl
+flat in vec3 wfvPlace0;
+flat in vec3 wfvPlace1;
+flat in vec3 wfvPlace2;
+
+// In the picture, from the tile's centre, pixels.
+vec2 wfvInPicture(vec3 p)
+{
+  vec4 c = wfvClip(wfvProject(p, wfvView), wfvLength(p) * wfvScale());
+  return 0.5 * wfvViewport.zw * c.xy / c.w;
+}
+
+// The chord of an edge of several, from p to q, that is at the way which a ray looks beside: its ends.
+// n: the plane of the edge and the eye.
+vec4 wfvChordAt(vec3 p, vec3 q, vec3 n, float chords, vec3 direction)
+{
+  float fromP = dot(cross(p, direction), n);
+  float fromQ = dot(cross(direction, q), n);
+  float share = fromP / (fromP + fromQ);
+  float at = clamp(floor(share * chords), 0.0, chords - 1.0);
+  float first = at / chords;
+  float second = (at + 1.0) / chords;
+  return vec4(wfvInPicture((1.0 - first) * p + first * q), wfvInPicture((1.0 - second) * p + second * q));
+}
+#endif
+
 // What to add to the edge functions e, whose slopes per pixel are dx and dy, to have those
 // of the chords; 0 where no chord decides.
-vec3 wfvToChords(vec3 e, vec3 dx, vec3 dy)
+vec3 wfvToChords(vec3 direction, vec3 e, vec3 dx, vec3 dy)
 {
-#if WFV_EXACT
+#if !WFV_CHORDS
   return vec3(0.0);
 #else
   vec2 c0 = vec2(wfvCorners01.x, wfvCorners01.y);
   vec2 c1 = vec2(wfvCorners01.z, wfvCorners01.w);
   vec2 c2 = wfvCorner2;
-  return vec3(wfvToChordOf(0, e.x, vec2(dx.x, dy.x), wfvSlack.x, c1, c2),
-    wfvToChordOf(1, e.y, vec2(dx.y, dy.y), wfvSlack.y, c2, c0),
-    wfvToChordOf(2, e.z, vec2(dx.z, dy.z), wfvSlack.z, c0, c1));
+  vec4 chord0 = vec4(c1, c2);
+  vec4 chord1 = vec4(c2, c0);
+  vec4 chord2 = vec4(c0, c1);
+#if WFV_SEVERAL_CHORDS
+  // where a chord may decide; by loops of one round at the most, for software rendering runs through
+  // both sides of a branch
+  bvec3 several = greaterThan(wfvCount, vec3(1.0));
+  bvec3 near = lessThanEqual(abs(e), wfvChordReach() * sqrt(dx * dx + dy * dy));
+  for (int i = several.x && near.x ? 1 : 0; i > 0; i--)
+  {
+    chord0 = wfvChordAt(wfvPlace1, wfvPlace2, vec3(wfvEdge0), wfvCount.x, direction);
+  }
+  for (int i = several.y && near.y ? 1 : 0; i > 0; i--)
+  {
+    chord1 = wfvChordAt(wfvPlace2, wfvPlace0, vec3(wfvEdge1), wfvCount.y, direction);
+  }
+  for (int i = several.z && near.z ? 1 : 0; i > 0; i--)
+  {
+    chord2 = wfvChordAt(wfvPlace0, wfvPlace1, vec3(wfvEdge2), wfvCount.z, direction);
+  }
+#endif
+  return vec3(wfvToChordOf(0, e.x, vec2(dx.x, dy.x), wfvSlack.x, chord0.xy, chord0.zw),
+    wfvToChordOf(1, e.y, vec2(dx.y, dy.y), wfvSlack.y, chord1.xy, chord1.zw),
+    wfvToChordOf(2, e.z, vec2(dx.z, dy.z), wfvSlack.z, chord2.xy, chord2.zw));
 #endif
 }
 
@@ -126,7 +178,7 @@ bool wfvAllInside(vec3 e, vec3 toChords)
 {
   bvec3 edge =
     bvec3(wfvInside(e.x, wfvEdge0), wfvInside(e.y, wfvEdge1), wfvInside(e.z, wfvEdge2));
-#if WFV_EXACT
+#if !WFV_CHORDS
   return all(edge);
 #else
   vec3 c = e + toChords;

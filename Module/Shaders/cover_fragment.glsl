@@ -62,11 +62,10 @@ vec2 wfvSample = vec2(0.0); // looked at, pixels from the centre
 
 // order_fragment.glsl
 void wfvOrder(float approach, vec3 e);
-bool wfvYieldsBehind();
 
 // chord_fragment.glsl
 vec3 wfvChordReach();
-vec3 wfvToChords(vec3 e, vec3 dx, vec3 dy);
+vec3 wfvToChords(vec3 direction, vec3 e, vec3 dx, vec3 dy);
 bool wfvAllInside(vec3 e, vec3 toChords);
 
 #if WFV_WARPED
@@ -290,7 +289,7 @@ bool wfvCoverage(WfvRay ray, vec3 e, vec3 x, vec3 y, bool rim)
 #endif
   bool certain = wfvByChord || (!rim && all(greaterThan(abs(e), reach)));
   int mask = wfvByChord || (certain && all(greaterThan(e, vec3(0.0)))) ? -1 : 0;
-  bool centre = certain || (ray.inside && wfvAllInside(e, wfvToChords(e, x, y)));
+  bool centre = certain || (ray.inside && wfvAllInside(e, wfvToChords(ray.direction, e, x, y)));
   // without samples, in a shader that still reckons with several, the centre decides
   mask = wfvSamples <= 1 && centre && !certain ? -1 : mask;
   wfvShown = ray.direction;
@@ -298,8 +297,8 @@ bool wfvCoverage(WfvRay ray, vec3 e, vec3 x, vec3 y, bool rim)
   {
     WfvRay at = wfvSurfaceRay(wfvSampleOffsets[i]);
     wfvSample = wfvSampleOffsets[i];
-    vec3 there = wfvEdgesAt(at.direction);
-    bool covered = at.inside && wfvAllInside(there, wfvToChords(there, x, y));
+    vec3 there = vec3(wfvEdgesAt(at.direction));
+    bool covered = at.inside && wfvAllInside(there, wfvToChords(at.direction, there, x, y));
     mask |= covered ? 1 << i : 0;
     wfvShown = covered && !centre ? at.direction : wfvShown;
   }
@@ -311,13 +310,13 @@ bool wfvCoverage(WfvRay ray, vec3 e, vec3 x, vec3 y, bool rim)
 #else
 bool wfvCoverage(WfvRay ray, vec3 e, vec3 x, vec3 y, bool rim)
 {
-  return wfvByChord || (wfvAllInside(e, wfvToChords(e, x, y)) && ray.inside);
+  return wfvByChord || (wfvAllInside(e, wfvToChords(ray.direction, e, x, y)) && ray.inside);
 }
 #endif
 
 bool wfvCovered(WfvRay ray, vec3 e)
 {
-#if WFV_EXACT && !WFV_MULTISAMPLE
+#if WFV_EXACT && !WFV_MULTISAMPLE && !WFV_MEETS_CHORDS
   return wfvCoverage(ray, e, vec3(0.0), vec3(0.0), false);
 #else
   bool rim;
@@ -326,8 +325,9 @@ bool wfvCovered(WfvRay ray, vec3 e)
 #else
   mat2x3 pixel = wfvRaySteps(ray, rim);
 #endif
-  return wfvCoverage(
-    ray, e, wfvEdgeStep(ray.direction, pixel[0]), wfvEdgeStep(ray.direction, pixel[1]), rim);
+  vec3 x = wfvEdgeStep(ray.direction, pixel[0]);
+  vec3 y = wfvEdgeStep(ray.direction, pixel[1]);
+  return wfvCoverage(ray, e, x, y, rim);
 #endif
 }
 
@@ -380,8 +380,8 @@ void wfvPrepare()
 #endif
   wfvInterpolate();
   wfvHide = !(covered && meets && wfvDepth >= 0.0 && wfvDepth <= 1.0);
-#if WFV_EXACT
+#if WFV_EXACT && !WFV_MEETS_CHORDS
   wfvOrder(approach, e);
 #endif
-  wfvDepth += !wfvFront && wfvYieldsBehind() ? WFV_BEHIND : 0.0;
+  wfvDepth += !wfvFront ? WFV_BEHIND : 0.0;
 }

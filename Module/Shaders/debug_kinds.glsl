@@ -6,7 +6,7 @@ const int WFV_KIND_PLAIN = 0;       // no edge bends by more than the tolerance
 const int WFV_KIND_REAR = 1;        // meets a straight seam: split, or covered on both sides
 const int WFV_KIND_POLE = 2;        // covered: holds a pole or the antipode, or is torn
 const int WFV_KIND_EXACT = 3;       // covered: bent by more than the tolerance, or all are
-const int WFV_KIND_VERTEX = 4;      // of a prop without a geometry stage
+const int WFV_KIND_VERTEX = 4;      // projected, as it is or cut into smaller ones
 const int WFV_KIND_OTHER = 5;       // a line or a point
 const int WFV_KIND_TESSELLATED = 8; // + level: tessellated, level 1 to 64
 

@@ -2,20 +2,6 @@
 // What every stage of a wide view shares; set by vtkWideFoVStage.
 
 uniform WfvView wfvView;
-#if WFV_BOTH_EYES
-// Triangles may be drawn for both eyes at once, which see alike but for this: v.stereo.x of the left
-// and of the right one; where one eye is drawn, the first is its. Each stage says first which eye it
-// works for.
-uniform vec2 wfvEyes;
-WfvView wfvSeenBy;
-
-void wfvSeeBy(float eye)
-{
-  wfvSeenBy = wfvView;
-  wfvSeenBy.stereo.x = eye;
-}
-#define wfvView wfvSeenBy
-#endif
 uniform vec4 wfvViewport;  // x, y, width, height of the viewport, pixels
 uniform vec4 wfvTile;      // NDC of the tile = NDC of the picture * xy + zw
 

@@ -27,46 +27,6 @@ const float WFV_FLAT = 0.001;
 flat in vec3 wfvEach;
 flat in vec3 wfvRises;
 
-#if WFV_FOLDS
-// What is known of the triangle (vtkWideFoVFoldWork.h): bits of its edges, the latter three of
-// those at which it is the back of a fold.
-flat in int wfvFolds;
-const int WFV_KNOWN = 1 | 2 | 4;
-const ivec3 WFV_BACK_AT = ivec3(8, 16, 32);
-
-bvec3 wfvBackAt()
-{
-  return notEqual(ivec3(wfvFolds) & WFV_BACK_AT, ivec3(0));
-}
-
-// Window depth, by which a back yields, steps of a buffer of 24 bits. Where rays are in double, what may put a
-// back before its front beside their fold is the rounding of both depths alone. That of one double never puts the
-// farther before the nearer, but may make them one: a step. A mapping that is computed in float32 rounds both by
-// some two steps, and a front that is wound as a back has WFV_BEHIND.
-const float WFV_BACK_YIELDS = (WFV_DOUBLES != 0 && WFV_DEPTH_MAPPING(wfvView) == WFV_DEPTH_LINEAR ? 1.0 : 6.0) / 16777216.0;
-
-#if !WFV_DOUBLES
-// Of the distance, by which a back lies farther away within WFV_HAIR of its fold, where a ray in float32
-// may be beyond it: that over a sine of 6e-4. Its front hides it there.
-const float WFV_BACK_AT_FOLD = 1e-3;
-
-bool wfvIsBackAtFold(vec3 away)
-{
-  return any(lessThan(mix(vec3(1.0), away, vec3(wfvBackAt())), vec3(WFV_HAIR)));
-}
-#endif
-#endif
-
-// Whether winding has to tell what is behind: not where edges have told it.
-bool wfvYieldsBehind()
-{
-#if WFV_FOLDS && WFV_DOUBLES
-  return (wfvFolds & WFV_KNOWN) == 0;
-#else
-  return true;
-#endif
-}
-
 #if WFV_DOUBLES
 double wfvFineDepth = 0.0lf; // linear window depth here, not rounded; nothing yields
 #endif
@@ -90,14 +50,7 @@ void wfvOrder(float approach, vec3 e)
   float most = wfvFront == rise > 0.0 ? max(shares.y, hair / max(abs(slope), 1.0)) : shares.y;
   float nearer = max(min(hair, most) - inside, 0.0) * slope;
   bool known = min(wfvEach.x, min(wfvEach.y, wfvEach.z)) > 0.0 && approach != 0.0;
-#if WFV_FOLDS && WFV_DOUBLES
-  bool told = (wfvFolds & (isFirst ? 1 : isSecond ? 2 : 4)) != 0;
-  known = known && !told;
-#endif
   float moved = known ? nearer : 0.0;
-#if WFV_FOLDS && !WFV_DOUBLES
-  moved = wfvIsBackAtFold(away) ? -WFV_BACK_AT_FOLD : moved;
-#endif
 #if WFV_DOUBLES
   double rho = wfvWholeDistance() * (1.0 - double(moved));
   wfvFineDepth = double(wfvUnitDepth.x) * rho + double(wfvUnitDepth.y);
@@ -105,8 +58,5 @@ void wfvOrder(float approach, vec3 e)
                                                             : wfvDepthInUnits(float(rho));
 #else
   wfvDepth = wfvDepthInUnits(wfvRho - wfvRho * moved);
-#endif
-#if WFV_FOLDS
-  wfvDepth += any(wfvBackAt()) ? WFV_BACK_YIELDS : 0.0;
 #endif
 }

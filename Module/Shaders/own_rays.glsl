@@ -84,9 +84,8 @@ vec2 wfvOwnLatitudes(vec2 a)
 
 // The easy bound (wfvEasy) of a triangle that is seen from the circle. How much farther than from
 // the origin its corners may be from a singular point, radians, and how far its edges are off the
-// great circles between them, times the way a place of the map moves: pixels at sine 1. As
-// vtkWideFoVTriangleJudge has it, GetAside; y is endless where the triangle is as near to the circle
-// as it is wide. longest: of edges, the square.
+// great circles between them, times the way a place of the map moves: pixels at sine 1; y is endless where the triangle is as
+// near to the circle as it is wide. longest: of edges, the square.
 uniform float wfvStretch; // of the map at the most, weighed by the squared sine: NDC per radian
 
 vec2 wfvOwnEasy(vec3 lengths, float longest)

@@ -55,8 +55,28 @@ flat out int wfvMode;    // bits: 1 covered, more in wfvPlaceCorners
 
 const int WFV_COVERED = 1;
 
+#if WFV_MEETS_CHORDS
+// Neighbours may be drawn by their chords: edges whose chord error is within the tolerance end there
+// (chord_fragment.glsl).
+flat out vec3 wfvSlack; // pixels between edge i and its chord, at the most; < 0: it ends at the edge
+flat out vec4 wfvCorners01;
+flat out vec2 wfvCorner2;
+#if WFV_SEVERAL_CHORDS
+flat out vec3 wfvCount; // of the chords of edge i
+flat out vec3 wfvPlace0; // the corners, that chords lie between
+flat out vec3 wfvPlace1;
+flat out vec3 wfvPlace2;
+#endif
+vec3 wfvSlackHere = vec3(-1.0);
+vec3 wfvCountHere = vec3(0.0);
+vec2 wfvChordEnds[3] = vec2[3](vec2(0.0), vec2(0.0), vec2(0.0));
+#define WFV_LENS wfvTolerance
+#else
+#define WFV_LENS 0.0
+#endif
+
 // Pixels added round a covering shape, for the rounding of its own bounds.
-const float WFV_PAD = 1.5;
+#define WFV_PAD (1.5 + WFV_LENS)
 
 // Angle added round a covering shape, radians: float32 rounding of angles.
 const float WFV_ANGLE_PAD = 2e-6;
@@ -100,20 +120,6 @@ void wfvWriteRises()
 #endif
 }
 
-#if WFV_FOLDS
-flat out int wfvFolds; // order_fragment.glsl
-
-// Of every triangle that is drawn, and where this draw begins; -1: nothing is known.
-uniform usamplerBuffer wfvKnownFolds;
-uniform int wfvFirstFold;
-int wfvFoldsHere = 0;
-
-void wfvReadFolds()
-{
-  wfvFoldsHere = wfvFirstFold < 0 ? 0 : int(texelFetch(wfvKnownFolds, wfvFirstFold + gl_PrimitiveIDIn).x);
-}
-#endif
-
 #if WFV_WARPED
 flat out vec2 wfvDepths; // warped_fragment.glsl
 vec2 wfvDepthsHere = vec2(0.0); // NDC depths at which the triangle may be
@@ -134,16 +140,21 @@ void wfvWritePlane()
 
 void wfvWriteFlat()
 {
-#if WFV_BOTH_EYES
-  wfvEye = wfvView.stereo.x;
-#endif
   wfvEdge0 = wfvE[0];
   wfvEdge1 = wfvE[1];
   wfvEdge2 = wfvE[2];
   wfvWritePlane();
   wfvWriteRises();
-#if WFV_FOLDS
-  wfvFolds = wfvFoldsHere;
+#if WFV_MEETS_CHORDS
+  wfvSlack = wfvSlackHere;
+  wfvCorners01 = vec4(wfvChordEnds[0], wfvChordEnds[1]);
+  wfvCorner2 = wfvChordEnds[2];
+#if WFV_SEVERAL_CHORDS
+  wfvCount = wfvCountHere;
+  wfvPlace0 = wfvP[0];
+  wfvPlace1 = wfvP[1];
+  wfvPlace2 = wfvP[2];
+#endif
 #endif
 #if WFV_WARPED
   wfvDepths = wfvDepthsHere;
@@ -178,9 +189,6 @@ const bool wfvMute = false;
 void wfvWriteVertex(vec4 position, vec3 bary)
 {
   gl_Position = position;
-#if WFV_BOTH_EYES
-  gl_Layer = WFV_RUN;
-#endif
 #if !WFV_EXACT
   wfvBary = bary;
   wfvPosition = bary.x * wfvP[0] + bary.y * wfvP[1] + bary.z * wfvP[2];

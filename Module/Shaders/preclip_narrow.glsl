@@ -114,7 +114,7 @@ void wfvCoverTight(float grow, bool front)
 // By the sampled distance of the edges. False where that is unknown or large.
 bool wfvCoverNarrow(bool front)
 {
-  float grow = WFV_REACH_SAFETY * wfvReach + WFV_REACH_PAD;
+  float grow = WFV_REACH_SAFETY * wfvReach + WFV_REACH_PAD + WFV_LENS;
   bool narrow = grow <= 0.25 * min(wfvViewport.z, wfvViewport.w);
   if (narrow)
   {

@@ -166,13 +166,7 @@ vec3 wfvAnchorOf(vec4 plane, vec3 lengths)
 // First of all.
 void wfvReadCorners()
 {
-#if WFV_BOTH_EYES
-  wfvChooseEye();
-#endif
   wfvEmitted = 0;
-#if WFV_FOLDS
-  wfvReadFolds();
-#endif
 #if WFV_RUNS > 1
   wfvMute = WFV_RUN > 0;
 #endif

@@ -177,7 +177,7 @@ void wfvCoverEasy()
   wfvMustCover();
   wfvVertexMode += WFV_KIND_UNIT * wfvCoverKind(false, false);
 #endif
-  wfvCoverTight(reach + WFV_TIGHT_PAD, wfvT.w < 0.0);
+  wfvCoverTight(reach + WFV_LENS + WFV_TIGHT_PAD, wfvT.w < 0.0);
 }
 #endif
 
@@ -239,22 +239,43 @@ bool wfvGrazes()
 }
 #endif
 
+#if WFV_MEETS_CHORDS
+// An edge that chords stand for ends there; another is as it is.
+void wfvFindChords()
+{
+  ivec3 chords = wfvReadChords();
+  wfvCountHere = vec3(chords);
+  for (int i = 0; i < 3; i++)
+  {
+    wfvChordEnds[i] = wfvPixel(wfvP[i]);
+    wfvSlackHere[i] = chords[i] > 0 ? wfvTolerance : -1.0;
+  }
+}
+#endif
+
+// Seen edge-on, or not a number: it covers no pixel.
+bool wfvIsNothing()
+{
+#if WFV_OWN_RAYS
+  return wfvOwnNothing();
+#else
+  return !(abs(wfvT.w) > 0.0);
+#endif
+}
+
 void main()
 {
   wfvReadCorners();
   vec3 lengths = vec3(length(wfvP[0]), length(wfvP[1]), length(wfvP[2]));
   wfvT = wfvTrianglePlane(lengths);
-  // seen edge-on, or not a number: it covers no pixel
-#if WFV_OWN_RAYS
-  bool none = wfvOwnNothing();
-#else
-  bool none = !(abs(wfvT.w) > 0.0);
-#endif
-  if (none || wfvOutside(lengths))
+  if (wfvIsNothing() || wfvOutside(lengths))
   {
     return;
   }
   wfvFacePlanes(lengths);
+#if WFV_MEETS_CHORDS
+  wfvFindChords();
+#endif
 #if WFV_OWN_RAYS
   wfvSetOwn(lengths, wfvT.w > 0.0 ? 1.0 : -1.0);
 #elif WFV_WARPED

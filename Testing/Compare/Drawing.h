@@ -78,24 +78,15 @@ public:
   // Whether what is not seen is left out (yes).
   void SetCulling(bool culling);
 
-  // Whether the triangles of every picture are sorted one by one (yes), or in haste until a view
-  // has been drawn many times.
-  void SetSortWhileMoving(bool sort);
-
   // Whether every technique draws the perspective (no): else it is stock VTK's, unless all is
   // exact.
   void SetDrawsPerspective(bool draws);
 
-  // Frames a second that the window asks for, as an interactor does that moves: in haste chords
-  // are drawn too.
-  void SetUpdateRate(double rate);
-
-  // Of the last picture: runs of triangles that were left out, draws by the vertex stage alone.
-  int GetNumberOfCulledClusters() const;
+  // Of the last picture: draws by the vertex stage alone.
   int GetNumberOfPlainDraws() const;
 
-  // Of the last picture, props that both eyes see alike.
-  int GetNumberOfFarProps() const;
+  // Whether some of the triangles that it drew were projected, and others not.
+  bool WasMixed() const;
 
   // Of lines, pixels (1).
   void SetLineWidth(double pixels);
@@ -126,10 +117,6 @@ private:
 
 // Where a pixel looks: NDC, and longitude and latitude (view coordinates) in degrees.
 std::string DescribePixel(const View& view, int width, int height, const reference::WorstPixel& p);
-
-// True where all places within `slack` pixels of a pixel's centre, along the axes, are in the
-// map, or none is; which of the two is told.
-bool IsClear(const View& view, int i, int j, int width, int height, double slack, bool& inside);
 
 // Pixels of the domain with nothing drawn, pixels outside with something drawn.
 struct HoleCount

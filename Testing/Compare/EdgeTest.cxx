@@ -198,7 +198,8 @@ EdgeResult EdgeCheck::Check(vtkImageData* image, double width, double slack)
     const int j = int(key / s.Width);
     bool inside = false;
     // beside a curved border the nearest point of an edge may lie beyond it
-    if (!IsClear(this->TheCaster.GetView(), i, j, s.Width, s.Height, this->Width + 1, inside) ||
+    if (!reference::IsClear(
+          this->TheCaster.GetView(), i, j, s.Width, s.Height, this->Width + 1, inside) ||
       !inside)
     {
       continue;

@@ -187,8 +187,8 @@ LineResult LineCheck::Check(const reference::LinePicture& lines)
       continue;
     }
     bool inside = false;
-    if (IsClear(this->TheView, int(key % this->Drawn.Width), int(key / this->Drawn.Width),
-          this->Drawn.Width, this->Drawn.Height, LineSlack, inside))
+    if (reference::IsClear(this->TheView, int(key % this->Drawn.Width),
+          int(key / this->Drawn.Width), this->Drawn.Width, this->Drawn.Height, LineSlack, inside))
     {
       this->CheckPixel(key, found == lines.end() || !inside ? none : found->second);
     }

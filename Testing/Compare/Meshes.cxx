@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <vector>
 
 namespace wfv
 {
@@ -40,11 +41,29 @@ public:
     this->Triangle(a, c, d);
   }
 
+  void Strip(const std::vector<vtkIdType>& points)
+  {
+    this->Strips->InsertNextCell(static_cast<vtkIdType>(points.size()), points.data());
+  }
+
+  // A cone: its rim, closed, and its tip.
+  void Cone(const std::vector<vtkIdType>& rim, vtkIdType tip)
+  {
+    for (std::size_t i = 0; i < rim.size(); ++i)
+    {
+      this->Triangle(rim[i], rim[(i + 1) % rim.size()], tip);
+    }
+  }
+
   vtkSmartPointer<vtkPolyData> Finish()
   {
     auto mesh = vtkSmartPointer<vtkPolyData>::New();
     mesh->SetPoints(this->Points);
     mesh->SetPolys(this->Cells);
+    if (this->Strips->GetNumberOfCells() > 0)
+    {
+      mesh->SetStrips(this->Strips);
+    }
     return mesh;
   }
 
@@ -52,6 +71,7 @@ private:
   Placement Where;
   vtkNew<vtkPoints> Points;
   vtkNew<vtkCellArray> Cells;
+  vtkNew<vtkCellArray> Strips;
 };
 
 // The point (i, j) of a face of the room; axis 0, 1, 2 and sign say which.
@@ -157,6 +177,73 @@ vtkSmartPointer<vtkPolyData> MakeSplinter(double aside, double below)
   mesh.Triangle(beside, pole, ahead);
   mesh.Triangle(beside, right, pole);
   mesh.Triangle(beside, right, ahead);
+  return mesh.Finish();
+}
+
+namespace
+{
+// A circle round y.
+std::vector<vtkIdType> AddRing(MeshMaker& mesh, int steps, double y, double radius)
+{
+  std::vector<vtkIdType> ring;
+  for (int i = 0; i < steps; ++i)
+  {
+    const double angle = 2 * WFV_PI * i / steps;
+    ring.push_back(mesh.Point(vec3(radius * std::sin(angle), y, -radius * std::cos(angle))));
+  }
+  return ring;
+}
+}
+
+vtkSmartPointer<vtkPolyData> MakeTube(int sides, const Placement& where)
+{
+  constexpr double Radius = 0.4;
+  constexpr double Half = 0.8;
+  MeshMaker mesh(where);
+  const std::vector<vtkIdType> low = AddRing(mesh, sides, -Half, Radius);
+  const std::vector<vtkIdType> high = AddRing(mesh, sides, Half, Radius);
+  for (int i = 0; i < sides; ++i)
+  {
+    const int next = (i + 1) % sides;
+    mesh.Quad(low[i], low[next], high[next], high[i]);
+  }
+  mesh.Cone(low, mesh.Point(vec3(0, -1, 0)));
+  mesh.Cone(high, mesh.Point(vec3(0, 1, 0)));
+  return mesh.Finish();
+}
+
+vtkSmartPointer<vtkPolyData> MakeHills(int rows, const Placement& where)
+{
+  MeshMaker mesh(where);
+  const int steps = 2 * rows;
+  std::vector<std::vector<vtkIdType>> rings;
+  for (int j = 1; j < rows; ++j)
+  {
+    const double latitude = WFV_PI * j / rows - WFV_PI / 2;
+    std::vector<vtkIdType> ring;
+    for (int i = 0; i < steps; ++i)
+    {
+      const double longitude = 2 * WFV_PI * i / steps;
+      const double far =
+        0.85 + 0.15 * std::sin(7 * longitude) * std::cos(9 * latitude) * std::cos(latitude);
+      ring.push_back(mesh.Point(far *
+        vec3(std::cos(latitude) * std::sin(longitude), std::sin(latitude),
+          -std::cos(latitude) * std::cos(longitude))));
+    }
+    rings.push_back(ring);
+  }
+  for (std::size_t j = 0; j + 1 < rings.size(); ++j)
+  {
+    std::vector<vtkIdType> strip;
+    for (int i = 0; i <= steps; ++i)
+    {
+      strip.push_back(rings[j][i % steps]);
+      strip.push_back(rings[j + 1][i % steps]);
+    }
+    mesh.Strip(strip);
+  }
+  mesh.Cone(rings.front(), mesh.Point(vec3(0, -0.85, 0)));
+  mesh.Cone(rings.back(), mesh.Point(vec3(0, 0.85, 0)));
   return mesh.Finish();
 }
 

@@ -41,6 +41,14 @@ vtkSmartPointer<vtkPolyData> MakeRoom(int n, const Placement& where = {});
 // from the equator to the pole is no wider than that.
 vtkSmartPointer<vtkPolyData> MakeSplinter(double aside, double below);
 
+// A tube of that many sides and of one row, closed by a cone at either end: triangles as long as
+// the tube, and others that meet in a tip. Along y, its tips at -1 and 1, its radius 0.4.
+vtkSmartPointer<vtkPolyData> MakeTube(int sides, const Placement& where = {});
+
+// Hills all round: so many rows of triangle strips between two poles, each with twice as many
+// steps, at distances from 0.7 to 1; cones of triangles at the poles.
+vtkSmartPointer<vtkPolyData> MakeHills(int rows, const Placement& where = {});
+
 // The longest edge of the mesh as seen from the origin of view coordinates, degrees; edges
 // that reach inside the given radius do not count.
 double LongestEdge(const reference::TriangleSoup& soup, double nearRadius);

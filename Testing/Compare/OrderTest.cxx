@@ -23,7 +23,7 @@ using namespace wfv::test;
 
 namespace
 {
-// Cells along a side: of so many triangles a mesh is sorted.
+// Cells along a side: of so many triangles a mesh is classified.
 constexpr int Cells = 24;
 constexpr vtkIdType OfOne = 2 * Cells * Cells;
 

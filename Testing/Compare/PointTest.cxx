@@ -207,7 +207,7 @@ PointResult Compare(
     result.Drawn += cell >= 0;
     bool inside = false;
     if ((cell < 0 && found == expected.end()) ||
-      !IsClear(view, i, j, drawn.Width, drawn.Height, PointSlack, inside))
+      !reference::IsClear(view, i, j, drawn.Width, drawn.Height, PointSlack, inside))
     {
       continue;
     }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The techniques auto and tessellate on scenes of the benchmark, small: whatever the
-// tolerance, no pixel shows what is seen farther away than that; auto below 0.05 pixels draws what
-// exact does, to the last bit.
+// The techniques auto and tessellate on scenes of the benchmark, small: auto keeps its promise at
+// every tolerance, and tessellate, which decides by rays, shows nothing that is seen elsewhere;
+// auto below 0.05 pixels draws what exact does, to the last bit.
 #include "Drawing.h"
 #include "DrawingTest.h"
 #include "Poses.h"
+#include "Promise.h"
 #include "SampledShot.h"
 #include "Stereo.h"
 #include "vtkWideFoVPass.h"
@@ -33,7 +34,7 @@ namespace
 const std::string SceneNames[] = { "atrium", "flow", "vector-cloud" };
 const double SceneTolerances[] = { 0.05, 0.25, 1 }; // pixels
 
-// Pixels: behind the geometry stage both techniques decide by rays, as `exact` does.
+// Pixels: what decides by rays, as `exact` does, is off by no more.
 constexpr double ByRays = 0.02;
 
 class SceneDrawing
@@ -70,7 +71,7 @@ public:
     this->Caster.reset();
   }
 
-  // The scene in a projection at its widest; both techniques by the mapper that sorts.
+  // The scene in a projection at its widest; both techniques by the mapper that classifies.
   reference::DrawnPicture DrawWidest(const std::string& projection, int technique, double tolerance)
   {
     const double fov = WidestDrawn(*FindProjection(projection));
@@ -99,16 +100,43 @@ public:
     return reference::Compare(picture, *this->Caster, this->Truth, b);
   }
 
-  // Of unexplained pixels, those that no finer circles explain: what is explained within a smaller
-  // distance is so within a larger one.
-  long CountUnexplained(const reference::Metrics& m) const
+  // Of the pixels of stock VTK's own perspective, as many to an angle as the view has, those that
+  // show what is seen nowhere near: hidden faces beside silhouettes.
+  double MeasureStockShare()
   {
-    return m.UnexplainedPixels -
-      std::count_if(m.Worst.begin(), m.Worst.end(), [&](const reference::WorstPixel& pixel) {
-        return std::isfinite(reference::NearestAgreement(
-          *this->Caster, this->View.Width, this->View.Height, pixel, ByRays));
-      });
+    const Shot kept = this->View;
+    if (kept.Projection != "perspective")
+    {
+      this->View.Options.Stereo.Model = FindStereoModel("mono");
+      this->SetPerspective();
+      const double perRadian = kept.Width / (2 * WFV_PI);
+      const auto size = [&](double fov) {
+        return 2 * static_cast<int>(std::lround(perRadian * std::tan(0.5 * fov * WFV_PI / 180)));
+      };
+      this->View.Width = size(this->View.Options.HorizontalFov);
+      this->View.Height = size(this->View.Options.VerticalFov);
+    }
+    const double tolerance = SceneTolerances[1];
+    const reference::Metrics m = this->Measure(vtkWideFoVPass::AUTO, tolerance, tolerance);
+    const int width = this->View.Width;
+    const int height = this->View.Height;
+    const double off = double(reference::CountOff(*this->Caster, width, height, m, tolerance));
+    const double share = off / (width * height);
+    this->View = kept;
+    this->Caster.reset();
+    std::cout << "stock VTK's own perspective: " << share << " of the pixels are off" << std::endl;
+    return std::max(share, reference::HiddenShare);
   }
+
+  void SetPerspective()
+  {
+    this->View.Projection = "perspective";
+    this->View.Options.HorizontalFov = 120;
+    this->View.Options.VerticalFov = 82; // square pixels
+  }
+
+  // Of what was measured last.
+  const reference::RayCaster& GetCaster() const { return *this->Caster; }
 
   Drawing Picture;
   Shot View;
@@ -148,7 +176,8 @@ long CountDifferent(const reference::DrawnPicture& a, const reference::DrawnPict
   return different;
 }
 
-void CheckTolerances(SceneDrawing& drawing, const std::string& scene)
+// share: of the pixels, that may show hidden faces.
+void CheckTolerances(SceneDrawing& drawing, const std::string& scene, double share)
 {
   for (const int technique : { vtkWideFoVPass::AUTO, vtkWideFoVPass::TESSELLATE })
   {
@@ -159,8 +188,19 @@ void CheckTolerances(SceneDrawing& drawing, const std::string& scene)
         (technique == vtkWideFoVPass::AUTO ? ", auto" : ", tessellate") + ", t " +
         std::to_string(tolerance);
       std::cout << Row(drawing.View, name, m) << std::endl;
-      EXPECT_LE(m.MaxPx, ByRays) << name << "\n"
-                                 << Details(drawing.View, drawing.Picture.GetView(), m);
+      if (technique == vtkWideFoVPass::AUTO && tolerance > SceneTolerances[1])
+      {
+        ExpectFacesThatAreThere(drawing.GetCaster(), drawing.View, m, tolerance, name);
+      }
+      else if (technique == vtkWideFoVPass::AUTO)
+      {
+        ExpectPromise(drawing.GetCaster(), drawing.View, m, tolerance, name, share);
+      }
+      else
+      {
+        EXPECT_LE(m.MaxPx, ByRays) << name << "\n"
+                                   << Details(drawing.View, drawing.Picture.GetView(), m);
+      }
       EXPECT_GT(m.DomainPixels, 0);
     }
   }
@@ -170,42 +210,48 @@ void CheckTolerances(SceneDrawing& drawing, const std::string& scene)
 TEST_P(Scenes, KeepTheTolerance)
 {
   SceneDrawing drawing(this->GetParam());
-  CheckTolerances(drawing, this->GetParam());
+  const double share = drawing.MeasureStockShare();
+  CheckTolerances(drawing, this->GetParam(), share);
 }
 
 // Where the techniques draw it, whatever the tolerance; stock VTK's picture is farther off.
 TEST_P(Scenes, KeepTheToleranceInThePerspective)
 {
   SceneDrawing drawing(this->GetParam());
-  drawing.View.Projection = "perspective";
-  drawing.View.Options.HorizontalFov = 120;
-  drawing.View.Options.VerticalFov = 82; // square pixels
+  drawing.SetPerspective();
+  const double share = drawing.MeasureStockShare();
   drawing.Picture.SetDrawsPerspective(true);
-  CheckTolerances(drawing, this->GetParam());
+  CheckTolerances(drawing, this->GetParam(), share);
   drawing.Picture.SetDrawsPerspective(false);
   EXPECT_GT(drawing.Measure(vtkWideFoVPass::AUTO, 1, 1).MaxPx, 1);
 }
 
-// Both eyes, a thousandth and a hundredth of the scene apart.
+// Both eyes, a thousandth and a hundredth of the scene apart. All four together are asked as well:
+// a picture that has more by chance does not hide that eyes have more.
 TEST_P(Scenes, KeepTheToleranceInStereo)
 {
   SceneDrawing drawing(this->GetParam());
+  const double share = drawing.MeasureStockShare();
   const double length = drawing.Picture.GetMesh()->GetLength();
+  long off = 0;
+  long pixels = 0;
   for (const double part : { 1e-3, 1e-2 })
   {
     for (const Eye eye : { Eye::Left, Eye::Right })
     {
       drawing.SetEye(eye, part * length);
-      const reference::Metrics m =
-        drawing.Measure(vtkWideFoVPass::AUTO, SceneTolerances[1], ByRays);
+      const double tolerance = SceneTolerances[1];
+      const reference::Metrics m = drawing.Measure(vtkWideFoVPass::AUTO, tolerance, tolerance);
       const std::string name = this->GetParam() + ", auto, eyes apart " + std::to_string(part);
       std::cout << Row(drawing.View, name, m) << std::endl;
-      EXPECT_EQ(drawing.CountUnexplained(m), 0)
-        << name << "\n"
-        << Details(drawing.View, drawing.Picture.GetView(), m);
+      ExpectPromise(drawing.GetCaster(), drawing.View, m, tolerance, name, share);
       EXPECT_GT(m.DomainPixels, 0);
+      off += reference::CountOff(
+        drawing.GetCaster(), drawing.View.Width, drawing.View.Height, m, tolerance);
+      pixels += long(drawing.View.Width) * drawing.View.Height;
     }
   }
+  EXPECT_LE(off, MostOff(share, pixels));
 }
 
 // So what is measured of `exact` in any size holds for `auto` at the finest tolerances.

@@ -4,7 +4,6 @@
 #include "DrawingTest.h"
 #include "Meshes.h"
 #include "Poses.h"
-#include "Stereo.h"
 #include "vtkWideFoVPass.h"
 
 #include <vtkPolyData.h>
@@ -134,54 +133,6 @@ TEST_P(Watertight, Splinters)
       Check(*Picture, shot, scene.str());
     }
   }
-  Picture->SetTechnique(vtkWideFoVPass::PRECLIP);
-}
-
-// Triangles that are sorted: fine ones by their chords, the others covered, side by side.
-TEST_P(Watertight, Sorted)
-{
-  const Projection& p = *FindProjection(this->GetParam());
-  Picture->SetTechnique(vtkWideFoVPass::AUTO);
-  int both = 0;
-  const NamedPose pose = PlainPoses().back(); // off the middle
-  for (const int n : { 24, 40, 64 })
-  {
-    Picture->SetMesh(MakeRoom(n));
-    for (const double fov : FovsOf(p, { 90.0, 360.0 }))
-    {
-      Check(*Picture, MakeShot(p.Name, fov, pose), "sorted room of " + std::to_string(n));
-      both += Picture->GetNumberOfPlainDraws() > 0 && Picture->GetNumberOfPreClipDraws() > 0;
-    }
-  }
-  EXPECT_TRUE(both > 0 || p.Axis == Family::Planar) << "no picture had both kinds";
-  Picture->SetTechnique(vtkWideFoVPass::PRECLIP);
-}
-
-// The same for an eye whose rays begin on a circle, small and large beside the room.
-TEST_P(Watertight, SortedForAnEye)
-{
-  const Projection& p = *FindProjection(this->GetParam());
-  if (p.Axis == Family::Planar)
-  {
-    GTEST_SKIP() << "omnidirectional is for wide projections";
-  }
-  Picture->SetTechnique(vtkWideFoVPass::AUTO);
-  Shot shot = MakeShot(p.Name, p.MaxHorizontalFov, PlainPoses().back());
-  shot.Options.Stereo.Model = FindStereoModel("omnidirectional");
-  shot.Options.Stereo.Eye = Eye::Left;
-  int both = 0;
-  for (const double distance : { 0.01, 0.3 })
-  {
-    shot.Options.Stereo.InterpupillaryDistance = distance;
-    for (const int n : { 40, 64 })
-    {
-      Picture->SetMesh(MakeRoom(n));
-      Check(*Picture, shot,
-        "room of " + std::to_string(n) + ", eyes apart " + std::to_string(distance));
-      both += Picture->GetNumberOfPlainDraws() > 0 && Picture->GetNumberOfPreClipDraws() > 0;
-    }
-  }
-  EXPECT_GT(both, 0) << "no picture had both kinds";
   Picture->SetTechnique(vtkWideFoVPass::PRECLIP);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A frame in which nothing has changed: nothing is compiled, chosen, sorted or allocated anew.
+// A frame in which nothing has changed: nothing is compiled, chosen, classified or
+// allocated anew.
 #include "OwnAllocations.h"
 #include "WideFoVTestScene.h"
 
@@ -69,7 +70,7 @@ vtkSmartPointer<vtkActor> MakeBlocks()
   return actor;
 }
 
-// Sorted and plain meshes, unseen ones, lines, glyphs, blocks, text.
+// Meshes that are classified and others, unseen ones, lines, glyphs, blocks, text.
 void AddScene(WideFoVTestWindow& test)
 {
   test.Renderer->AddActor(MakeTestRoom());
@@ -116,7 +117,7 @@ TEST_P(Idle, NothingIsMadeAnew)
     EXPECT_EQ(test.Pass()->GetNumberOfMadePrograms(), programs);
     EXPECT_EQ(test.Pass()->GetShaderTime(), time);
     EXPECT_EQ(test.Pass()->GetNumberOfChosenProps(), 0);
-    EXPECT_EQ(test.Pass()->GetNumberOfSortedMeshes(), 0);
+    EXPECT_EQ(test.Pass()->GetNumberOfClassifiedMeshes(), 0);
   }
 }
 
@@ -124,11 +125,10 @@ INSTANTIATE_TEST_SUITE_P(Techniques, Idle,
   testing::Values(vtkWideFoVPass::AUTO, vtkWideFoVPass::EXACT, vtkWideFoVPass::PRECLIP,
     vtkWideFoVPass::TESSELLATE, vtkWideFoVPass::VERTEX));
 
-TEST(IdleCamera, ATurnChoosesAndSortsButCompilesNothing)
+TEST(IdleCamera, ATurnChoosesAndClassifiesButCompilesNothing)
 {
   WideFoVTestWindow test("equirectangular", 256, 128);
   AddScene(test);
-  test.Pass()->SortWhileMovingOn();
   test.Window->Render();
   test.Window->Render();
   const int programs = test.Pass()->GetNumberOfMadePrograms();
@@ -136,7 +136,7 @@ TEST(IdleCamera, ATurnChoosesAndSortsButCompilesNothing)
   test.Window->Render();
   EXPECT_EQ(test.Pass()->GetNumberOfMadePrograms(), programs);
   EXPECT_GT(test.Pass()->GetNumberOfChosenProps(), 10);
-  EXPECT_GT(test.Pass()->GetNumberOfSortedMeshes(), 0);
+  EXPECT_GT(test.Pass()->GetNumberOfClassifiedMeshes(), 0);
 }
 
 TEST(IdleCamera, AnotherProjectionIsCompiledOnItsFirstUse)
@@ -162,7 +162,7 @@ TEST(OwnAllocations, AreFound)
   AddScene(test);
   test.Window->Render();
   const OwnAllocations allocations;
-  test.Camera->Yaw(1); // meshes are sorted anew
+  test.Camera->Yaw(1); // meshes are classified anew
   test.Window->Render();
   EXPECT_GT(allocations.Count(), 0);
 }

@@ -117,19 +117,16 @@ TEST(Pipeline, TheGeometryStageIsUsedWhereEdgesBend)
 {
   WideFoVTestWindow test("equirectangular", 800, 400);
   test.Renderer->AddActor(Ball(0, 0, -0.8));
-  // while it moves the tolerance counts; a view that stands is looked into triangle by triangle
-  const struct
+  // the tolerance counts, whether the view moves or stands
+  for (const double rate : { 15.0, 0.001 })
   {
-    double Rate;
-    double Tolerance;
-    int PreClip;
-  } cases[] = { { 15, AnyBend, 0 }, { 15, 0.05, 1 }, { 0.001, AnyBend, 1 }, { 15, AnyBend, 0 } };
-  for (const auto& c : cases)
-  {
-    test.Window->SetDesiredUpdateRate(c.Rate);
-    test.Pass()->SetTolerance(c.Tolerance);
-    test.Window->Render();
-    EXPECT_EQ(test.Pass()->GetNumberOfPreClipDraws(), c.PreClip) << c.Rate << " " << c.Tolerance;
+    test.Window->SetDesiredUpdateRate(rate);
+    for (const double tolerance : { AnyBend, 0.05, AnyBend })
+    {
+      test.Pass()->SetTolerance(tolerance);
+      test.Window->Render();
+      EXPECT_EQ(test.Pass()->GetNumberOfPreClipDraws(), tolerance < 1) << rate << " " << tolerance;
+    }
   }
   // the technique for comparison looks at discontinuities alone
   test.Pass()->SetTechniqueToPreClip();

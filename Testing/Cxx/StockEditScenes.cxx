@@ -151,7 +151,7 @@ void FillClipped(Window& test)
   Add(test, Ball())->GetMapper()->AddClippingPlane(plane);
 }
 
-// Of few triangles, or these would not be sorted.
+// Of many triangles, or these would not be classified.
 void FillCellColors(Window& test)
 {
   vtkNew<vtkSphereSource> ball;

@@ -10,13 +10,17 @@
 // pixel's colour is the number that the mesh's cell array "number" gives the cell, 24 bits,
 // red the highest; black is nothing.
 // The answer, on standard output: {"pixels", "hits", "mismatched", "unexplained",
-// "missing", "spurious"} in pixels, {"max_px"} and "worst", the first few of them.
+// "missing", "spurious"} in pixels, {"max_px"} and "worst", the first few of them; and of what
+// `auto` promises (HiddenFaces.h) "off", the pixels that show what is seen nowhere so near,
+// "allowed", so many of them may be, and "broken", those that show what must not be shown there.
 #include "CellFiles.h"
+#include "HiddenFaces.h"
 #include "Stereo.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iostream>
 
@@ -79,6 +83,20 @@ json Describe(const reference::WorstPixel& pixel)
     { "reference", pixel.Reference }, { "px", pixel.Pixels } };
 }
 
+// What `auto` promises of the picture.
+json Judge(const reference::RayCaster& caster, int width, int height, const reference::Metrics& m,
+  double tolerance)
+{
+  const long off = reference::CountOff(caster, width, height, m, tolerance);
+  const long broken = std::count_if(m.Worst.begin(), m.Worst.end(), [&](const auto& pixel) {
+    return !reference::MayShow(caster, width, height, pixel, tolerance);
+  });
+  // of more than are known, any may be
+  const long unknown = m.UnexplainedPixels - long(m.Worst.size());
+  return { { "off", off + unknown }, { "broken", broken + unknown },
+    { "allowed", std::floor(reference::HiddenShare * width * height) } };
+}
+
 json Check(const json& request)
 {
   const reference::DrawnPicture drawn = checkcells::ReadPicture(request.at("picture"));
@@ -88,9 +106,9 @@ json Check(const json& request)
   const reference::RayCaster caster(checkcells::ReadSoup(request.at("mesh"), pose), view);
   const reference::HitPicture truth = caster.Render(drawn.Width, drawn.Height);
   // more mismatches than this are a broken picture, whose every pixel need not be searched
-  constexpr std::size_t MostSearched = 300;
-  const reference::Metrics m =
-    reference::Compare(drawn, caster, truth, request.at("tolerance"), MostSearched);
+  const std::size_t mostSearched = truth.Hits.size() / 16;
+  const double tolerance = request.at("tolerance");
+  const reference::Metrics m = reference::Compare(drawn, caster, truth, tolerance, mostSearched);
   const double pixels = static_cast<double>(drawn.Width) * drawn.Height;
   json worst = json::array();
   for (std::size_t i = 0; i < std::min<std::size_t>(5, m.Worst.size()); i++)
@@ -99,9 +117,11 @@ json Check(const json& request)
   }
   const long hits = std::count_if(
     truth.Hits.begin(), truth.Hits.end(), [](const reference::Hit& hit) { return hit.Cell >= 0; });
-  return { { "pixels", pixels }, { "hits", hits }, { "mismatched", m.Mismatched },
+  json answer = { { "pixels", pixels }, { "hits", hits }, { "mismatched", m.Mismatched },
     { "unexplained", m.Unexplained * pixels }, { "missing", m.Missing * pixels },
     { "spurious", m.Spurious * pixels }, { "max_px", m.MaxPx }, { "worst", worst } };
+  answer.update(Judge(caster, drawn.Width, drawn.Height, m, tolerance));
+  return answer;
 }
 }
 

@@ -23,6 +23,16 @@ def check_eyes(options, view, mesh):
         composited.check_file(options, view, mesh, picture, side)
 
 
+def check_auto(options, view, mesh):
+    """What is classified by each rank for itself, and put together by depth."""
+    view.Technique = "Automatic"
+    for projection in composited.PROJECTIONS:
+        view.Projection = projection
+        picture = scene.save(view, os.path.join(options.output, "auto " + projection + ".png"))
+        composited.check_file(options, view, mesh, picture)
+    view.Technique = "Exact"
+
+
 def check_idle_ranks(options):
     """The same where all data are on rank 0, in a view of its own."""
     view, mesh, _, _ = composited.show_parts(options, lambda whole: whole)
@@ -44,6 +54,7 @@ def main(options):
     scene.load_plugin(options)
     view, mesh, _, display = composited.show_parts(options)
     composited.check_opaque(options, view, mesh)
+    check_auto(options, view, mesh)
     check_eyes(options, view, mesh)
     if ranks > 1:
         check_reduced(options, view, mesh)

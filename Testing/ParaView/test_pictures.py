@@ -11,8 +11,6 @@ from paraview import simple
 import pixels
 import scene
 
-TOLERANCE = 0.25  # pixels
-
 # Larger than the window, so drawn in tiles.
 PANORAMA = [480, 240]
 DOME = [300, 300]
@@ -26,9 +24,7 @@ def read(path):
 
 
 def check_eye(options, view, mesh, picture, side, name):
-    answer = scene.check_cells(options, view, mesh, picture, TOLERANCE, side)
-    print(name, answer, flush=True)
-    scene.require(answer["unexplained"] == 0 and answer["hits"] > 3000, name)
+    scene.require(scene.keeps_promise(options, view, mesh, picture, 3000, side), name)
 
 
 def read_gpano(path):
@@ -132,7 +128,7 @@ def main(options):
     scene.load_plugin(options)
     mesh = os.path.join(options.output, "mesh.vtp")
     scene.write_mesh(mesh)
-    view = scene.make_view()
+    view = scene.make_view(Technique="Exact")  # of which every pixel is known
     scene.show_cells(scene.spread(simple.XMLPolyDataReader(FileName=[mesh])), view)
     scene.place_eye(view, [0.5, 0.3, 1], [0.6, 0.2, 0])
     check_metadata(options, view)

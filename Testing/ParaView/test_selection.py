@@ -19,7 +19,7 @@ PROJECTIONS = ["equirectangular", "hammer", "azimuthal-equidistant", "equi-angul
 
 
 def select(options, **properties):
-    view, _, source, display = composited.show_parts(options, **properties)
+    view, _, source, display = composited.show_parts(options, Technique="Automatic", **properties)
     dice = random.Random(1)
     for projection in PROJECTIONS:
         view.Projection = projection

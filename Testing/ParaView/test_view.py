@@ -214,7 +214,7 @@ def check_axes(options, view, ball):
 
 
 def check_threads(view):
-    """Triangles are sorted by threads, also where ParaView's own loops are not, as they are not
+    """Triangles are classified by threads, also where ParaView's own loops are not, as they are not
     afterwards either. Where they are, by the same."""
     before, inside = vtkSMPTools.GetBackend(), []
     first = 1.0  # before the view's own observer

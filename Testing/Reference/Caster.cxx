@@ -14,6 +14,20 @@ vec2 PixelToNdc(double x, double y, int width, int height)
   return vec2(2 * x / width - 1, 1 - 2 * y / height);
 }
 
+bool IsClear(const View& view, int i, int j, int w, int h, double slack, bool& inside)
+{
+  inside = view.Ray(PixelToNdc(i + 0.5, j + 0.5, w, h)).Inside;
+  for (double d : { -slack, slack })
+  {
+    if (view.Ray(PixelToNdc(i + 0.5 + d, j + 0.5, w, h)).Inside != inside ||
+      view.Ray(PixelToNdc(i + 0.5, j + 0.5 + d, w, h)).Inside != inside)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 namespace
 {
 // Straight pieces of a curve from the near to the far sphere, and of the piece that hits.

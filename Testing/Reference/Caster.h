@@ -38,6 +38,10 @@ struct HitPicture
 // top; pixel (i, j) has its centre at (i + 0.5, j + 0.5).
 vec2 PixelToNdc(double x, double y, int width, int height);
 
+// True where all places within `slack` pixels of a pixel's centre, along the axes, are in the
+// map, or none is; which of the two is told.
+bool IsClear(const View& view, int i, int j, int width, int height, double slack, bool& inside);
+
 class Caster
 {
 public:

@@ -111,15 +111,26 @@ vec3 TangentFrame::DirectionAt(vec2 pixels) const
   return this->Ahead + this->Right * pixels.x + this->Down * pixels.y;
 }
 
-Polygon TangentFrame::Picture(std::vector<vec3> corners, double reach) const
+// Ways from the eye, cut to what is so near.
+std::vector<vec3> TangentFrame::Within(std::vector<vec3> corners, double reach) const
 {
   for (const vec3& axis : { this->ToRight, -this->ToRight, this->ToDown, -this->ToDown })
   {
     const vec3 plane = this->Ahead * reach - axis;
     corners = CutBy(corners, [&](const vec3& w) { return glm::dot(plane, w); });
   }
+  return corners;
+}
+
+std::vector<vec3> TangentFrame::EdgeWithin(const vec3& a, const vec3& b, double reach) const
+{
+  return this->Within({ a - this->Origin, b - this->Origin }, reach);
+}
+
+Polygon TangentFrame::Picture(const std::vector<vec3>& corners, double reach) const
+{
   Polygon polygon;
-  for (const vec3& w : corners)
+  for (const vec3& w : this->Within(corners, reach))
   {
     polygon.push_back(
       vec2(glm::dot(this->ToRight, w), glm::dot(this->ToDown, w)) / glm::dot(this->Ahead, w));

@@ -40,8 +40,13 @@ public:
   Polygon PictureBefore(
     const std::array<vec3, 3>& triangle, const std::array<vec3, 3>& other, double reach) const;
 
+  // The part of an edge that is so near, as ways from the eye to places along it in order; some
+  // may be there twice. Empty where none is.
+  std::vector<vec3> EdgeWithin(const vec3& a, const vec3& b, double reach) const;
+
 private:
-  Polygon Picture(std::vector<vec3> corners, double reach) const;
+  std::vector<vec3> Within(std::vector<vec3> corners, double reach) const;
+  Polygon Picture(const std::vector<vec3>& corners, double reach) const;
   bool Valid = false;
   vec3 Origin{ 0 };
   vec3 Ahead{ 0 };

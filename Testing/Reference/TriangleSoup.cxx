@@ -6,6 +6,8 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
+#include <algorithm>
+
 namespace wfv
 {
 namespace reference
@@ -76,6 +78,24 @@ void Append(TriangleSoup& soup, vtkPolyData* polyData, const Pose& worldToView, 
     firstCell + polyData->GetNumberOfVerts() + polyData->GetNumberOfLines();
   AddCells(soup, polyData->GetPolys(), false, firstPoint, firstPoly);
   AddCells(soup, polyData->GetStrips(), true, firstPoint, firstPoly + polyData->GetNumberOfPolys());
+}
+
+TriangleSoup OnlyCell(const TriangleSoup& all, vtkIdType cell)
+{
+  TriangleSoup own;
+  const auto range = std::equal_range(all.CellIds.begin(), all.CellIds.end(), cell);
+  for (auto id = range.first; id != range.second; ++id)
+  {
+    std::array<vtkIdType, 3> corners;
+    for (int k = 0; k < 3; ++k)
+    {
+      corners[k] = vtkIdType(own.Points.size());
+      own.Points.push_back(all.Points[all.Triangles[id - all.CellIds.begin()][k]]);
+    }
+    own.Triangles.push_back(corners);
+    own.CellIds.push_back(cell);
+  }
+  return own;
 }
 }
 }

@@ -42,6 +42,9 @@ TriangleSoup Triangulate(vtkPolyData* polyData, const Pose& worldToView);
 // from firstCell on: give the number of all cells before it.
 void Append(
   TriangleSoup& soup, vtkPolyData* polyData, const Pose& worldToView, vtkIdType firstCell);
+
+// The triangles of one cell alone, of a soup whose cells are in order, and their points.
+TriangleSoup OnlyCell(const TriangleSoup& all, vtkIdType cell);
 }
 }
 

@@ -2,6 +2,7 @@
 #include "Check.h"
 
 #include "MessageCatcher.h"
+#include "NearestFace.h"
 #include "NearestPlace.h"
 #include "RightAnswers.h"
 
@@ -249,7 +250,8 @@ bool Checker::IsRight(const reference::WorstPixel& p, double b, Counts& count) c
   return tie || depth;
 }
 
-// How far from the pixel its cell is seen, by smaller circles and by the cell's own picture.
+// How far from the pixel its cell is seen, by smaller circles and by the cell's own picture; and
+// whether it is there all the same.
 void Checker::LookClosely(reference::WorstPixel& p, double b, Counts& count) const
 {
   const test::Shot& s = this->Current.Shot;
@@ -264,6 +266,12 @@ void Checker::LookClosely(reference::WorstPixel& p, double b, Counts& count) con
       reference::NearestPlace(
         *this->Caster, s.Width, s.Height, centre, p.Drawn, reference::SearchLimit));
   }
+  const double most = b + reference::SnapStep;
+  const bool near = p.Pixels <= most;
+  const bool there = !near && p.Drawn >= 0 &&
+    reference::NearestFace(*this->Caster, s.Width, s.Height, centre, p.Drawn, most) <= most;
+  count.Near += near;
+  count.Hidden += there;
 }
 
 void Checker::Compare(

@@ -19,7 +19,8 @@ const Field Fields[] = { { "nan", &Counts::Nan }, { "gl_errors", &Counts::GlErro
   { "holes", &Counts::Holes }, { "double_hits", &Counts::DoubleHits },
   { "unexplained", &Counts::Unexplained }, { "crashes", &Counts::Crashes },
   { "batches", &Counts::Batches }, { "pixels", &Counts::Pixels },
-  { "depth_ties", &Counts::DepthTies }, { "ties", &Counts::Ties }, { "thin", &Counts::Thin } };
+  { "depth_ties", &Counts::DepthTies }, { "ties", &Counts::Ties }, { "thin", &Counts::Thin },
+  { "near", &Counts::Near }, { "hidden", &Counts::Hidden } };
 }
 
 void Counts::Add(const Counts& other)

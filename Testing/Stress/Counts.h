@@ -29,6 +29,8 @@ struct Counts
   long DepthTies = 0; // explained by two surfaces at distances that depth cannot tell apart
   long Ties = 0;      // the ray lies in an edge's plane, and a turned one sees it: RightAnswers.h
   long Thin = 0;      // of the unexplained, those that smaller circles explain
+  long Near = 0;      // of the unexplained, those whose cell is seen within b all the same
+  long Hidden = 0;    // of the others, those whose cell is within b, but hidden there or edge-on
   double MaxDepthRel = 0;
   double MaxPx = 0; // pixels from the farthest unexplained pixel to where its cell is seen
 

@@ -69,7 +69,6 @@ HitCounter::HitCounter()
   in.Window->SetOffScreenRendering(1);
   in.Window->SetMultiSamples(0);
   in.Window->AddRenderer(in.Renderer);
-  in.Pass->SortWhileMovingOn(); // as the pictures that are compared
   in.Renderer->SetActiveCamera(in.Camera);
   in.Mapper->ScalarVisibilityOff();
   in.WideMapper->ScalarVisibilityOff();

@@ -46,6 +46,8 @@ TEST(StressReport, TotalsAreSums)
   exact.Batches = 1;
   Counts automatic;
   automatic.Unexplained = 3;
+  automatic.Near = 2;
+  automatic.Hidden = 1;
   automatic.MaxDepthRel = 0.5;
   automatic.MaxPx = 0.125;
   report.Add({ "hammer", "needles", 0 }, ResultOf(exact, automatic));
@@ -54,6 +56,8 @@ TEST(StressReport, TotalsAreSums)
   EXPECT_EQ(json["primitives"], 1000);
   EXPECT_EQ(json["holes"], 2);
   EXPECT_EQ(json["unexplained"], 3);
+  EXPECT_EQ(json["near"], 2);
+  EXPECT_EQ(json["hidden"], 1);
   EXPECT_EQ(json["by_case"]["needles"]["auto"]["unexplained"], 3);
   EXPECT_EQ(json["by_case"]["eye"]["auto"]["unexplained"], 0);
   EXPECT_EQ(json["by_projection"]["hammer"]["exact"]["holes"], 2);
@@ -99,6 +103,8 @@ TEST(StressCounts, SurviveTheWayThroughJson)
   counts.DoubleHits = 4;
   counts.Unexplained = 5;
   counts.Crashes = 6;
+  counts.Near = 7;
+  counts.Hidden = 8;
   counts.MaxDepthRel = 0.125;
   EXPECT_EQ(ToJson(FromJson(ToJson(counts))), ToJson(counts));
   EXPECT_TRUE(counts.Failed());

@@ -1,46 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The search for the nearest place where a cell is seen, against places known beforehand.
+// The search for the nearest place where a cell is seen, or is at all, against places known
+// beforehand.
 #include "Metrics.h"
+#include "NearestFace.h"
 #include "NearestPlace.h"
+#include "PlacedTriangles.h"
 #include "RayCaster.h"
 
 #include <gtest/gtest.h>
 
 using namespace wfv;
 using namespace wfv::reference;
+using namespace wfv::test;
 
 namespace
 {
-constexpr int Width = 1024;
-constexpr int Height = 512;
+constexpr int Width = PlacedWidth;
+constexpr int Height = PlacedHeight;
 const vec2 Centre(600.5, 256.5); // of pixel (600, 256), next to the equator
 
 // Pixels: the ray is cast so far inside of an edge, and the frame is true to first order.
 constexpr double PlaceSlack = 2 * ApartFromEdge;
 
-View WholeSphere()
-{
-  ViewOptions o;
-  o.Radii = { { 0.1, 100 } };
-  return View(*FindProjection("equirectangular"), o);
-}
-
-// Triangles given by their places in the picture, all corners at one distance from the eye.
-class Picture
+class Picture : public PlacedTriangles
 {
 public:
-  void Add(double distance, const std::array<vec2, 3>& places)
-  {
-    const vtkIdType first = vtkIdType(this->Soup.Points.size());
-    for (const vec2& place : places)
-    {
-      const ViewRay ray = WholeSphere().Ray(PixelToNdc(place.x, place.y, Width, Height));
-      this->Soup.Points.push_back(ray.Direction * distance);
-    }
-    this->Soup.CellIds.push_back(vtkIdType(this->Soup.Triangles.size()));
-    this->Soup.Triangles.push_back({ { first, first + 1, first + 2 } });
-  }
-
   // A needle up and down: its left side is on the meridian so many pixels right of Centre.
   void AddNeedle(double distance, double beside, double thickness)
   {
@@ -54,7 +38,11 @@ public:
     return NearestPlace(caster, Width, Height, Centre, cell, SearchLimit);
   }
 
-  TriangleSoup Soup;
+  double NearestAtAll(vtkIdType cell) const
+  {
+    const RayCaster caster(this->Soup, WholeSphere());
+    return NearestFace(caster, Width, Height, Centre, cell, SearchLimit);
+  }
 };
 }
 
@@ -150,4 +138,48 @@ TEST(NearestPlace, LeavesTheFortyEightPointsAlone)
   const Metrics m = Compare(drawn, caster, reference, 1);
   EXPECT_EQ(m.UnexplainedPixels, 1);
   EXPECT_NEAR(m.MaxPx, 0.3, PlaceSlack);
+}
+
+TEST(NearestFace, LooksBehindWhatHidesTheCell)
+{
+  Picture picture;
+  picture.AddNeedle(10, 0.3, 0.01);
+  picture.Add(5, { { Centre + vec2(-90, 60), Centre + vec2(90, 60), Centre + vec2(0, -90) } });
+  EXPECT_NEAR(picture.NearestAtAll(0), 0.3, PlaceSlack);
+  EXPECT_EQ(picture.NearestAtAll(1), 0);
+  EXPECT_EQ(picture.NearestAtAll(7), std::numeric_limits<double>::infinity()) << "no such cell";
+}
+
+TEST(NearestFace, IsThatOfItsEdgesWhereItIsEdgeOn)
+{
+  for (const double stretched : { 2.0, 1.0 }) // without area, where both corners are one
+  {
+    Picture picture;
+    picture.AddNeedle(10, 0.3, 0);
+    picture.Soup.Points[1] *= stretched;
+    EXPECT_EQ(picture.Nearest(0), std::numeric_limits<double>::infinity());
+    EXPECT_NEAR(picture.NearestAtAll(0), 0.3, PlaceSlack);
+  }
+}
+
+TEST(NearestFace, FollowsEdgesThatBend)
+{
+  // along the great circle ahead, whose place above the equator is known a quarter of the way round
+  Picture picture;
+  picture.Soup.Points = { vec3(-1, 0, -1), vec3(1, 0.5, -1), vec3(3, 0, -3) };
+  picture.Soup.Triangles = { { { 0, 1, 2 } } };
+  picture.Soup.CellIds = { 0 };
+  const vec3 middle = glm::normalize(vec3(0, 0.25, -1));
+  const vec3 ndc = WholeSphere().Forward(middle).Ndc;
+  const vec2 place(0.5 * (ndc.x + 1) * Width, 0.5 * (1 - ndc.y) * Height);
+  const RayCaster caster(picture.Soup, WholeSphere());
+  EXPECT_LE(NearestFace(caster, Width, Height, place, 0, SearchLimit), PlaceSlack);
+  EXPECT_GT(NearestFace(caster, Width, Height, place - vec2(0, 3), 0, SearchLimit), 1);
+}
+
+TEST(NearestFace, IsInfiniteBeyondTheClipSpheres)
+{
+  Picture picture;
+  picture.AddNeedle(1000, 0.3, 0.01);
+  EXPECT_EQ(picture.NearestAtAll(0), std::numeric_limits<double>::infinity());
 }

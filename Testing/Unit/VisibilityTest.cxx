@@ -124,6 +124,35 @@ TEST(Visibility, DropsWhatIsBeside)
   }
 }
 
+// Where a window is said to show all directions the clip spheres alone leave boxes out.
+TEST(Visibility, KnowsWindowsThatShowAll)
+{
+  Random random;
+  Window window; // with a margin, as stages have it
+  window.Low -= 1e-3;
+  window.High += 1e-3;
+  int all = 0;
+  for (const NamedView& named : WideViews())
+  {
+    const Projection& p = named.TheView.GetProjection();
+    const WfvView& v = named.TheView.GetParameters();
+    const bool shows = ShowsAll(p, v, window);
+    bool agrees = true;
+    for (int i = 0; i < Boxes; ++i)
+    {
+      const Box box = random.MakeBox();
+      agrees = agrees && IsUnseen(p, v, box, window) == !IsBetweenClips(v, box);
+    }
+    EXPECT_TRUE(agrees || !shows) << named.Name;
+    const bool turns = p.Axis == Family::Meridian || p.Axis == Family::Azimuthal;
+    all += shows && turns;
+    Window half = window;
+    half.High.x = 0;
+    EXPECT_FALSE(turns && ShowsAll(p, v, half)) << named.Name;
+  }
+  EXPECT_GT(all, 8); // maps of the whole sphere
+}
+
 TEST(Visibility, KnowsTheClipSpheres)
 {
   ViewOptions o;

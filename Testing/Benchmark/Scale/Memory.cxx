@@ -74,10 +74,6 @@ bench::Json DrawAndWeigh(const std::string& way, long triangles)
   const vtkSmartPointer<vtkRenderWindow> window = MakeWindow(1024, 512, false);
   std::vector<ScaleRun> runs{ wide ? MakeWideRun(way, actors, "equirectangular", 360, 180)
                                    : MakeStockRun(way, actors, 90) };
-  if (wide)
-  {
-    runs.front().Pass->SortWhileMovingOn(); // what sorting keeps is to be weighed, in few frames
-  }
   DrawInTurn(window, runs, Frames, [](const ScaleRun&, int) {});
   bench::Json json{ { "data_mb", data }, { "peak_mb", ReadStatus("VmHWM:") },
     { "still_mb", ReadStatus("VmRSS:") } };

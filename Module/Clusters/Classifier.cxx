@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Clusters/Classifier.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wfv
+{
+namespace
+{
+// Relative to the distance: so near a discontinuity float32 may place a point beyond it.
+constexpr double Beside = 1e-5;
+
+// Cosine of the angle from the axis of a perspective: nearer to the plane of the eye no chord has
+// a bound.
+constexpr double LeastAhead = 0.02;
+
+// Of rays that begin on a circle: how many of its radii a triangle is away at least, and how many
+// of its edges is its distance from the circle's axis. Nearer ones are ray-tested.
+constexpr double LeastRadii = 34; // so that another cell at the most is looked at
+constexpr double LeastEdges = 4;
+
+// Radians, that a triangle of several chords is long at the most.
+constexpr double LongestSplit = 1;
+
+double Longest2(const vec3& a, const vec3& b, const vec3& c)
+{
+  const vec3 ab = b - a;
+  const vec3 bc = c - b;
+  const vec3 ca = a - c;
+  return std::max({ glm::dot(ab, ab), glm::dot(bc, bc), glm::dot(ca, ca) });
+}
+}
+
+bool ClassifierView::operator==(const ClassifierView& o) const
+{
+  const WfvView& a = this->View;
+  const WfvView& b = o.View;
+  return this->Map == o.Map && a.halfFov == b.halfFov && a.scale == b.scale && a.tilt == b.tilt &&
+    a.radii == b.radii && a.lens == b.lens && a.lens5 == b.lens5 && a.maxAngle == b.maxAngle &&
+    a.map == b.map && this->Part.Low == o.Part.Low && this->Part.High == o.Part.High &&
+    this->Limits == o.Limits && this->Culls == o.Culls && this->EyeRadius == o.EyeRadius &&
+    this->Reach == o.Reach;
+}
+
+Classifier::Classifier(const ClassifierView& view)
+  : V(view)
+  , Axis(view.Map->Axis)
+{
+  constexpr double dip = 1 + ChordLimits::LongestChord * ChordLimits::LongestChord;
+  const double inner = std::max(view.View.radii.x * dip, LeastRadii * view.EyeRadius);
+  const double outer = view.View.radii.y * (1 - 10 * Beside);
+  this->Inner2 = inner * inner;
+  this->Outer2 = outer * outer;
+  this->RimCosine = std::cos(view.View.maxAngle);
+  this->AllAround = view.Culls && ShowsAll(*view.Map, view.View, view.Part);
+  this->RimAngle = view.Limits ? view.Limits->GetRimAngle() : 0;
+}
+
+// Unless all corners are well on one face of the cube round the eye.
+bool Classifier::IsOnOneFace(const vec3 p[3], double beside) const
+{
+  const vec3 a = glm::abs(p[0]);
+  const int axis = a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
+  const double sign = p[0][axis] < 0 ? -1 : 1;
+  bool one = true;
+  for (int i = 0; i < 3; i++)
+  {
+    const double others = std::max(std::abs(p[i][(axis + 1) % 3]), std::abs(p[i][(axis + 2) % 3]));
+    one = one && sign * p[i][axis] > others + beside;
+  }
+  return one;
+}
+
+// Whether a triangle may meet a discontinuity of the map, or reach beyond its rim. angle: of its
+// longest edge, radians, at least.
+bool Classifier::MayTear(const vec3 p[3], double farthest, double angle) const
+{
+  const double beside = farthest * (Beside + this->RimAngle) + this->V.EyeRadius;
+  switch (this->Axis)
+  {
+    case Family::Meridian:
+      return std::min({ p[0].x, p[1].x, p[2].x }) <= beside &&
+        std::max({ p[0].x, p[1].x, p[2].x }) >= -beside &&
+        std::max({ p[0].z, p[1].z, p[2].z }) >= -beside;
+    case Family::Planar:
+      return std::max({ p[0].z, p[1].z, p[2].z }) > -LeastAhead * farthest - beside;
+    case Family::Faces:
+      return !this->IsOnOneFace(p, 2 * beside); // it changes by no more along any two axes
+    case Family::Azimuthal:
+    {
+      const double rim = this->RimCosine + angle;
+      for (int i = 0; i < 3; i++)
+      {
+        if (!(-p[i].z - beside >= rim * glm::length(p[i])))
+        {
+          return true;
+        }
+      }
+      return false;
+    }
+    default:
+      return true;
+  }
+}
+
+bool Classifier::SphereMayTear(const vec3& c, double radius, double angle) const
+{
+  const double distance = glm::length(c);
+  const double beside =
+    (distance + radius) * (Beside + this->RimAngle) + this->V.EyeRadius + radius;
+  switch (this->Axis)
+  {
+    case Family::Meridian:
+      return std::abs(c.x) <= beside && c.z >= -beside;
+    case Family::Planar:
+      return c.z + beside > -LeastAhead * (distance + radius);
+    case Family::Faces:
+    {
+      const vec3 same[3] = { c, c, c };
+      return !this->IsOnOneFace(same, 2 * beside);
+    }
+    case Family::Azimuthal:
+      return !(-c.z - beside >= (this->RimCosine + angle) * (distance + radius) &&
+        -c.z - beside >= (this->RimCosine + angle) * std::max(0.0, distance - radius));
+    default:
+      return true;
+  }
+}
+
+// Seen by rays that begin on a circle an edge is no great circle: from each place another ray
+// looks, by as much as the circle turns between them. True where that moves it by too much.
+bool Classifier::BendsFromEye(const vec3& p, const vec3& q) const
+{
+  const WfvView& v = this->V.View;
+  const vec3 up(0, v.tilt.x, -v.tilt.y);
+  const vec3 way = q - p;
+  const double edge2 = glm::dot(way, way);
+  const double height = glm::dot(p, up);
+  const double level2 = glm::dot(p, p) - height * height - edge2;
+  if (!(level2 > LeastEdges * LeastEdges * edge2))
+  {
+    return true;
+  }
+  const double off = this->V.EyeRadius * edge2 / level2 / glm::length(p);
+  return !(off * this->V.Limits->StretchAt(p) <= EyeShare * this->V.Tolerance);
+}
+
+// Rays that begin on a circle look a little aside of the direction from its middle.
+double Classifier::LimitAt(const vec3& p) const
+{
+  return this->V.EyeRadius > 0 ? this->V.Limits->LeastAround(p, 1 / LeastRadii)
+                               : this->V.Limits->At(p);
+}
+
+// Seen from the eye no part of an edge looks longer than it would at its nearer end.
+bool Classifier::FitChords(const vec3& p, const vec3& q, int chords) const
+{
+  const vec3 step = (q - p) / double(chords);
+  const double step2 = glm::dot(step, step);
+  double before = this->LimitAt(p) * glm::dot(p, p);
+  for (int i = 1; i <= chords; i++)
+  {
+    const vec3 at = i < chords ? p + double(i) * step : q;
+    const double here = this->LimitAt(at) * glm::dot(at, at);
+    if (!(step2 <= std::min(before, here)) ||
+      (this->V.EyeRadius > 0 && this->BendsFromEye(at - step, at)))
+    {
+      return false;
+    }
+    before = here;
+  }
+  return true;
+}
+
+// reach2: the squared length of a chord at the shorter of its ends, at the most.
+int Classifier::ChordsOf(const vec3& p, const vec3& q, double reach2) const
+{
+  const vec3 way = q - p;
+  const double length2 = glm::dot(way, way);
+  if (length2 <= reach2 && !(this->V.EyeRadius > 0))
+  {
+    return 1;
+  }
+  if (!(length2 <= MostChords * MostChords * reach2))
+  {
+    return 0;
+  }
+  // from the same end for both triangles, or they were rounded apart
+  const bool ordered = p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : p.z < q.z;
+  const vec3& from = ordered ? p : q;
+  const vec3& to = ordered ? q : p;
+  constexpr double longer = ChordLimits::MostLonger * ChordLimits::MostLonger;
+  if (length2 <= longer * reach2 && !(this->V.EyeRadius > 0) &&
+    this->V.Limits->IsNearChord(from, to))
+  {
+    return 1;
+  }
+  int chords = std::max(1, static_cast<int>(std::ceil(std::sqrt(length2 / reach2))));
+  // where each pixel's ray begins elsewhere, the fragment stage does not find one of several
+  const int most = this->V.EyeRadius > 0 ? 1 : MostChords;
+  while (chords <= most && !this->FitChords(from, to, chords))
+  {
+    chords++;
+  }
+  return chords <= most ? chords : 0;
+}
+
+// Whether nothing speaks against it but how long the edges are.
+bool Classifier::MayProject(const vec3 p[3]) const
+{
+  const double away2[3] = { glm::dot(p[0], p[0]), glm::dot(p[1], p[1]), glm::dot(p[2], p[2]) };
+  const double nearest2 = std::min({ away2[0], away2[1], away2[2] });
+  const double farthest2 = std::max({ away2[0], away2[1], away2[2] });
+  const double angle2 = Longest2(p[0], p[1], p[2]) / nearest2;
+  // an edge comes nearer than its ends by an eighth of its squared angle
+  const double least = 1 + 0.5 * angle2;
+  return nearest2 > least * this->Inner2 && farthest2 < this->Outer2 &&
+    angle2 <= LongestSplit * LongestSplit &&
+    !this->MayTear(p, std::sqrt(farthest2), std::sqrt(angle2));
+}
+
+// No chord stands for an edge that is torn; all triangles at it are ray-tested.
+void Classifier::LeaveTornEdges(const vec3 p[3], Triangle& t) const
+{
+  for (int i = 0; i < 3; i++)
+  {
+    const vec3 edge[3] = { p[(i + 1) % 3], p[(i + 2) % 3], p[(i + 2) % 3] };
+    const double away2[2] = { glm::dot(edge[0], edge[0]), glm::dot(edge[1], edge[1]) };
+    const vec3 way = edge[1] - edge[0];
+    const double angle = std::sqrt(glm::dot(way, way) / std::min(away2[0], away2[1]));
+    if (this->MayTear(edge, std::sqrt(std::max(away2[0], away2[1])), angle))
+    {
+      t.Chords[i] = 0;
+    }
+  }
+}
+
+Classifier::Triangle Classifier::OfTriangle(const vec3& a, const vec3& b, const vec3& c) const
+{
+  const vec3 p[3] = { a, b, c };
+  double reach2[3];
+  for (int i = 0; i < 3; i++)
+  {
+    reach2[i] = this->LimitAt(p[i]) * glm::dot(p[i], p[i]);
+  }
+  Triangle t;
+  for (int i = 0; i < 3; i++)
+  {
+    const int j = (i + 1) % 3;
+    const int k = (i + 2) % 3;
+    t.Chords[i] = this->ChordsOf(p[j], p[k], std::min(reach2[j], reach2[k]));
+  }
+  const int most = std::max({ t.Chords[0], t.Chords[1], t.Chords[2] });
+  const int least = std::min({ t.Chords[0], t.Chords[1], t.Chords[2] });
+  if (least == 0 || (most > MostRows && least > 1) || !this->MayProject(p))
+  {
+    this->LeaveTornEdges(p, t);
+    return t;
+  }
+  t.Class = most == 1 ? DrawClass::Projected : DrawClass::Cut;
+  return t;
+}
+
+DrawClass Classifier::OfCluster(const Box& box, double radius, double edge) const
+{
+  Box seen = box;
+  seen.Grow(this->V.Reach);
+  if (this->V.Culls &&
+    (this->AllAround ? !IsBetweenClips(this->V.View, seen)
+                     : IsUnseen(*this->V.Map, this->V.View, seen, this->V.Part)))
+  {
+    return DrawClass::Culled;
+  }
+  if (!this->V.Limits)
+  {
+    return DrawClass::RayTested;
+  }
+  const vec3 centre = 0.5 * (box.Low + box.High);
+  const double distance = glm::length(centre);
+  const double nearest = distance - radius;
+  const double farthest = distance + radius;
+  if (!(nearest > 0 && nearest * nearest > this->Inner2 && farthest * farthest < this->Outer2) ||
+    this->V.EyeRadius > 0)
+  {
+    return DrawClass::Mixed;
+  }
+  const double limit = this->V.Limits->LeastAround(centre, radius / distance);
+  const bool all = !this->V.Limits->IsBesideSingularity(centre, radius / distance) &&
+    edge * edge <= limit * nearest * nearest &&
+    !this->SphereMayTear(centre, radius, ChordLimits::LongestChord);
+  return all ? DrawClass::Projected : DrawClass::Mixed;
+}
+}

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Decides for clusters, and where a cluster is mixed for its triangles, how a view draws them.
+#ifndef WideFoVClassifier_h
+#define WideFoVClassifier_h
+
+#include "Projections/ChordLimits.h"
+#include "Projections/Visibility.h"
+
+#include <memory>
+
+namespace wfv
+{
+// How triangles are drawn.
+enum class DrawClass : unsigned char
+{
+  Culled,    // not at all: outside the window or the clip spheres
+  Projected, // by the vertex stage and the rasterizer: chords are within the tolerance of edges
+  Cut,       // likewise, after a geometry stage has cut it into smaller ones
+  RayTested, // a geometry stage covers them, the fragment stage decides by rays
+  Mixed      // a cluster: each of its triangles has a class of its own
+};
+
+// What the classes depend on, but for the mesh.
+struct ClassifierView
+{
+  const Projection* Map = nullptr;
+  WfvView View;
+  Window Part;                               // of the picture
+  std::shared_ptr<const ChordLimits> Limits; // none: nothing is projected
+  double Tolerance = 0.25;                   // pixels; that of Limits
+  bool Culls = true;
+  double EyeRadius = 0; // of the circle that rays begin on, scene units
+  double Reach = 0;     // of the rays' beginnings from the origin, scene units
+
+  bool operator==(const ClassifierView& other) const;
+};
+
+// A triangle's corners, or a cluster, in the map's own frame.
+class WFV_EXPORT Classifier
+{
+public:
+  // Of the tolerance: what the turning of the eyes' circle may take, beside what the map itself
+  // bends.
+  static constexpr double EyeShare = 0.2;
+
+  // Chords that stand for an edge, at the most; and for one of a triangle whose edges all have
+  // several.
+  static constexpr int MostChords = 16;
+  static constexpr int MostRows = 4;
+
+  explicit Classifier(const ClassifierView& view);
+
+  // box: of the cluster; radius: of a sphere round the middle of the box that holds it; edge: the
+  // longest of its triangles.
+  DrawClass OfCluster(const Box& box, double radius, double edge) const;
+
+  // Of a triangle: a class of its own; and for the edge opposite to each corner the chords that
+  // stand for it, 1 to 16 for parts of it that are alike, or 0, where so few do not do. Both
+  // triangles at an edge have the same there, so that what is drawn in two ways meets.
+  struct Triangle
+  {
+    DrawClass Class = DrawClass::RayTested;
+    int Chords[3] = { 0, 0, 0 };
+  };
+  Triangle OfTriangle(const vec3& a, const vec3& b, const vec3& c) const;
+
+private:
+  int ChordsOf(const vec3& p, const vec3& q, double reach2) const;
+  double LimitAt(const vec3& p) const;
+  bool FitChords(const vec3& p, const vec3& q, int chords) const;
+  bool MayProject(const vec3 p[3]) const;
+  void LeaveTornEdges(const vec3 p[3], Triangle& t) const;
+  bool MayTear(const vec3 p[3], double farthest, double angle) const;
+  bool SphereMayTear(const vec3& centre, double radius, double angle) const;
+  bool IsOnOneFace(const vec3 p[3], double beside) const;
+  bool BendsFromEye(const vec3& p, const vec3& q) const;
+
+  const ClassifierView& V;
+  Family Axis;
+  double Inner2; // squared distances: nothing is projected beyond
+  double Outer2;
+  double RimCosine; // of the angle at which a round map ends
+  double RimAngle;  // ChordLimits::GetRimAngle
+  bool AllAround;   // the window shows all directions
+};
+}
+
+#endif
