@@ -46,7 +46,7 @@ compare() {
 # Pictures first, side by side as many as there are processors; nothing is timed meanwhile.
 suites=(CompareExact Watertight CompareLines CompareStereoLines CompareSampledLines ComparePoints
   CompareSampledPoints CompareQuadrics CompareStereoQuadrics CompareStereo CompareSampled
-  CompareEdges Tessellate Attributes)
+  CompareEdges Tessellate Attributes Mixed)
 maps=(equirectangular hammer azimuthal_equidistant)
 [ "${WIDEFOV_GPU_SMALL:-0}" = 0 ] || maps=(equirectangular)
 jobs_at_once="$(nproc)"
