@@ -118,7 +118,7 @@ bool IsBetweenClips(const WfvView& v, const Box& b)
 
 bool ShowsAll(const Projection& p, const WfvView& v, const Window& w)
 {
-  vec4 all(-1, -1, 1, 1);
+  vec4 all;
   switch (p.Axis)
   {
     case Family::Meridian:

@@ -41,7 +41,7 @@ WFV_EXPORT bool IsUnseen(
   const Projection& projection, const WfvView& view, const Box& box, const Window& window);
 
 // True where the window shows all directions: then a box is unseen where IsBetweenClips is false,
-// and asking that takes a hundredth of the time.
+// which takes no arc tangents and no search along the map's border.
 WFV_EXPORT bool ShowsAll(const Projection& projection, const WfvView& view, const Window& window);
 
 // Whether a point of the box may be between the clip spheres.

@@ -82,7 +82,7 @@ for size in "${sizes[@]}"; do
       --output "$out/bench-$size-$n.json"
   done
 done
-# Both eyes in one pass and in two.
+# Both eyes, of two models.
 step 60 bench-stereo "$bundle/bin/widefov-bench" --quick --size "${sizes[0]}" --turn 1 \
   --frames 11 --scenes cornell,atrium --methods auto,stereo-omnidirectional,stereo-offaxis \
   --tolerance 0.25 --output "$out/bench-stereo.json"

@@ -39,7 +39,8 @@ bool IsBesideRim(
   const RayCaster& caster, int width, int height, const WorstPixel& pixel, double tolerance);
 
 // Whether the drawn cell is behind what is seen there by so little that depth which is interpolated
-// along chords does not tell: where surfaces cross.
+// along chords does not tell: where surfaces cross. By the distance at which the pixel's ray meets
+// it, or, where the ray passes it, by the distance that was drawn.
 bool IsHardlyHidden(const RayCaster& caster, int width, int height, const WorstPixel& pixel);
 
 // Whether `auto` may show there what was drawn: what is seen so near, or a face that is hidden

@@ -24,7 +24,7 @@ PICTURES = 36  # of the small run: about a second each
 COUNTERS = ["nan", "gl_errors", "holes", "double_hits", "unexplained", "crashes"]
 EXACT = 0.02  # pixels
 CHORDS = 0.05  # pixels
-HIDDEN = 2e-4  # of the pixels: Promise.h
+HIDDEN = 2e-4  # of the pixels: HiddenFaces.h
 PARTS = [(["exact", "auto"], EXACT), (["auto"], 0.25)]
 
 # What is not zero yet: (technique, counter), or (technique, counter, case). Nothing is.
