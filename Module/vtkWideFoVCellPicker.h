@@ -11,9 +11,10 @@
 #ifndef vtkWideFoVCellPicker_h
 #define vtkWideFoVCellPicker_h
 
+#include "vtkWideFoVAbi.h" // For VTK_ABI_NAMESPACE_BEGIN
+
 #include "vtkCellPicker.h"
 #include "vtkRenderingWideFoVModule.h" // For export macro
-#include "vtkWideFoVAbi.h"             // For VTK_ABI_NAMESPACE_BEGIN
 
 VTK_ABI_NAMESPACE_BEGIN
 class VTKRENDERINGWIDEFOV_EXPORT vtkWideFoVCellPicker : public vtkCellPicker

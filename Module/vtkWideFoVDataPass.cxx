@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVDataPass.h"
 
-#include "Compat/vtkWideFoVStockText.h"
+#include "Compat/Gl.h"
+#include "Compat/StockText.h"
+#include "Shaders/aov/DataShaders.h"
 #include "vtkWideFoVCamera.h"
-#include "vtkWideFoVDataShaders.h"
-#include "vtkWideFoVGl.h"
 
 #include "vtkActor.h"
 #include "vtkFloatArray.h"

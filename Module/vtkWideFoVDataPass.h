@@ -11,9 +11,10 @@
 #ifndef vtkWideFoVDataPass_h
 #define vtkWideFoVDataPass_h
 
+#include "vtkWideFoVAbi.h" // For VTK_ABI_NAMESPACE_BEGIN
+
 #include "vtkOpenGLRenderPass.h"
 #include "vtkRenderingWideFoVModule.h" // For export macro
-#include "vtkWideFoVAbi.h"             // For VTK_ABI_NAMESPACE_BEGIN
 
 #include <memory> // For std::unique_ptr
 

@@ -11,9 +11,10 @@
 #ifndef vtkWideFoVHardwareSelector_h
 #define vtkWideFoVHardwareSelector_h
 
+#include "vtkWideFoVAbi.h" // For VTK_ABI_NAMESPACE_BEGIN
+
 #include "vtkOpenGLHardwareSelector.h"
 #include "vtkRenderingWideFoVModule.h" // For export macro
-#include "vtkWideFoVAbi.h"             // For VTK_ABI_NAMESPACE_BEGIN
 
 VTK_ABI_NAMESPACE_BEGIN
 class VTKRENDERINGWIDEFOV_EXPORT vtkWideFoVHardwareSelector : public vtkOpenGLHardwareSelector

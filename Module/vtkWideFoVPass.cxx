@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVPass.h"
 
+#include "Compat/VersionCheck.h"
+#include "Frame/BlockClusters.h"
+#include "Frame/Technique.h"
 #include "vtkWideFoVCamera.h"
-#include "vtkWideFoVCompositeMapper.h"
 #include "vtkWideFoVPassInternals.h"
 #include "vtkWideFoVScreenCamera.h"
-#include "vtkWideFoVVersionCheck.h"
 
 #include "vtkActor.h"
 #include "vtkObjectFactory.h"
@@ -17,6 +18,13 @@
 #include <algorithm>
 
 vtkStandardNewMacro(vtkWideFoVPass);
+
+static_assert(static_cast<int>(vtkWideFoVPass::AUTO) == wfv::TechniqueAuto &&
+    static_cast<int>(vtkWideFoVPass::EXACT) == wfv::TechniqueExact &&
+    static_cast<int>(vtkWideFoVPass::TESSELLATE) == wfv::TechniqueTessellate &&
+    static_cast<int>(vtkWideFoVPass::PRECLIP) == wfv::TechniquePreClip &&
+    static_cast<int>(vtkWideFoVPass::VERTEX) == wfv::TechniqueVertex,
+  "the numbers of the techniques");
 
 namespace
 {
@@ -154,7 +162,7 @@ bool vtkWideFoVPass::IsExact()
 
 bool vtkWideFoVPass::IsExactTechnique(int technique, double tolerance)
 {
-  return technique == EXACT || (technique == AUTO && !vtkWideFoVStages::AllowsChords(tolerance));
+  return vtkWideFoVStages::IsExactTechnique(technique, tolerance);
 }
 
 void vtkWideFoVPass::Render(const vtkRenderState* s)

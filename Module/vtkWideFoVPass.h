@@ -18,9 +18,10 @@
 #ifndef vtkWideFoVPass_h
 #define vtkWideFoVPass_h
 
+#include "vtkWideFoVAbi.h" // For VTK_ABI_NAMESPACE_BEGIN
+
 #include "vtkOpenGLRenderPass.h"
 #include "vtkRenderingWideFoVModule.h" // For export macro
-#include "vtkWideFoVAbi.h"             // For VTK_ABI_NAMESPACE_BEGIN
 
 #include <memory> // For std::unique_ptr
 #include <string> // For GetStatistics

@@ -3,12 +3,12 @@
 #ifndef vtkWideFoVPassInternals_h
 #define vtkWideFoVPassInternals_h
 
-#include "vtkWideFoVBillboards.h"
-#include "vtkWideFoVFrameProps.h"
-#include "vtkWideFoVHeadlights.h"
+#include "Drawables/Billboards.h"
+#include "Frame/FrameProps.h"
+#include "Frame/Headlights.h"
+#include "Frame/PropKeys.h"
+#include "Frame/Stages.h"
 #include "vtkWideFoVPass.h"
-#include "vtkWideFoVPropKeys.h"
-#include "vtkWideFoVStages.h"
 
 #include "vtkNew.h"
 #include "vtkRenderer.h"

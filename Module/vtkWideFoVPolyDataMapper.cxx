@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVPolyDataMapper.h"
 
-#include "Clusters/ClusterDraw.h"
+#include "Compat/Gl.h"
+#include "Frame/ClusterDraw.h"
+#include "Frame/PropKeys.h"
+#include "Frame/Stages.h"
+#include "Frame/Tessellation.h"
 #include "vtkWideFoVCamera.h"
 #include "vtkWideFoVPass.h"
-#include "vtkWideFoVPropKeys.h"
-#include "vtkWideFoVStages.h"
-#include "vtkWideFoVTessellation.h"
 
 #include "vtkActor.h"
 #include "vtkHardwareSelector.h"
@@ -22,7 +23,6 @@
 #include "vtkRenderer.h"
 #include "vtkShader.h"
 #include "vtkShaderProgram.h"
-#include "vtkWideFoVGl.h"
 
 vtkStandardNewMacro(vtkWideFoVPolyDataMapper);
 

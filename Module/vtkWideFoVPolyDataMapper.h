@@ -13,9 +13,10 @@
 #ifndef vtkWideFoVPolyDataMapper_h
 #define vtkWideFoVPolyDataMapper_h
 
+#include "vtkWideFoVAbi.h" // For VTK_ABI_NAMESPACE_BEGIN
+
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkRenderingWideFoVModule.h" // For export macro
-#include "vtkWideFoVAbi.h"             // For VTK_ABI_NAMESPACE_BEGIN
 
 #include <memory> // For std::unique_ptr
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVRenderer.h"
 
+#include "Camera/Tile.h"
 #include "vtkWideFoVCamera.h"
 #include "vtkWideFoVPass.h"
-#include "vtkWideFoVTile.h"
 
 #include "vtkCommand.h"
 #include "vtkMath.h"

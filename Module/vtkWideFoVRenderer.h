@@ -12,9 +12,10 @@
 #ifndef vtkWideFoVRenderer_h
 #define vtkWideFoVRenderer_h
 
+#include "vtkWideFoVAbi.h" // For VTK_ABI_NAMESPACE_BEGIN
+
 #include "vtkOpenGLRenderer.h"
 #include "vtkRenderingWideFoVModule.h" // For export macro
-#include "vtkWideFoVAbi.h"             // For VTK_ABI_NAMESPACE_BEGIN
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkWideFoVCamera;

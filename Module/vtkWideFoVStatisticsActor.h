@@ -12,8 +12,9 @@
 #ifndef vtkWideFoVStatisticsActor_h
 #define vtkWideFoVStatisticsActor_h
 
+#include "vtkWideFoVAbi.h" // For VTK_ABI_NAMESPACE_BEGIN
+
 #include "vtkRenderingWideFoVModule.h" // For export macro
-#include "vtkWideFoVAbi.h"             // For VTK_ABI_NAMESPACE_BEGIN
 #include "vtkTextActor.h"
 #include "vtkWeakPointer.h" // For the pass
 

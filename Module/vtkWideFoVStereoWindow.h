@@ -13,10 +13,11 @@
 #ifndef vtkWideFoVStereoWindow_h
 #define vtkWideFoVStereoWindow_h
 
+#include "vtkWideFoVAbi.h" // For VTK_ABI_NAMESPACE_BEGIN
+
 #include "vtkActor2D.h"
 #include "vtkNew.h"                    // For vtkNew
 #include "vtkRenderingWideFoVModule.h" // For export macro
-#include "vtkWideFoVAbi.h"             // For VTK_ABI_NAMESPACE_BEGIN
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkPoints;

@@ -3,8 +3,8 @@
 // projections and stereo models know put in.
 //
 //   widefov-view-xml TEMPLATE OUTPUT
-#include "Projection.h"
-#include "Stereo.h"
+#include "Projections/Projection.h"
+#include "Stereo/Stereo.h"
 
 #include <fstream>
 #include <iostream>

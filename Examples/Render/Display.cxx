@@ -7,7 +7,7 @@
 #include "Messages.h"
 
 #include <vtkOpenGLRenderWindow.h>
-#include <vtkWideFoVGl.h>
+#include <Gl.h>
 
 #include <algorithm>
 #include <chrono>

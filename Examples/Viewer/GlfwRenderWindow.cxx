@@ -3,7 +3,7 @@
 
 #include <vtkObjectFactory.h>
 #include <vtkOpenGLState.h>
-#include <vtkWideFoVGl.h>
+#include <Gl.h>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>

@@ -3,8 +3,8 @@
 #ifndef WideFoVClassifier_h
 #define WideFoVClassifier_h
 
-#include "Projections/ChordLimits.h"
-#include "Projections/Visibility.h"
+#include "Projections/Bounds/ChordLimits.h"
+#include "Projections/Bounds/Visibility.h"
 
 #include <memory>
 

@@ -4,6 +4,7 @@
 #define WideFoVClusters_h
 
 #include "vtkWideFoVAbi.h"
+
 #include "vtkType.h"
 
 #include <algorithm>

@@ -24,11 +24,11 @@ function(widefov_gl_modules variable)
 endfunction()
 
 # widefov_compat_sources(VARIABLE): what some versions need, below Module/. Blocks of composite data
-# are classified up to VTK 9.2; see vtkWideFoVCompositeMapper.h.
+# are classified up to VTK 9.2; see CompositeMapper.h.
 function(widefov_compat_sources variable)
   set(sources)
   if(VTK_VERSION VERSION_LESS 9.3)
-    set(sources Compat/vtkWideFoVCompositeHelper.cxx Compat/vtkWideFoVCompositeHelper.h)
+    set(sources Frame/vtkWideFoVCompositeHelper.cxx Frame/vtkWideFoVCompositeHelper.h)
   endif()
   set("${variable}" "${sources}" PARENT_SCOPE)
 endfunction()

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DirectionMap.h"
 
-#include "DirectionTables.h"
+#include "DirectionMap/DirectionTables.h"
 
 #include <algorithm>
 #include <atomic>

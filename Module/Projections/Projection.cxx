@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Projection.h"
 
-#include "Bend.h"
+#include "Bounds/Bend.h"
 #include "DirectionMap.h"
 #include "NumberText.h"
 #include "StereoModel.h"

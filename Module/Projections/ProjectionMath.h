@@ -73,9 +73,9 @@ constexpr double WFV_BESIDE_SEAM = 0;
 #define WFV_DEPTH_MAPPING(v) (v).depthMapping
 #define WFV_TILTED true
 #define float double
-#include "common.glsl"
-#include "sight.glsl"
-#include "depth.glsl"
+#include "library/common.glsl"
+#include "library/sight.glsl"
+#include "library/depth.glsl"
 #undef float
 #undef WFV_TABLES
 #undef WFV_DEPTH_MAPPING

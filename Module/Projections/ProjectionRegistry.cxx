@@ -2,7 +2,7 @@
 // What there is: the projection files compiled as C++, and one entry for each.
 #include "Projection.h"
 
-#include "DirectionTables.h"
+#include "DirectionMap/DirectionTables.h"
 #include "WideFoVGlsl.h"
 
 // A file may leave out what its family offers it, such as the view.
@@ -16,128 +16,128 @@ namespace wfv
 namespace equirectangular
 {
 #include "equirectangular.glsl"
-#include "cylindrical.glsl"
-#include "meridian.glsl"
-#include "unproject.glsl"
+#include "library/cylindrical.glsl"
+#include "library/meridian.glsl"
+#include "library/unproject.glsl"
 }
 namespace cylindrical_equal_area
 {
 #include "cylindrical-equal-area.glsl"
-#include "cylindrical.glsl"
-#include "meridian.glsl"
-#include "unproject.glsl"
+#include "library/cylindrical.glsl"
+#include "library/meridian.glsl"
+#include "library/unproject.glsl"
 }
 namespace miller
 {
 #include "miller.glsl"
-#include "cylindrical.glsl"
-#include "meridian.glsl"
-#include "unproject.glsl"
+#include "library/cylindrical.glsl"
+#include "library/meridian.glsl"
+#include "library/unproject.glsl"
 }
 namespace mercator
 {
 #include "mercator.glsl"
-#include "cylindrical.glsl"
-#include "meridian.glsl"
-#include "unproject.glsl"
+#include "library/cylindrical.glsl"
+#include "library/meridian.glsl"
+#include "library/unproject.glsl"
 }
 namespace central_cylindrical
 {
 #include "central-cylindrical.glsl"
-#include "cylindrical.glsl"
-#include "meridian.glsl"
-#include "unproject.glsl"
+#include "library/cylindrical.glsl"
+#include "library/meridian.glsl"
+#include "library/unproject.glsl"
 }
 namespace sinusoidal
 {
 #include "sinusoidal.glsl"
-#include "pseudocylindrical.glsl"
-#include "meridian.glsl"
-#include "unproject.glsl"
+#include "library/pseudocylindrical.glsl"
+#include "library/meridian.glsl"
+#include "library/unproject.glsl"
 }
 namespace mollweide
 {
-#include "arc_minus_sine.glsl"
+#include "library/arc_minus_sine.glsl"
 #include "mollweide.glsl"
-#include "pseudocylindrical.glsl"
-#include "meridian.glsl"
-#include "unproject.glsl"
+#include "library/pseudocylindrical.glsl"
+#include "library/meridian.glsl"
+#include "library/unproject.glsl"
 }
 namespace eckert_iv
 {
-#include "arc_minus_sine.glsl"
+#include "library/arc_minus_sine.glsl"
 #include "eckert-iv.glsl"
-#include "pseudocylindrical.glsl"
-#include "meridian.glsl"
-#include "unproject.glsl"
+#include "library/pseudocylindrical.glsl"
+#include "library/meridian.glsl"
+#include "library/unproject.glsl"
 }
 namespace hammer
 {
 #include "hammer.glsl"
-#include "half_longitude.glsl"
-#include "meridian.glsl"
-#include "unproject.glsl"
+#include "library/half_longitude.glsl"
+#include "library/meridian.glsl"
+#include "library/unproject.glsl"
 }
 namespace aitoff
 {
 #include "aitoff.glsl"
-#include "half_longitude.glsl"
-#include "meridian.glsl"
-#include "unproject.glsl"
+#include "library/half_longitude.glsl"
+#include "library/meridian.glsl"
+#include "library/unproject.glsl"
 }
 namespace winkel_tripel
 {
 #include "winkel-tripel.glsl"
-#include "half_longitude.glsl"
-#include "meridian.glsl"
-#include "unproject.glsl"
+#include "library/half_longitude.glsl"
+#include "library/meridian.glsl"
+#include "library/unproject.glsl"
 }
 namespace panini
 {
 #include "panini.glsl"
-#include "meridian.glsl"
-#include "unproject.glsl"
+#include "library/meridian.glsl"
+#include "library/unproject.glsl"
 }
 namespace azimuthal_equidistant
 {
 #include "azimuthal-equidistant.glsl"
-#include "azimuthal.glsl"
-#include "unproject.glsl"
+#include "library/azimuthal.glsl"
+#include "library/unproject.glsl"
 }
 namespace azimuthal_equal_area
 {
 #include "azimuthal-equal-area.glsl"
-#include "azimuthal.glsl"
-#include "unproject.glsl"
+#include "library/azimuthal.glsl"
+#include "library/unproject.glsl"
 }
 namespace stereographic
 {
 #include "stereographic.glsl"
-#include "azimuthal.glsl"
-#include "unproject.glsl"
+#include "library/azimuthal.glsl"
+#include "library/unproject.glsl"
 }
 namespace orthographic
 {
 #include "orthographic.glsl"
-#include "azimuthal.glsl"
-#include "unproject.glsl"
+#include "library/azimuthal.glsl"
+#include "library/unproject.glsl"
 }
 namespace gnomonic
 {
 #include "gnomonic.glsl"
-#include "azimuthal.glsl"
-#include "unproject.glsl"
+#include "library/azimuthal.glsl"
+#include "library/unproject.glsl"
 }
 namespace equi_angular_cubemap
 {
-#include "cube_faces.glsl"
+#include "library/cube_faces.glsl"
 #include "equi-angular-cubemap.glsl"
-#include "unproject.glsl"
+#include "library/unproject.glsl"
 }
 namespace perspective
 {
 #include "perspective.glsl"
-#include "unproject.glsl"
+#include "library/unproject.glsl"
 }
 }
 #undef float

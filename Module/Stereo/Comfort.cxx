@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Comfort.h"
+#include "Stereo/Comfort.h"
 
 #include <algorithm>
 #include <cmath>

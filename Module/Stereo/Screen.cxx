@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Screen.h"
+#include "Stereo/Screen.h"
 
-#include "NumberText.h"
+#include "Projections/NumberText.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What there is: the files of the models compiled as C++, and one entry for each.
-#include "Stereo.h"
+#include "Stereo/Stereo.h"
 
-#include "NumberText.h"
+#include "Projections/NumberText.h"
 #include "WideFoVGlsl.h"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DirectionFile.h"
 
-#include "DirectionMap.h"
+#include "Projections/DirectionMap.h"
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>

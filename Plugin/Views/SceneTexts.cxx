@@ -10,7 +10,7 @@
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 
-#include "Projection.h"
+#include "Projections/Projection.h"
 
 #include <cmath>
 

@@ -3,7 +3,7 @@
 
 #include "DirectionFile.h"
 #include "GridAxesActor.h"
-#include "Projection.h"
+#include "Projections/Projection.h"
 #include "vtkPVWideFoVViewInternals.h"
 #include "vtkWideFoVOverrides.h"
 

@@ -15,7 +15,7 @@
 #include <vtkNew.h>
 #include <vtkPanoramicProjectionPass.h>
 #include <vtkWideFoVRenderer.h>
-#include <vtkWideFoVGl.h>
+#include <Gl.h>
 
 #include <algorithm>
 #include <chrono>

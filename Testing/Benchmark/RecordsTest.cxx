@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Plans, records and ratios of widefov-bench, as the contract has them.
-#include "DirectionMap.h"
+#include "Projections/DirectionMap.h"
 #include "Plan.h"
 #include "Summary.h"
 

@@ -6,8 +6,8 @@
 
 #include "vtkWideFoVAbi.h"
 
-#include "Projection.h"
-#include "Stereo.h"
+#include "Projections/Projection.h"
+#include "Stereo/Stereo.h"
 
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>

@@ -4,7 +4,7 @@
 
 #include <vtkActor.h>
 #include <vtkCellArray.h>
-#include <vtkWideFoVCompositeMapper.h>
+#include <CompositeMapper.h>
 #include <vtkGlyph3DMapper.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>

@@ -4,7 +4,7 @@
 // lambda - s asin(r / d), whatever the latitude. Edges are put 0.02 pixels beside pixel centres,
 // on either side, so one picture says on which side of it the edge is drawn.
 #include "DrawingTest.h"
-#include "Stereo.h"
+#include "Stereo/Stereo.h"
 #include "vtkWideFoVPass.h"
 
 #include <vtkCellArray.h>

@@ -6,7 +6,7 @@
 #include "vtkWideFoVAbi.h"
 
 #include "Metrics.h"
-#include "Projection.h"
+#include "Projections/Projection.h"
 
 #include <vtkSmartPointer.h>
 

@@ -3,7 +3,7 @@
 #include "DrawingTest.h"
 #include "LineCheck.h"
 #include "SampledShot.h"
-#include "Stereo.h"
+#include "Stereo/Stereo.h"
 
 using namespace wfv;
 using namespace wfv::test;

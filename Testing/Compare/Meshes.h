@@ -5,7 +5,7 @@
 
 #include "vtkWideFoVAbi.h"
 
-#include "ProjectionMath.h"
+#include "Projections/ProjectionMath.h"
 #include "TriangleSoup.h"
 
 #include <vtkSmartPointer.h>

@@ -6,7 +6,7 @@
 #include "Meshes.h"
 #include "Poses.h"
 #include "Promise.h"
-#include "Stereo.h"
+#include "Stereo/Stereo.h"
 #include "vtkWideFoVCamera.h"
 #include "vtkWideFoVPass.h"
 #include "vtkWideFoVPolyDataMapper.h"

@@ -2,7 +2,7 @@
 // Meshes that are drawn by their chords: a large one, floors whose edges run away from the eye, a
 // globe with crossings, a wall beside a rim. Depth is interpolated along chords; where every
 // triangle is ray-tested it is that of the pixel's ray.
-#include "ChordLimits.h"
+#include "Projections/Bounds/ChordLimits.h"
 #include "DepthShift.h"
 #include "DrawingTest.h"
 #include "Meshes.h"

@@ -5,7 +5,7 @@
 #include "DrawingTest.h"
 #include "Poses.h"
 #include "QuadricCaster.h"
-#include "Stereo.h"
+#include "Stereo/Stereo.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>

@@ -7,7 +7,7 @@
 #include "Poses.h"
 #include "Promise.h"
 #include "SampledShot.h"
-#include "Stereo.h"
+#include "Stereo/Stereo.h"
 #include "vtkWideFoVPass.h"
 
 #include "Scenes.h"

@@ -3,7 +3,7 @@
 // pixel on the screen.
 #include "Meshes.h"
 #include "Metrics.h"
-#include "Screen.h"
+#include "Stereo/Screen.h"
 #include "vtkWideFoVDataPass.h"
 #include "vtkWideFoVPass.h"
 #include "vtkWideFoVScreenCamera.h"

@@ -3,7 +3,7 @@
 #include "DrawingTest.h"
 #include "Meshes.h"
 #include "Poses.h"
-#include "Stereo.h"
+#include "Stereo/Stereo.h"
 #include "vtkWideFoVPass.h"
 
 #include <vtkPolyData.h>

@@ -8,7 +8,7 @@
 #include "vtkTestErrorObserver.h"
 #include "vtkTransform.h"
 #include "vtkWideFoVCamera.h"
-#include "vtkWideFoVCameraInternals.h"
+#include "Camera/CameraInternals.h"
 #include "vtkWideFoVScreenCamera.h"
 #include "vtkWindowToImageFilter.h"
 

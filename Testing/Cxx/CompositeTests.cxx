@@ -8,7 +8,7 @@
 #include "vtkCellData.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkHardwareSelector.h"
-#include "vtkWideFoVCompositeMapper.h"
+#include "Compat/CompositeMapper.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"

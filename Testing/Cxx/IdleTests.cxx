@@ -6,7 +6,7 @@
 
 #include "vtkActor.h"
 #include "vtkArrowSource.h"
-#include "vtkWideFoVCompositeMapper.h"
+#include "Compat/CompositeMapper.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPointSource.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The shader builder is text in, text out: tested on text.
-#include "vtkWideFoVShaderBuilder.h"
+#include "Shaders/ShaderBuilder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The edits of VTK's shader text (Module/Compat/vtkWideFoVStockEdits.cxx): on the VTK that runs
+// The edits of VTK's shader text (Module/Compat/StockEdits.cxx): on the VTK that runs
 // each finds what it looks for, and where one does not, that is said, and nothing half edited is
 // drawn.
-#include "Compat/vtkWideFoVStockEdits.h"
-#include "Compat/vtkWideFoVStockText.h"
+#include "Compat/StockEdits.h"
+#include "Compat/StockText.h"
 #include "Overheard.h"
 #include "StockEditScenes.h"
 

@@ -5,7 +5,7 @@
 
 #include "vtkActor.h"
 #include "vtkAssembly.h"
-#include "vtkWideFoVCompositeMapper.h"
+#include "Compat/CompositeMapper.h"
 #include "vtkConeSource.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkMultiBlockDataSet.h"

@@ -15,7 +15,7 @@
 // "allowed", so many of them may be, and "broken", those that show what must not be shown there.
 #include "CellFiles.h"
 #include "HiddenFaces.h"
-#include "Stereo.h"
+#include "Stereo/Stereo.h"
 
 #include <nlohmann/json.hpp>
 

@@ -3,7 +3,7 @@
 #ifndef WideFoVCaster_h
 #define WideFoVCaster_h
 
-#include "Projection.h"
+#include "Projections/Projection.h"
 #include "TriangleSoup.h"
 
 #include <vtkType.h>

@@ -5,7 +5,7 @@
 #ifndef WideFoVHiddenFaces_h
 #define WideFoVHiddenFaces_h
 
-#include "ChordLimits.h"
+#include "Projections/Bounds/ChordLimits.h"
 #include "Metrics.h"
 #include "RayCaster.h"
 

@@ -8,7 +8,7 @@
 #ifndef WideFoVLineReference_h
 #define WideFoVLineReference_h
 
-#include "Projection.h"
+#include "Projections/Projection.h"
 #include "TriangleSoup.h"
 
 #include <limits>

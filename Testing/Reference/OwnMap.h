@@ -6,7 +6,7 @@
 #ifndef WideFoVOwnMap_h
 #define WideFoVOwnMap_h
 
-#include "Projection.h"
+#include "Projections/Projection.h"
 
 namespace wfv
 {

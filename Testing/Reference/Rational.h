@@ -3,7 +3,7 @@
 #ifndef WideFoVRational_h
 #define WideFoVRational_h
 
-#include "ProjectionMath.h"
+#include "Projections/ProjectionMath.h"
 
 #include <boost/multiprecision/cpp_int.hpp>
 

@@ -4,7 +4,7 @@
 #ifndef WideFoVRayQuadric_h
 #define WideFoVRayQuadric_h
 
-#include "ProjectionMath.h"
+#include "Projections/ProjectionMath.h"
 
 #include <limits>
 

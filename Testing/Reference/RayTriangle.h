@@ -5,7 +5,7 @@
 #ifndef WideFoVRayTriangle_h
 #define WideFoVRayTriangle_h
 
-#include "ProjectionMath.h"
+#include "Projections/ProjectionMath.h"
 
 #include <algorithm>
 #include <array>

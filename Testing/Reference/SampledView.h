@@ -3,7 +3,7 @@
 #ifndef WideFoVSampledView_h
 #define WideFoVSampledView_h
 
-#include "DirectionMap.h"
+#include "Projections/DirectionMap.h"
 
 #include <memory>
 

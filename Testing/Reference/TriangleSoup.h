@@ -6,7 +6,7 @@
 
 #include "vtkWideFoVAbi.h"
 
-#include "ProjectionMath.h"
+#include "Projections/ProjectionMath.h"
 
 #include <vtkType.h>
 

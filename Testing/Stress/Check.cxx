@@ -12,7 +12,7 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSMPTools.h>
-#include <vtkWideFoVGl.h>
+#include <Gl.h>
 
 #include <algorithm>
 

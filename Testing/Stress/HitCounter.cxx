@@ -18,7 +18,7 @@
 #include <vtkProperty.h>
 #include <vtkRenderState.h>
 #include <vtkUnsignedCharArray.h>
-#include <vtkWideFoVGl.h>
+#include <Gl.h>
 
 namespace wfv
 {

@@ -4,7 +4,7 @@
 #ifndef WideFoVStressRandom_h
 #define WideFoVStressRandom_h
 
-#include "ProjectionMath.h"
+#include "Projections/ProjectionMath.h"
 
 #include <cstdint>
 #include <random>

@@ -12,7 +12,7 @@ import re
 import sys
 
 PAGE = "Documentation/debug-view.md"
-SHADER = "Module/Shaders/debug_kinds.glsl"
+SHADER = "Module/Shaders/common/debug_kinds.glsl"
 CONSTANT = re.compile(r"const vec3 (WFV_COLOR_\w+) = vec3\(([^)]*)\);")
 ROW = re.compile(r"\| `(WFV_COLOR_\w+)` \| ([0-9., ]+) \|")
 

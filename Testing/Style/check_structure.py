@@ -23,24 +23,39 @@ from sources import CPP, SHADERS, find_sources
 MAX_FUNCTION_LINES = 39  # "under 40": what fits a screen
 MAX_SOURCE_LINES = 450  # "about 400": one idea a file
 
-# Folder -> folders whose headers it may include. The longest matching folder counts.
-MAY_INCLUDE = {
-    "Module/Metadata": {"Module/Metadata"},
-    "Module/Projections": {"Module/Projections"},
-    "Module/Stereo": {"Module/Stereo", "Module/Projections"},
-    "Module": {"Module", "Module/Projections", "Module/Stereo"},
-    "Plugin": {"Plugin", "Module", "Module/Metadata", "Module/Projections", "Module/Stereo"},
-    "Examples": {"Examples", "Module", "Module/Metadata", "Module/Projections", "Module/Stereo"},
-    "Testing": {
-        "Testing", "Examples", "Module", "Module/Metadata", "Module/Projections", "Module/Stereo",
-    },
-}
+# The floors of the module, from the ground up; those in one row do not know each other. A folder
+# includes from its own floor and those below it. On the roof are the public classes.
+FLOORS = (
+    ("Module/Projections", "Module/Metadata"),
+    ("Module/Stereo", "Module/Compat"),
+    ("Module/Camera", "Module/Clusters"),
+    ("Module/Shaders",),
+    ("Module/Drawables",),
+    ("Module/Frame",),
+    ("Module",),
+)
+
+
+def reachable(floors):
+    """Folder -> folders whose headers it may include. The longest matching folder counts."""
+    allowed, below = {}, set()
+    for floor in floors:
+        for folder in floor:
+            allowed[folder] = below | {folder}
+        below |= set(floor)
+    allowed["Plugin"] = below | {"Plugin"}
+    allowed["Examples"] = below | {"Examples"}
+    allowed["Testing"] = below | {"Examples", "Testing"}
+    return allowed
+
+
+MAY_INCLUDE = reachable(FLOORS)
 PURE = ("Module/Metadata", "Module/Projections", "Module/Stereo")
 
 # Text that belongs to a shader, and the files that may hold it because they rewrite
 # the text of VTK's own shaders.
 SHADER_TEXT = re.compile(r"\bvoid\s+main\b|\bgl_Position\b|\bEmitVertex\b|#version\s+\d")
-REWRITES_SHADERS = ("Module/vtkWideFoVShaderBuilder.cxx",)
+REWRITES_SHADERS = ("Module/Shaders/ShaderBuilder.cxx",)
 
 # Guards, and the folders that they are looked for in and belong into.
 VERSION_GUARD = re.compile(

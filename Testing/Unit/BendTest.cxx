@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The figure `bend` of a view bounds how far chords are from their edges, in the picture.
-#include "Bend.h"
+#include "Projections/Bounds/Bend.h"
 #include "Views.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // What triangles are classed as holds: of those that are projected, as they are or cut, no edge is
 // farther from its chords in the picture than the tolerance, and nothing is torn.
 #include "Clusters/Classifier.h"
-#include "Stereo.h"
+#include "Stereo/Stereo.h"
 #include "Views.h"
 
 #include <gtest/gtest.h>

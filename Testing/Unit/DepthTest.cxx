@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The depth mappings in double: their formulas, their ends, and back again.
-#include "Projection.h"
+#include "Projections/Projection.h"
 
 #include <gtest/gtest.h>
 

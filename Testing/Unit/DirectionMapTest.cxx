@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Direction maps made from views whose formulas are known, with seams, tears and holes.
-#include "DirectionMap.h"
+#include "Projections/DirectionMap.h"
 #include "SampledMap.h"
 #include "SampledView.h"
 #include "Views.h"

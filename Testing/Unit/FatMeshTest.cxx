@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which meshes go without rays in double, and what numbers in two floats keep.
-#include "vtkWideFoVFatMesh.h"
-#include "vtkWideFoVTwoFloats.h"
+#include "Drawables/FatMesh.h"
+#include "Camera/TwoFloats.h"
 
 #include <vtkCellArray.h>
 #include <vtkCubeSource.h>

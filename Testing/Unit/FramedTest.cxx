@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The perspective that the techniques draw is the perspective: a round map, framed.
-#include "Projection.h"
+#include "Projections/Projection.h"
 
 #include <gtest/gtest.h>
 

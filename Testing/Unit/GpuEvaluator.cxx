@@ -10,7 +10,7 @@
 #include <vtkRenderer.h>
 #include <vtkShaderProgram.h>
 #include <vtkTextureObject.h>
-#include <vtkWideFoVGl.h>
+#include <Gl.h>
 
 namespace wfv
 {

@@ -3,7 +3,7 @@
 #ifndef WideFoVGpuEvaluator_h
 #define WideFoVGpuEvaluator_h
 
-#include "Projection.h"
+#include "Projections/Projection.h"
 
 #include <array>
 #include <memory>

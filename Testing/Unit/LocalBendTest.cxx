@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The table of bends bounds how far chords are from their edges, place by place.
-#include "LocalBend.h"
+#include "Projections/Bounds/LocalBend.h"
 #include "Views.h"
 
 #include <gtest/gtest.h>

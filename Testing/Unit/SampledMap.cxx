@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SampledMap.h"
 
-#include "DirectionTables.h"
+#include "Projections/DirectionMap/DirectionTables.h"
 
 namespace wfv
 {

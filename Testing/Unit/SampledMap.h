@@ -3,7 +3,7 @@
 #ifndef WideFoVTestSampledMap_h
 #define WideFoVTestSampledMap_h
 
-#include "DirectionMap.h"
+#include "Projections/DirectionMap.h"
 
 #include <optional>
 

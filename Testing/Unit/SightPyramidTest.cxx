@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How far away lies what a view shows of a box: no farther than is said, and as far.
-#include "SightPyramid.h"
+#include "Projections/Bounds/SightPyramid.h"
 #include "Views.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The stereo models in double: closed forms, round trips, parallax, and an answer everywhere.
-#include "Comfort.h"
-#include "Stereo.h"
+#include "Stereo/Comfort.h"
+#include "Stereo/Stereo.h"
 #include "Views.h"
 
 #include <gtest/gtest.h>

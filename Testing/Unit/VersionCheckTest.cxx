@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is said of a VTK that the module does not know.
-#include "vtkWideFoVVersionCheck.h"
+#include "Compat/VersionCheck.h"
 
 #include <vtkNew.h>
 #include <vtkOutputWindow.h>

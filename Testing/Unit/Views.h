@@ -3,7 +3,7 @@
 #ifndef WideFoVTestViews_h
 #define WideFoVTestViews_h
 
-#include "Projection.h"
+#include "Projections/Projection.h"
 
 #include <string>
 #include <vector>

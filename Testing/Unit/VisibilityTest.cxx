@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Boxes that a view is said not to show: no point of them is in the picture.
 #include "Views.h"
-#include "Visibility.h"
+#include "Projections/Bounds/Visibility.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,364 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWideFoVCamera.h"
+
+#include "Camera/CameraInternals.h"
+#include "Projections/Bounds/SightPyramid.h"
+
+#include "vtkMath.h"
+#include "vtkMatrix3x3.h"
+#include "vtkMatrix4x4.h"
+#include "vtkObjectFactory.h"
+#include "vtkPerspectiveTransform.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+vtkStandardNewMacro(vtkWideFoVCamera);
+
+namespace
+{
+// Near over far of the automatic clip spheres, where the bounds reach the eye. Depth
+// is linear in the distance, so this costs no precision far away; it only keeps the
+// eye itself out.
+constexpr double NearOverFar = 1e-4;
+
+// Room, relative, that the automatic clip spheres leave beyond the bounds.
+constexpr double ClipMargin = 1e-3;
+
+double ClampAngle(vtkObject* self, const char* what, double value, double least, double max)
+{
+  const double min = std::max(MinFieldOfView, least);
+  const double clamped = std::isnan(value) ? max : std::clamp(value, min, max);
+  if (clamped != value)
+  {
+    vtkWarningWithObjectMacro(self, << what << " " << value << " is outside [" << min << ", " << max
+                                    << "] degrees; " << clamped << " is used");
+  }
+  return clamped;
+}
+
+// Distances from a point to the nearest and farthest point of a box.
+void DistanceToBounds(const double p[3], const double b[6], double& nearest, double& farthest)
+{
+  double near2 = 0;
+  double far2 = 0;
+  for (int i = 0; i < 3; i++)
+  {
+    const double low = b[2 * i] - p[i];
+    const double high = p[i] - b[2 * i + 1];
+    const double outside = std::max({ low, high, 0.0 });
+    const double reach = std::max(std::abs(low), std::abs(high));
+    near2 += outside * outside;
+    far2 += reach * reach;
+  }
+  nearest = std::sqrt(near2);
+  farthest = std::sqrt(far2);
+}
+
+// Of a box, view coordinates.
+wfv::BoxCorners CornersOf(const double bounds[6], vtkMatrix4x4* toView)
+{
+  wfv::BoxCorners corners;
+  for (int i = 0; i < 8; i++)
+  {
+    double p[4] = { bounds[i & 1 ? 1 : 0], bounds[i & 2 ? 3 : 2], bounds[i & 4 ? 5 : 4], 1 };
+    toView->MultiplyPoint(p, p);
+    corners[i] = wfv::vec3(p[0], p[1], p[2]);
+  }
+  return corners;
+}
+}
+
+vtkWideFoVCamera::vtkWideFoVCamera()
+  : Internal(new Internals)
+  , Definition(wfv::FindProjection("equirectangular"))
+{
+}
+
+vtkWideFoVCamera::~vtkWideFoVCamera() = default;
+
+void vtkWideFoVCamera::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const wfv::ViewOptions& o = this->Internal->Options;
+  os << indent << "Projection: " << this->Definition->Name << "\n"
+     << indent << "HorizontalFieldOfView: " << o.HorizontalFov << "\n"
+     << indent << "VerticalFieldOfView: " << o.VerticalFov << "\n"
+     << indent << "Tilt: " << o.Tilt << "\n"
+     << indent << "ClipRadii: " << o.Radii[0] << ", " << o.Radii[1] << "\n"
+     << indent << "DepthMapping: " << this->GetDepthMapping() << "\n"
+     << indent << "DirectionMap: " << (o.Map ? "set" : "(none)") << "\n"
+     << indent << "AutomaticClipRadii: " << this->AutomaticClipRadii << "\n"
+     << indent << "ExactPerspective: " << this->ExactPerspective << "\n"
+     << indent << "StereoModel: " << this->GetStereoModel() << "\n"
+     << indent << "InterpupillaryDistance: " << o.Stereo.InterpupillaryDistance << "\n"
+     << indent << "PoleFade: " << o.Stereo.PoleFade[0] << ", " << o.Stereo.PoleFade[1] << "\n"
+     << indent << "WarpedStereo: " << o.Stereo.Iod << ", " << o.Stereo.Distance << ", "
+     << o.Stereo.Offset << "\n"
+     << indent << "Separation: " << o.Stereo.Separation << "\n"
+     << indent << "Convergence: " << o.Stereo.Convergence << "\n"
+     << indent << "Lens:";
+  for (double c : o.Lens)
+  {
+    os << " " << c;
+  }
+  os << "\n";
+}
+
+void vtkWideFoVCamera::CopyView(const vtkWideFoVCamera* source)
+{
+  this->Internal->Options = source->Internal->Options;
+  this->Definition = source->Definition;
+  this->AutomaticClipRadii = source->AutomaticClipRadii;
+  this->ExactPerspective = source->ExactPerspective;
+  this->Modified();
+}
+
+vtkObjectBase* vtkWideFoVCamera::NewInstanceInternal() const
+{
+  vtkWideFoVCamera* camera = vtkWideFoVCamera::New();
+  camera->CopyView(this);
+  return camera;
+}
+
+void vtkWideFoVCamera::ShallowCopy(vtkCamera* source)
+{
+  this->Superclass::ShallowCopy(source);
+  if (auto* wide = vtkWideFoVCamera::SafeDownCast(source))
+  {
+    this->CopyView(wide);
+  }
+}
+
+void vtkWideFoVCamera::DeepCopy(vtkCamera* source)
+{
+  this->Superclass::DeepCopy(source);
+  if (auto* wide = vtkWideFoVCamera::SafeDownCast(source))
+  {
+    this->CopyView(wide);
+  }
+}
+
+void vtkWideFoVCamera::SetProjection(const char* name)
+{
+  const wfv::Projection* found = name ? wfv::FindProjection(name) : nullptr;
+  if (!found)
+  {
+    std::string known;
+    for (const wfv::Projection* p : wfv::AllProjections())
+    {
+      known += " " + p->Name;
+    }
+    vtkErrorMacro(<< "No projection is named " << (name ? name : "(null)") << "; there are"
+                  << known);
+    return;
+  }
+  if (found == this->Definition)
+  {
+    return;
+  }
+  this->Definition = found;
+  this->Modified();
+  // clamped without a word: nobody asked for these with this projection
+  wfv::ViewOptions& o = this->Internal->Options;
+  const auto fit = [](double v, double min, double max) {
+    return std::clamp(v, std::max(MinFieldOfView, min), max);
+  };
+  this->SetHorizontalFieldOfView(
+    fit(o.HorizontalFov, found->MinHorizontalFov, found->MaxHorizontalFov));
+  this->SetVerticalFieldOfView(fit(o.VerticalFov, found->MinVerticalFov, found->MaxVerticalFov));
+}
+
+const char* vtkWideFoVCamera::GetProjection()
+{
+  return this->Definition->Name.c_str();
+}
+
+int vtkWideFoVCamera::GetNumberOfProjections()
+{
+  return static_cast<int>(wfv::AllProjections().size());
+}
+
+const char* vtkWideFoVCamera::GetProjectionName(int index)
+{
+  const bool known = index >= 0 && index < vtkWideFoVCamera::GetNumberOfProjections();
+  return known ? wfv::AllProjections()[index]->Name.c_str() : nullptr;
+}
+
+void vtkWideFoVCamera::SetHorizontalFieldOfView(double degrees)
+{
+  const double v = ClampAngle(this, "Horizontal field of view", degrees,
+    this->Definition->MinHorizontalFov, this->Definition->MaxHorizontalFov);
+  wfv::ViewOptions& o = this->Internal->Options;
+  if (v == o.HorizontalFov)
+  {
+    return;
+  }
+  o.HorizontalFov = v;
+  this->Modified();
+  const bool lens = o.Lens[0] != 0;
+  if (lens && !wfv::LensIsMonotone(o.Lens, vtkMath::RadiansFromDegrees(0.5 * v)))
+  {
+    vtkWarningMacro(<< "The lens does not grow up to half of " << v << " degrees; it is removed");
+    this->ClearLens();
+  }
+}
+
+double vtkWideFoVCamera::GetHorizontalFieldOfView()
+{
+  return this->Internal->Options.HorizontalFov;
+}
+
+void vtkWideFoVCamera::SetVerticalFieldOfView(double degrees)
+{
+  const double v = ClampAngle(this, "Vertical field of view", degrees,
+    this->Definition->MinVerticalFov, this->Definition->MaxVerticalFov);
+  if (v != this->Internal->Options.VerticalFov)
+  {
+    this->Internal->Options.VerticalFov = v;
+    this->Modified();
+  }
+}
+
+double vtkWideFoVCamera::GetVerticalFieldOfView()
+{
+  return this->Internal->Options.VerticalFov;
+}
+
+void vtkWideFoVCamera::SetFieldOfView(double degrees)
+{
+  this->SetHorizontalFieldOfView(degrees);
+  this->SetVerticalFieldOfView(
+    std::clamp(degrees, this->Definition->MinVerticalFov, this->Definition->MaxVerticalFov));
+}
+
+void vtkWideFoVCamera::SetTilt(double degrees)
+{
+  const double v = std::isnan(degrees) ? 0 : std::clamp(degrees, -180.0, 180.0);
+  if (v != degrees)
+  {
+    vtkWarningMacro(<< "Tilt " << degrees << " is outside [-180, 180] degrees; " << v
+                    << " is used");
+  }
+  if (v != this->Internal->Options.Tilt)
+  {
+    this->Internal->Options.Tilt = v;
+    this->Modified();
+  }
+}
+
+void vtkWideFoVCamera::SetDepthMapping(int mapping)
+{
+  const auto v = static_cast<wfv::DepthMapping>(
+    std::clamp(mapping, static_cast<int>(LINEAR), static_cast<int>(REVERSED)));
+  if (v != this->Internal->Options.Mapping)
+  {
+    this->Internal->Options.Mapping = v;
+    this->Modified();
+  }
+}
+
+int vtkWideFoVCamera::GetDepthMapping()
+{
+  return static_cast<int>(this->Internal->Options.Mapping);
+}
+
+double vtkWideFoVCamera::GetTilt()
+{
+  return this->Internal->Options.Tilt;
+}
+
+bool vtkWideFoVCamera::SetLens(double c1, double c2, double c3, double c4, double c5)
+{
+  const std::array<double, 5> lens{ { c1, c2, c3, c4, c5 } };
+  const double rim = vtkMath::RadiansFromDegrees(0.5 * this->Internal->Options.HorizontalFov);
+  if (!wfv::LensIsMonotone(lens, rim))
+  {
+    vtkErrorMacro(<< "The lens " << c1 << ", " << c2 << ", " << c3 << ", " << c4 << ", " << c5
+                  << " does not grow everywhere up to half the field of view; it is refused");
+    return false;
+  }
+  this->Internal->Options.Lens = lens;
+  this->Modified();
+  return true;
+}
+
+void vtkWideFoVCamera::ClearLens()
+{
+  this->Internal->Options.Lens.fill(0);
+  this->Modified();
+}
+
+void vtkWideFoVCamera::GetLens(double coefficients[5])
+{
+  std::copy_n(this->Internal->Options.Lens.begin(), 5, coefficients);
+}
+
+void vtkWideFoVCamera::SetClipRadii(double nearRadius, double farRadius)
+{
+  if (!(nearRadius > 0) || !(farRadius > nearRadius) || !std::isfinite(farRadius))
+  {
+    vtkErrorMacro(<< "The clip spheres need 0 < near < far, not " << nearRadius << " and "
+                  << farRadius << "; they are unchanged");
+    return;
+  }
+  this->AutomaticClipRadii = 0;
+  this->Internal->Options.Radii = { { nearRadius, farRadius } };
+  this->Modified();
+}
+
+void vtkWideFoVCamera::GetClipRadii(double radii[2])
+{
+  std::copy_n(this->Internal->Options.Radii.begin(), 2, radii);
+}
+
+double vtkWideFoVCamera::GetNearClipRadius()
+{
+  return this->Internal->Options.Radii[0];
+}
+
+double vtkWideFoVCamera::GetFarClipRadius()
+{
+  return this->Internal->Options.Radii[1];
+}
+
+void vtkWideFoVCamera::ResetClipRadii(const double bounds[6])
+{
+  if (!vtkMath::AreBoundsInitialized(bounds))
+  {
+    return;
+  }
+  double nearest;
+  double farthest;
+  double viewpoint[3];
+  this->GetViewpoint(viewpoint);
+  DistanceToBounds(viewpoint, bounds, nearest, farthest);
+  if (!(farthest > 0) || !std::isfinite(farthest))
+  {
+    return;
+  }
+  // seen from a point of the eyes' circle it is that much nearer, or farther
+  const double reach = this->GetEyeReach();
+  if (reach == 0)
+  {
+    farthest = wfv::FarthestSeen(this->GetDrawnProjection(), this->Internal->Options,
+      CornersOf(bounds, this->GetModelViewTransformMatrix()))
+                 .value_or(farthest);
+  }
+  const double f = (farthest + reach) * (1 + ClipMargin);
+  const double n = std::max((nearest - reach) * (1 - ClipMargin), NearOverFar * f);
+  std::array<double, 2>& radii = this->Internal->Options.Radii;
+  if (n != radii[0] || f != radii[1])
+  {
+    radii = { { n, f } };
+    this->Modified();
+    if (this->IsWide())
+    {
+      // for those who know no clip spheres
+      this->SetClippingRange(n, f);
+    }
+  }
+}

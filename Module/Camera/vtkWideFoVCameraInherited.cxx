@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWideFoVCamera: what vtkCamera offers for a perspective, as a wide view understands it.
+#include "vtkWideFoVCamera.h"
+
+#include "Camera/CameraInternals.h"
+
+#include "vtkMath.h"
+#include "vtkRenderer.h"
+#include "vtkWindow.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+
+namespace
+{
+// vtkCamera's own defaults, which a wide view leaves alone, and what a screenshot rounds the angle
+// by, degrees: vtkWindowToImageFilter takes it to float32 radians and back.
+constexpr double StockViewAngle = 30;
+constexpr double ViewAngleRounding = 1e-3;
+constexpr double StockEyeAngle = 2;
+
+// Whether a screenshot of several tiles is being made, for which VTK turns and narrows the camera;
+// a wide view knows its tiles by the window.
+bool IsTiled(vtkRenderer* renderer)
+{
+  int scale[2] = { 1, 1 };
+  if (vtkWindow* const window = renderer->GetVTKWindow())
+  {
+    window->GetTileScale(scale);
+  }
+  return scale[0] > 1 || scale[1] > 1;
+}
+
+// Once a process: screenshots draw with cameras of their own.
+std::set<std::string>& Told()
+{
+  static std::set<std::string> told;
+  return told;
+}
+
+void WarnOnce(vtkObject* self, const std::string& name, const std::string& instead)
+{
+  if (Told().insert(name).second)
+  {
+    vtkWarningWithObjectMacro(
+      self, << "vtkCamera's " << name << " has no meaning in this view and is ignored" << instead);
+  }
+}
+
+// Of two that are too large, or too small, one warning is enough.
+void SetBothFields(vtkWideFoVCamera* camera, const wfv::Projection& p, double wide, double high)
+{
+  camera->SetHorizontalFieldOfView(wide);
+  const bool said = camera->GetHorizontalFieldOfView() != wide;
+  const double least = std::max(MinFieldOfView, p.MinVerticalFov);
+  camera->SetVerticalFieldOfView(said ? std::clamp(high, least, p.MaxVerticalFov) : high);
+}
+}
+
+void wfv::ForgetWhatIsIgnored()
+{
+  Told().clear();
+}
+
+double vtkWideFoVCamera::GetFieldOfViewAngle()
+{
+  const bool across =
+    this->UseHorizontalViewAngle || this->Definition->Axis == wfv::Family::Azimuthal;
+  return across ? this->GetHorizontalFieldOfView() : this->GetVerticalFieldOfView();
+}
+
+void vtkWideFoVCamera::SetViewAngle(double degrees)
+{
+  const double now = this->GetFieldOfViewAngle();
+  const double h = this->GetHorizontalFieldOfView();
+  const double v = this->GetVerticalFieldOfView();
+  if (this->Definition->Axis == wfv::Family::Planar)
+  {
+    // the sides of the picture keep their proportion, as with vtkCamera
+    const auto half = [](double angle) {
+      return std::tan(vtkMath::RadiansFromDegrees(0.5 * angle));
+    };
+    const auto scaled = [&](double angle) {
+      const double t = half(angle) * half(degrees) / half(now);
+      return 2 * vtkMath::DegreesFromRadians(std::atan(t));
+    };
+    const double wide = degrees < 180 ? scaled(h) : degrees;
+    const double high = degrees < 180 ? scaled(v) : degrees;
+    SetBothFields(this, *this->Definition, wide, high);
+    return;
+  }
+  SetBothFields(this, *this->Definition, h * degrees / now, v * degrees / now);
+}
+
+void vtkWideFoVCamera::Zoom(double factor)
+{
+  if (factor > 0)
+  {
+    this->SetViewAngle(this->GetFieldOfViewAngle() / factor);
+  }
+}
+
+void vtkWideFoVCamera::SetEyeSeparation(double distance)
+{
+  this->SetInterpupillaryDistance(distance);
+}
+
+double vtkWideFoVCamera::GetEyeSeparation()
+{
+  return this->GetInterpupillaryDistance();
+}
+
+void vtkWideFoVCamera::WarnOfWhatIsIgnored(vtkRenderer* renderer)
+{
+  const bool tiled = IsTiled(renderer);
+  const auto check = [this](bool set, const char* name, const char* instead) {
+    if (set)
+    {
+      WarnOnce(this, name, instead);
+    }
+  };
+  check(!tiled && std::abs(this->ViewAngle - StockViewAngle) > ViewAngleRounding,
+    "ViewAngle, set by a pointer to vtkCamera,", "; call SetViewAngle or Zoom of vtkWideFoVCamera");
+  check(this->ParallelProjection != 0, "ParallelProjection", "");
+  check(this->UserTransform != nullptr, "UserTransform", "; SetUserViewTransform works");
+  check(!tiled && (this->WindowCenter[0] != 0 || this->WindowCenter[1] != 0), "WindowCenter", "");
+  check(this->ViewShear[0] != 0 || this->ViewShear[1] != 0, "ViewShear (or ObliqueAngles)", "");
+  check(this->UseOffAxisProjection != 0, "UseOffAxisProjection",
+    "; vtkWideFoVScreenCamera sees through a screen");
+  check(this->UseExplicitProjectionTransformMatrix, "ExplicitProjectionTransformMatrix", "");
+  check(this->EyeAngle != StockEyeAngle, "EyeAngle", "; see SetStereoModel");
+}

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What VTK writes into the shaders of a mapper, by what the mapper says of itself: what an edit
+// must find is not decided by the text in which it looks. And what becomes of a shader in which
+// something was not found.
+#ifndef WideFoVStockText_h
+#define WideFoVStockText_h
+
+#include "vtkAbstractMapper.h"
+#include "vtkObject.h"
+#include "vtkProp.h"
+#include "Compat/StockEdits.h"
+
+namespace wfv
+{
+namespace stock
+{
+Facts Describe(vtkAbstractMapper* mapper, vtkProp* prop);
+
+// Where an edit found nothing in these: says so by an error of `object`, once for each edit in this
+// process, with what is done instead, and returns true.
+bool ReportMissing(
+  vtkObject* object, vtkAbstractMapper* mapper, const std::string& texts, const char* instead);
+
+// Where an edit found nothing in these: says so and makes them draw nothing. VTK's own text would
+// put it elsewhere in a wide picture.
+void LeaveOutUnedited(vtkObject* object, vtkAbstractMapper* mapper, std::string& vertex,
+  std::string& geometry, std::string& fragment);
+
+// Of a fragment stage: whether that was done.
+bool DrawsNothing(const std::string& fragment);
+
+// As if nothing had been said yet: for tests.
+WFV_EXPORT void ForgetReports();
+}
+}
+
+#endif

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Drawables/Billboards.h"
+
+#include "Camera/Tile.h"
+#include "vtkWideFoVCamera.h"
+
+#include "vtkBillboardTextActor3D.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkOpenGLCamera.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+// A renderer that is told of another camera tells everybody else.
+class CameraAccess : public vtkRenderer
+{
+public:
+  static vtkCamera* Exchange(vtkRenderer* renderer, vtkCamera* camera)
+  {
+    vtkCamera* const before = renderer->*(&CameraAccess::ActiveCamera);
+    renderer->*(&CameraAccess::ActiveCamera) = camera;
+    return before;
+  }
+};
+
+// Where a text stands in the picture; false where that is not in it. The clip spheres are fitted to
+// the data; a text may stand before or beyond them.
+bool FindPlace(vtkWideFoVCamera* camera, double aspect, const double world[3], double ndc[3])
+{
+  if (camera->WorldToNDC(world, aspect, ndc))
+  {
+    return true;
+  }
+  constexpr double Within = 1e-6; // the clip spheres, relative
+  double eye[3];
+  camera->GetPosition(eye);
+  const double distance = std::sqrt(vtkMath::Distance2BetweenPoints(world, eye));
+  const double nearest = (1 + Within) * camera->GetNearClipRadius();
+  const double farthest = (1 - Within) * camera->GetFarClipRadius();
+  if (!(distance > 0))
+  {
+    return false;
+  }
+  const double share = std::min(std::max(distance, nearest), farthest) / distance;
+  double place[3];
+  for (int i = 0; i < 3; i++)
+  {
+    place[i] = eye[i] + share * (world[i] - eye[i]);
+  }
+  return camera->WorldToNDC(place, aspect, ndc);
+}
+
+// A camera from the same place that shows `world` at `ndc`, and what is round it in parallel.
+void ShowAt(vtkCamera* flat, vtkCamera* camera, const double world[3], const double ndc[3])
+{
+  flat->SetPosition(camera->GetPosition());
+  flat->SetFocalPoint(camera->GetFocalPoint());
+  flat->SetViewUp(camera->GetViewUp());
+  double place[4] = { world[0], world[1], world[2], 1 };
+  flat->GetViewTransformMatrix()->MultiplyPoint(place, place);
+  // the text's corners are floats in the scene's coordinates: it has to be large there
+  const double scale = 1 / (vtkMath::Norm(world) + vtkMath::Norm(place));
+  vtkNew<vtkMatrix4x4> projection;
+  for (int i = 0; i < 3; i++)
+  {
+    projection->SetElement(i, i, scale);
+    projection->SetElement(i, 3, ndc[i] - scale * place[i]);
+  }
+  flat->SetExplicitProjectionTransformMatrix(projection);
+  flat->UseExplicitProjectionTransformMatrixOn();
+  flat->ParallelProjectionOn(); // light falls on it from the picture's front, wherever it stands
+}
+}
+
+namespace wfv
+{
+bool Billboards::Take(vtkProp* prop)
+{
+  auto* const actor = vtkBillboardTextActor3D::SafeDownCast(prop);
+  if (actor)
+  {
+    this->Actors.push_back(actor);
+  }
+  return actor != nullptr;
+}
+
+void Billboards::Draw(vtkRenderer* renderer, vtkWideFoVCamera* camera, const float tile[4]) const
+{
+  const double aspect = PictureAspect(renderer);
+  for (vtkBillboardTextActor3D* const actor : this->Actors)
+  {
+    double ndc[3];
+    if (!FindPlace(camera, aspect, actor->GetPosition(), ndc))
+    {
+      continue;
+    }
+    ndc[0] = tile[0] * ndc[0] + tile[2];
+    ndc[1] = tile[1] * ndc[1] + tile[3];
+    vtkNew<vtkOpenGLCamera> flat;
+    ShowAt(flat, camera, actor->GetPosition(), ndc);
+    vtkCamera* const before = CameraAccess::Exchange(renderer, flat);
+    actor->RenderOpaqueGeometry(renderer);
+    if (actor->HasTranslucentPolygonalGeometry())
+    {
+      actor->RenderTranslucentPolygonalGeometry(renderer);
+    }
+    CameraAccess::Exchange(renderer, before);
+  }
+}
+}

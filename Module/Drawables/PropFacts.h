@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is known of a prop whatever the view.
+#ifndef WideFoVPropFacts_h
+#define WideFoVPropFacts_h
+
+#include "vtkWideFoVAbi.h"
+
+#include "vtkType.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkActor;
+class vtkObjectBase;
+VTK_ABI_NAMESPACE_END
+
+namespace wfv
+{
+// An actor of VTK's own class with the stock mapper of polydata or ours; followers and levels of
+// detail draw another actor.
+bool IsStockActor(vtkActor* actor);
+
+// vtkWideFoVPolyDataMapper, which draws patches and classifies the clusters of its mesh.
+bool IsOwnMapper(vtkObjectBase* mapper);
+
+// Shaders of a user's own may move vertices anywhere.
+bool HasOwnShaders(vtkActor* actor);
+
+struct PropFacts
+{
+  bool Known = false;
+  bool Prepared = false;   // its buffer
+  bool Bounded = false;    // its bounds hold what it draws, but for its reach
+  double Reach = 0;        // by which its lines and points may be wider than they are, pixels
+  double PointSize = 1;    // pixels
+  vtkIdType Few = 0;       // cells, where too few to classify; 0: not few
+  double LongestEdge = -1; // scene units; negative: not asked for yet
+};
+}
+
+#endif

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// ClusterDraw: classifies a mesh, and lists its triangles by the kinds that they are drawn as.
+#include "Frame/ClusterDraw.h"
+
+#include "Frame/Stages.h"
+#include "Frame/vtkWideFoVStage.h"
+
+#include "vtkActor.h"
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace
+{
+// Corners of cells under which a second program costs more than it saves.
+constexpr vtkIdType FewCorners = 768;
+
+// Clusters a thread takes at least.
+constexpr vtkIdType Grain = 64;
+
+// A row-major affine matrix.
+struct Affine
+{
+  wfv::vec3 Columns[3];
+  wfv::vec3 Shift;
+
+  explicit Affine(const double m[16])
+    : Columns{ wfv::vec3(m[0], m[4], m[8]), wfv::vec3(m[1], m[5], m[9]),
+      wfv::vec3(m[2], m[6], m[10]) }
+    , Shift(m[3], m[7], m[11])
+  {
+  }
+
+  wfv::vec3 Of(double x, double y, double z) const
+  {
+    return this->Columns[0] * x + this->Columns[1] * y + this->Columns[2] * z + this->Shift;
+  }
+
+  // By how much it stretches at the most: exact where all axes are scaled alike.
+  double GetScale() const
+  {
+    double most = 0;
+    for (const wfv::vec3& a : this->Columns)
+    {
+      double sum = 0;
+      for (const wfv::vec3& b : this->Columns)
+      {
+        sum += std::abs(glm::dot(a, b));
+      }
+      most = std::max(most, sum);
+    }
+    return std::sqrt(most);
+  }
+};
+}
+
+namespace wfv
+{
+namespace
+{
+// Of a code.
+constexpr int KindBits = 2;
+constexpr int EdgeBits = 5;
+
+ClusterDraw::Kind KindOf(DrawClass class_, bool several = false)
+{
+  switch (class_)
+  {
+    case DrawClass::Projected:
+      return ClusterDraw::Projected;
+    case DrawClass::Cut:
+      return ClusterDraw::Cut;
+    default:
+      return several ? ClusterDraw::AtChords : ClusterDraw::ByStage;
+  }
+}
+
+int KindOf(unsigned int code)
+{
+  return static_cast<int>(code & ((1u << KindBits) - 1));
+}
+
+unsigned int CodeOf(const Classifier::Triangle& triangle)
+{
+  const int* const n = triangle.Chords;
+  int code = KindOf(triangle.Class, std::max({ n[0], n[1], n[2] }) > 1);
+  for (int i = 0; i < 3; i++)
+  {
+    code |= triangle.Chords[i] << (KindBits + EdgeBits * i);
+  }
+  return static_cast<unsigned int>(code);
+}
+}
+
+bool ClusterDraw::IsWorthIt(vtkPolyData* data, bool strips)
+{
+  vtkCellArray* const cells = strips ? data->GetStrips() : data->GetPolys();
+  return cells->GetNumberOfConnectivityIds() >= FewCorners;
+}
+
+bool ClusterDraw::Prepare(vtkPolyData* data, vtkActor* actor, vtkWideFoVStage* stage)
+{
+  this->Chosen = All;
+  vtkWideFoVStages* const stages = stage->GetStages();
+  ClassifierView view;
+  if (!IsWorthIt(data, this->ForStrips) || !stages ||
+    !stages->GetClassifierView(stage, actor, view))
+  {
+    return false;
+  }
+  double toMap[16];
+  stages->GetToMap(actor, toMap);
+  const bool still = this->Known && this->Actor == actor && this->Data == data &&
+    this->Time == data->GetMTime() && std::equal(toMap, toMap + 16, this->ToMap) &&
+    this->View == view;
+  if (!still)
+  {
+    this->Actor = actor;
+    this->Data = data;
+    this->Time = data->GetMTime();
+    this->View = view;
+    std::copy_n(toMap, 16, this->ToMap);
+    this->Classify(data);
+    stages->Counts.ClassifiedMeshes++;
+  }
+  stages->Counts.Add(this->Found);
+  // of a prop that is projected as a whole
+  stages->Counts.ProjectedTriangles += stage == stages->Plain ? this->Draws[ByStage].Triangles : 0;
+  return this->Known && !this->Draws[ByStage].IsWhole(this->Mesh.GetNumberOfTriangles());
+}
+
+void ClusterDraw::Classify(vtkPolyData* data)
+{
+  this->Mesh.Update(data);
+  this->Found = FrameCounts();
+  vtkDataArray* const points = data->GetPoints() ? data->GetPoints()->GetData() : nullptr;
+  auto* const singles = vtkFloatArray::SafeDownCast(points);
+  auto* const doubles = vtkDoubleArray::SafeDownCast(points);
+  this->Known = singles || doubles;
+  if (singles)
+  {
+    this->ClassifyPoints(singles->GetPointer(0));
+  }
+  else if (doubles)
+  {
+    this->ClassifyPoints(doubles->GetPointer(0));
+  }
+}
+
+template <typename Real>
+void ClusterDraw::ClassifyPoints(const Real* points)
+{
+  const Clusters& mesh = this->Mesh;
+  const Corners& corners = mesh.GetCorners();
+  const Affine toMap(this->ToMap);
+  const double scale = toMap.GetScale();
+  const Classifier classifier(this->View);
+  this->Classes.resize(mesh.GetNumberOfClusters());
+  this->Codes.resize(mesh.GetNumberOfTriangles());
+  const auto place = [&](vtkIdType corner) {
+    const Real* const p = points + 3 * static_cast<std::size_t>(corners[corner]);
+    return toMap.Of(p[0], p[1], p[2]);
+  };
+  const auto classify = [&](vtkIdType from, vtkIdType to) {
+    for (int c = static_cast<int>(from); c < to; c++)
+    {
+      const std::array<double, 6>& b = mesh.GetBounds(c);
+      Box box;
+      for (int i = 0; i < 8; i++)
+      {
+        box.Add(toMap.Of(b[i & 1], b[2 + ((i >> 1) & 1)], b[4 + ((i >> 2) & 1)]));
+      }
+      const double radius = 0.5 * scale * std::hypot(b[1] - b[0], b[3] - b[2], b[5] - b[4]);
+      this->Classes[c] = classifier.OfCluster(box, radius, scale * mesh.GetLongestEdge(c));
+      for (vtkIdType i = mesh.GetFirst(c);
+           this->Classes[c] == DrawClass::Mixed && i < mesh.GetEnd(c); i++)
+      {
+        this->Codes[i] =
+          CodeOf(classifier.OfTriangle(place(3 * i), place(3 * i + 1), place(3 * i + 2)));
+      }
+    }
+  };
+  vtkSMPTools::For(0, mesh.GetNumberOfClusters(), Grain, classify);
+  this->Gather();
+}
+
+void ClusterDraw::KindDraw::Clear()
+{
+  this->Firsts.clear();
+  this->Counts.clear();
+  this->Singles.clear();
+  this->Triangles = 0;
+  this->Loaded = false;
+}
+
+void ClusterDraw::KindDraw::AddRun(vtkIdType first, vtkIdType count)
+{
+  this->Triangles += count;
+  if (!this->Firsts.empty() && this->Firsts.back() + this->Counts.back() == first)
+  {
+    this->Counts.back() += count;
+    return;
+  }
+  this->Firsts.push_back(first);
+  this->Counts.push_back(count);
+}
+
+// Triangles of a mixed cluster; runs of one class are drawn as runs where all are of one.
+void ClusterDraw::AddMixed(int cluster)
+{
+  const vtkIdType first = this->Mesh.GetFirst(cluster);
+  const vtkIdType end = this->Mesh.GetEnd(cluster);
+  const auto codes = this->Codes.begin();
+  const int kind = KindOf(codes[first]);
+  if (std::all_of(codes + first, codes + end, [kind](auto code) { return KindOf(code) == kind; }))
+  {
+    this->Draws[kind].AddRun(first, end - first);
+    return;
+  }
+  for (vtkIdType i = first; i < end; i++)
+  {
+    KindDraw& draw = this->Draws[KindOf(codes[i])];
+    draw.Singles.push_back(static_cast<unsigned int>(i));
+    draw.Triangles++;
+  }
+}
+
+// What has been found, in lists.
+void ClusterDraw::Gather()
+{
+  for (KindDraw& draw : this->Draws)
+  {
+    draw.Clear();
+  }
+  const int n = this->Mesh.GetNumberOfClusters();
+  for (int c = 0; c < n; c++)
+  {
+    const vtkIdType first = this->Mesh.GetFirst(c);
+    const vtkIdType count = this->Mesh.GetEnd(c) - first;
+    switch (this->Classes[c])
+    {
+      case DrawClass::Culled:
+        this->Found.UnseenClusters++;
+        this->Found.UnseenTriangles += count;
+        break;
+      case DrawClass::Mixed:
+        this->AddMixed(c);
+        break;
+      default:
+        this->Draws[KindOf(this->Classes[c])].AddRun(first, count);
+    }
+  }
+  this->Found.Clusters = n;
+  this->Found.Triangles = this->Mesh.GetNumberOfTriangles();
+  this->Found.ProjectedTriangles = this->Draws[Projected].Triangles + this->Draws[Cut].Triangles;
+}
+
+std::vector<unsigned int> ClusterDraw::KindDraw::ListAll() const
+{
+  std::vector<unsigned int> all;
+  all.reserve(static_cast<std::size_t>(this->Triangles));
+  for (std::size_t i = 0; i < this->Firsts.size(); i++)
+  {
+    all.resize(all.size() + static_cast<std::size_t>(this->Counts[i]));
+    std::iota(all.end() - this->Counts[i], all.end(), static_cast<unsigned int>(this->Firsts[i]));
+  }
+  all.insert(all.end(), this->Singles.begin(), this->Singles.end());
+  return all;
+}
+
+std::vector<unsigned int> ClusterDraw::ListChords(const std::vector<unsigned int>& triangles) const
+{
+  std::vector<unsigned int> chords(triangles.size());
+  std::transform(triangles.begin(), triangles.end(), chords.begin(),
+    [this](unsigned int triangle) { return this->Codes[triangle] >> KindBits; });
+  return chords;
+}
+}

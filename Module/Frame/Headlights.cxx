@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Frame/Headlights.h"
+
+#include "Compat/StockText.h"
+#include "Shaders/ShaderBuilder.h"
+#include "WideFoVGlsl.h"
+
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkObjectFactory.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+
+vtkStandardNewMacro(vtkWideFoVHeadlights);
+
+namespace wfv
+{
+int FindHeadlights(vtkRenderer* renderer)
+{
+  int lights = 0;
+  int bit = 0;
+  vtkCollectionSimpleIterator it;
+  renderer->GetLights()->InitTraversal(it);
+  while (vtkLight* light = renderer->GetLights()->GetNextLight(it))
+  {
+    if (light->GetSwitch())
+    {
+      const bool ahead = light->LightTypeIsHeadlight() && !light->GetPositional();
+      lights |= ahead && bit < 31 ? 1 << bit : 0;
+      bit++;
+    }
+  }
+  // the one that VTK makes for a renderer without light, once it draws
+  return bit == 0 && renderer->GetAutomaticLightCreation() ? 1 : lights;
+}
+}
+
+void vtkWideFoVHeadlights::Begin(const vtkRenderState* s)
+{
+  this->Lights = wfv::FindHeadlights(s->GetRenderer());
+  this->PreRender(s);
+}
+
+void vtkWideFoVHeadlights::Rewrite(const wfv::stock::Facts& facts, std::string& fragment)
+{
+  namespace stock = wfv::stock;
+  const bool lit = facts.Light != stock::Lit::No;
+  const bool alone = facts.Light == stock::Lit::Headlight;
+  // what is behind it knows the place; imposters work it out before the light
+  const size_t inside = stock::Look(fragment, stock::Edit::LightPlace, facts.If(lit)).At;
+  if (inside == std::string::npos)
+  {
+    return;
+  }
+  std::string head = fragment.substr(0, inside);
+  std::string body = fragment.substr(inside);
+  vtkWideFoVShaderBuilder::Declare(head, headlight_fragment_glsl);
+  stock::Replace(body, stock::Edit::HeadlightCosine,
+    "max($1, dot(normalVCVSOutput, -normalize(vertexVC.xyz)))", facts.If(alone && !facts.Physical));
+  stock::Replace(body, stock::Edit::LightDirection,
+    "wfvLightDirection($1, lightDirectionVC$1, vertexVC.xyz)", facts.If(lit && !alone));
+  fragment = head + body;
+}
+
+bool vtkWideFoVHeadlights::PostReplaceShaderValues(
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop)
+{
+  std::string fragment = fragmentShader;
+  Rewrite(wfv::stock::Describe(mapper, prop), fragment);
+  const char* const instead = "headlights shine along the view axis";
+  if (!wfv::stock::ReportMissing(this, mapper, fragment, instead))
+  {
+    fragmentShader = fragment;
+  }
+  return true;
+}
+
+bool vtkWideFoVHeadlights::SetShaderParameters(
+  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp*, vtkOpenGLVertexArrayObject*)
+{
+  if (program->IsUniformUsed("wfvHeadlights"))
+  {
+    program->SetUniformi("wfvHeadlights", this->Lights);
+  }
+  return true;
+}

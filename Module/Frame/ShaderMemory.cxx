@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Frame/ShaderMemory.h"
+
+namespace
+{
+// More variants than a program has at a time; each takes some ten kilobytes.
+constexpr std::size_t MostTexts = 200;
+
+template <typename... Values>
+void Append(std::string& key, const Values&... values)
+{
+  (key.append(reinterpret_cast<const char*>(&values), sizeof(values)), ...);
+}
+
+// All fields: the compiler counts them here.
+void AppendRequest(std::string& key, const vtkWideFoVShaderBuilder::Request& request)
+{
+  const auto& [projection, stereo, stage, kind, widePoints, wideLines, edges, edgeFlags, byRays,
+    debugView, multisample, tilted, fades, surface, headlights, depthMapping, meetsChords,
+    severalChords, whole, runs, lights, stock] = request;
+  const auto& [noAmbient, noDiffuse, fullDiffuse, noSpecular, opaque] = surface;
+  const auto& [known, light, physical, normals, wireframe, glyphs, clips, imposters] = stock;
+  Append(key, projection, stereo, stage, kind, widePoints, wideLines, edges, edgeFlags, byRays,
+    debugView, multisample, tilted, fades, headlights, depthMapping, meetsChords, severalChords,
+    whole, runs, noAmbient, noDiffuse, fullDiffuse, noSpecular, opaque);
+  Append(key, known, light, physical, normals, wireframe, glyphs, clips, imposters);
+  key += lights ? *lights : "";
+  key += '\0'; // where they end
+}
+}
+
+namespace wfv
+{
+const ShaderMemory::Texts* ShaderMemory::Find(
+  const Request& request, bool numbered, const Texts& texts)
+{
+  this->Wanted.clear();
+  AppendRequest(this->Wanted, request);
+  Append(this->Wanted, numbered);
+  for (const std::string* const text : { &texts.Vertex, &texts.Geometry, &texts.Fragment })
+  {
+    Append(this->Wanted, text->size());
+    this->Wanted += *text;
+  }
+  const auto found = this->Made.find(this->Wanted);
+  return found == this->Made.end() ? nullptr : &found->second;
+}
+
+void ShaderMemory::Keep(const Texts& made)
+{
+  if (this->Made.size() >= MostTexts)
+  {
+    this->Made.clear();
+  }
+  this->Made[this->Wanted] = made;
+}
+}

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Frame/Stages.h"
+
+#include "Camera/Tile.h"
+#include "Drawables/Discontinuity.h"
+#include "Drawables/FatMesh.h"
+#include "Frame/Technique.h"
+#include "Frame/Tessellation.h"
+#include "vtkWideFoVCamera.h"
+
+#include "vtkActor.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkMapper.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPolyData.h"
+#include "vtkProp.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+// Runs of the geometry stage for each of few triangles: more make tighter shapes, but each run, and
+// each border between two columns of pixels, takes time as well.
+constexpr int RunsOfFew = 3;
+
+// Pixels that each of these is to take up, or its runs cost more than tight shapes save.
+constexpr double CoarsePixels = 1024;
+
+// Factor: how much larger than the mean a pixel's angle may be somewhere in a map.
+constexpr double PixelSafety = 8;
+}
+
+vtkWideFoVStages::vtkWideFoVStages()
+{
+  this->Cut->SetVariant(vtkWideFoVShaderBuilder::Variant::Cut);
+  this->PreClip->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
+  this->PreClipOfFew->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
+  this->PreClipOfFew->SetRuns(RunsOfFew);
+  this->PreClipAtChords->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
+  this->PreClipAtChords->SetSeveralChords(true);
+  this->Exact->SetVariant(vtkWideFoVShaderBuilder::Variant::Exact);
+  this->ExactInSingle->SetVariant(vtkWideFoVShaderBuilder::Variant::Exact);
+  this->ExactInSingle->SetRuns(RunsOfFew);
+  this->Tessellate->SetVariant(vtkWideFoVShaderBuilder::Variant::Tessellate);
+}
+
+std::array<vtkWideFoVStage*, 8> vtkWideFoVStages::GetAll()
+{
+  return { this->Plain, this->Cut, this->PreClip, this->PreClipOfFew, this->PreClipAtChords,
+    this->Exact, this->ExactInSingle, this->Tessellate };
+}
+
+bool vtkWideFoVStages::CanTessellate()
+{
+  if (this->Tessellates < 0)
+  {
+    const std::string obstacle = vtkWideFoVTessellation::FindObstacle();
+    this->Tessellates = obstacle.empty();
+    if (!obstacle.empty())
+    {
+      vtkGenericWarningMacro(<< "the technique tessellate cannot be had, auto is used: "
+                             << obstacle);
+    }
+  }
+  return this->Tessellates > 0;
+}
+
+void vtkWideFoVStages::Begin(
+  vtkRenderer* renderer, vtkWideFoVCamera* camera, int technique, double tolerance)
+{
+  const bool refused = technique == wfv::TechniqueTessellate && !this->CanTessellate();
+  this->Technique = refused ? static_cast<int>(wfv::TechniqueAuto) : technique;
+  const wfv::View& view = camera->GetView(wfv::PictureAspect(renderer));
+  this->Projection = &view.GetProjection();
+  const wfv::StereoModel* const stereo = view.GetStereoModel();
+  this->Stereo = stereo;
+  this->ByPixels = stereo && (stereo->OwnRays || !stereo->Straight);
+  this->Tolerance = tolerance;
+  const int* const size = renderer->GetSize();
+  this->HalfDiagonal = 0.5 * std::hypot(size[0], size[1]);
+  this->View = view.GetParameters();
+  this->PixelAngle = 2 * std::max(this->View.halfFov.x, this->View.halfFov.y) /
+    std::max(1, std::min(size[0], size[1]));
+  vtkMatrix4x4::DeepCopy(this->WorldToView, camera->GetModelViewTransformMatrix());
+  if (auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()))
+  {
+    this->Textures.Load(this->View.map, window);
+  }
+  for (vtkWideFoVStage* const stage : this->GetAll())
+  {
+    stage->SetView(renderer, camera, tolerance);
+    stage->SetTextures(&this->Textures);
+    stage->SetStages(this);
+    this->Instruct(stage);
+    stage->ResetNumberOfDraws();
+  }
+  this->SetPart(renderer, this->Plain->GetTile());
+  this->SetEyes(camera, stereo);
+  this->Fine.Begin(renderer);
+  this->Counts = wfv::FrameCounts();
+  this->Programs.BeginFrame();
+  this->NumberView(stereo);
+}
+
+// How a stage draws triangles and lines, by the technique, its tolerance and the eyes.
+void vtkWideFoVStages::Instruct(vtkWideFoVStage* stage)
+{
+  const bool automatic = this->Technique == wfv::TechniqueAuto;
+  stage->SetClipless(this->Technique == wfv::TechniqueVertex);
+  stage->SetByRays(automatic || this->Technique == wfv::TechniqueTessellate);
+  stage->SetWhole(this->IsExact() && stage != this->ExactInSingle);
+  stage->SetMeetsChords(automatic && AllowsChords(this->Tolerance));
+  stage->SetExactLines(automatic && (!this->Stereo || this->Stereo->Straight));
+}
+
+void vtkWideFoVStages::SetDebugView(bool debugView)
+{
+  for (vtkWideFoVStage* const stage : this->GetAll())
+  {
+    stage->SetDebugView(debugView);
+  }
+}
+
+bool vtkWideFoVStages::IsFine(vtkProp* prop, const double bounds[6], wfv::PropFacts& facts)
+{
+  if (this->Technique == wfv::TechniquePreClip)
+  {
+    return true;
+  }
+  facts.LongestEdge = facts.LongestEdge < 0 ? this->Meshes.Get(prop) : facts.LongestEdge;
+  const double error = vtkWideFoVChordError(
+    *this->Projection, this->View, bounds, this->WorldToView, facts.LongestEdge);
+  return error * this->HalfDiagonal <= this->Tolerance;
+}
+
+bool vtkWideFoVStages::IsExactTechnique(int technique, double tolerance)
+{
+  return technique == wfv::TechniqueExact ||
+    (technique == wfv::TechniqueAuto && !AllowsChords(tolerance));
+}
+
+bool vtkWideFoVStages::IsExact() const
+{
+  return IsExactTechnique(this->Technique, this->Tolerance);
+}
+
+// Few triangles that take up many pixels each: by the ball round the prop, as it is seen.
+bool vtkWideFoVStages::IsCoarse(const double* bounds, const wfv::PropFacts& facts) const
+{
+  if (facts.Few == 0 || !bounds || !vtkMath::AreBoundsInitialized(bounds))
+  {
+    return false;
+  }
+  const wfv::vec3 low(bounds[0], bounds[2], bounds[4]);
+  const wfv::vec3 high(bounds[1], bounds[3], bounds[5]);
+  const wfv::vec3 eye(this->Eye.Place[0], this->Eye.Place[1], this->Eye.Place[2]);
+  const double sine = 0.5 * glm::length(high - low) / glm::length(0.5 * (low + high) - eye);
+  const double angle = sine < 1 ? std::asin(sine) : vtkMath::Pi(); // from inside too
+  const double across = 2 * angle / this->PixelAngle;
+  return across * across >= CoarsePixels * static_cast<double>(facts.Few);
+}
+
+// Asked of few triangles alone: of more it would take long.
+bool vtkWideFoVStages::IsFat(vtkProp* prop, const double* bounds, const wfv::PropFacts& facts) const
+{
+  const bool asked = this->IsExact() && this->IsCoarse(bounds, facts);
+  auto* const actor = asked ? vtkActor::SafeDownCast(prop) : nullptr;
+  vtkMapper* const mapper = actor ? actor->GetMapper() : nullptr;
+  auto* const mesh = mapper ? vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0)) : nullptr;
+  double toMap[16];
+  this->GetToMap(actor, toMap);
+  return mesh && wfv::IsFat(mesh, toMap);
+}
+
+double vtkWideFoVStages::GetPointReach(const wfv::PropFacts& facts) const
+{
+  const double pixels = facts.PointSize;
+  return pixels > 1 ? 0.5 * pixels * PixelSafety * this->PixelAngle : 0;
+}
+
+vtkWideFoVStage* vtkWideFoVStages::Choose(
+  vtkProp* prop, const double* bounds, wfv::PropFacts& facts)
+{
+  FindFacts(prop, facts);
+  if (!facts.Prepared)
+  {
+    this->Buffers.Prepare(prop);
+    facts.Prepared = true;
+  }
+  if (this->Technique == wfv::TechniqueVertex)
+  {
+    return this->Plain;
+  }
+  // a direction map has no chords that something could be said of
+  const bool sampled = this->Projection->Axis == wfv::Family::Sampled;
+  const bool covers = this->IsExact() || sampled;
+  if (covers || this->ByPixels)
+  {
+    return this->IsFat(prop, bounds, facts) ? this->ExactInSingle : this->Exact;
+  }
+  if (this->Technique == wfv::TechniqueTessellate)
+  {
+    return this->Tessellate;
+  }
+  if (!bounds || !vtkMath::AreBoundsInitialized(bounds))
+  {
+    return this->PreClip;
+  }
+  return this->ChooseByBounds(prop, bounds, facts);
+}
+
+vtkWideFoVStage* vtkWideFoVStages::ChooseByBounds(
+  vtkProp* prop, const double bounds[6], wfv::PropFacts& facts)
+{
+  const bool torn = vtkWideFoVNeedsPreClip(
+    *this->Projection, this->View, bounds, this->WorldToView, this->GetPointReach(facts));
+  if (torn || !this->IsFine(prop, bounds, facts))
+  {
+    const bool few = this->Technique == wfv::TechniqueAuto && this->IsCoarse(bounds, facts);
+    return few ? this->PreClipOfFew : this->PreClip;
+  }
+  return this->Plain;
+}
+
+vtkWideFoVStage* vtkWideFoVStages::FindAttached(vtkProp* prop)
+{
+  vtkInformation* const info = prop->GetPropertyKeys();
+  vtkInformationObjectBaseVectorKey* const key = vtkOpenGLRenderPass::RenderPasses();
+  const int n = info ? info->Length(key) : 0;
+  for (int i = 0; i < n; i++)
+  {
+    if (auto* const stage = vtkWideFoVStage::SafeDownCast(info->Get(key, i)))
+    {
+      return stage;
+    }
+  }
+  return nullptr;
+}

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the pass and the mapper choose from: one stage object a variant.
+#ifndef WideFoVStages_h
+#define WideFoVStages_h
+
+#include "Clusters/Classifier.h"
+#include "Drawables/MeshScale.h"
+#include "Drawables/PropFacts.h"
+#include "Frame/BufferScale.h"
+#include "Frame/DirectionTextures.h"
+#include "Frame/FineDepth.h"
+#include "Frame/FrameCounts.h"
+#include "Frame/ProgramMemory.h"
+#include "Frame/ShaderClock.h"
+#include "Frame/ShaderMemory.h"
+#include "Frame/vtkWideFoVStage.h"
+#include "vtkWideFoVAbi.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkActor;
+
+// The variants and the choice between them.
+class vtkWideFoVStages
+{
+public:
+  vtkWideFoVStages();
+
+  // Pixels: under this a chord stands for no edge. The rasterizer snaps the ends of a chord by
+  // up to 1/128 of a pixel, and the lens between the two is as thin as that; and who asks for
+  // so little asks for exact depth and attributes too. Everything is covered.
+  static constexpr double LeastTolerance = 0.05;
+  static bool AllowsChords(double tolerance) { return tolerance >= LeastTolerance; }
+
+  // Every triangle is then drawn by the ray of each pixel.
+  static bool IsExactTechnique(int technique, double tolerance);
+
+  // Before the props of a frame. technique: vtkWideFoVPass::Techniques; one that this
+  // OpenGL cannot becomes AUTO, with a warning.
+  void Begin(vtkRenderer* renderer, vtkWideFoVCamera* camera, int technique, double tolerance);
+
+  // After them.
+  void End()
+  {
+    this->Textures.Unbind();
+    this->Fine.End();
+  }
+
+  void ReleaseGraphicsResources(vtkWindow* window)
+  {
+    this->Textures.ReleaseGraphicsResources(window);
+    this->Fine.ReleaseGraphicsResources(window);
+    this->Programs.ForgetAll();
+  }
+
+  // For all variants, from the next draw on.
+  void SetDebugView(bool debugView);
+
+  // Whether what is not seen is left out (true).
+  void SetCulling(bool culling) { this->Culling = culling; }
+
+  // The stage for a prop: the cheapest that the technique allows it. Prepares its vertex
+  // buffer, too. bounds: the prop's, which have just been asked for; nullptr where it has none.
+  vtkWideFoVStage* Choose(vtkProp* prop, const double* bounds, wfv::PropFacts& facts);
+
+  // True where nothing of the prop can be in the picture: it need not be drawn.
+  bool IsUnseen(vtkProp* prop, const double* bounds, wfv::PropFacts& facts) const;
+
+  // Another one whenever what Choose and IsUnseen go by has changed, but the prop.
+  std::uint64_t GetViewNumber() const { return this->ViewNumber; }
+
+  // What the clusters of an actor, drawn with this stage, are classified by. False where all its
+  // triangles are drawn alike.
+  bool GetClassifierView(const vtkWideFoVStage* stage, vtkActor* actor, wfv::ClassifierView& view);
+
+  // From the actor's coordinates to the map's own frame, row-major.
+  void GetToMap(vtkActor* actor, double matrix[16]) const;
+
+  // Where the frame is seen from.
+  wfv::WorldEye Eye;
+
+  // What of it has been drawn.
+  wfv::FineDepth Fine;
+
+  // What this frame did and left out.
+  wfv::FrameCounts Counts;
+  wfv::ShaderClock Shaders;
+  wfv::ShaderMemory Texts;
+  wfv::ProgramMemory Programs;
+
+  // Puts one stage in the place of another in the prop's keys.
+  static void Replace(vtkProp* prop, vtkWideFoVStage* from, vtkWideFoVStage* to);
+
+  // The stage in the prop's keys, or nullptr.
+  static vtkWideFoVStage* FindAttached(vtkProp* prop);
+
+  vtkNew<vtkWideFoVStage> Plain;           // vertex, preclip; auto: what is projected
+  vtkNew<vtkWideFoVStage> Cut;             // auto: what is projected once it is cut
+  vtkNew<vtkWideFoVStage> PreClip;         // auto: covers triangles that are not
+  vtkNew<vtkWideFoVStage> PreClipOfFew;    // auto: of few triangles
+  vtkNew<vtkWideFoVStage> PreClipAtChords; // auto: with edges that several chords stand for
+  vtkNew<vtkWideFoVStage> Exact;
+  vtkNew<vtkWideFoVStage> ExactInSingle; // in float32: of few triangles, all of them fat
+  vtkNew<vtkWideFoVStage> Tessellate;    // other mappers than ours: the pre-clip
+
+private:
+  // True where no edge of the prop bends by more than the tolerance, seen from here.
+  bool IsFine(vtkProp* prop, const double bounds[6], wfv::PropFacts& facts);
+
+  // For a prop whose rays begin all in one place.
+  vtkWideFoVStage* ChooseByBounds(vtkProp* prop, const double bounds[6], wfv::PropFacts& facts);
+
+  // Fills in what is not known yet.
+  static void FindFacts(vtkProp* prop, wfv::PropFacts& facts);
+
+  // Radians: how far beyond their centres the points of a prop may reach; 0 where they are no
+  // larger than a pixel.
+  double GetPointReach(const wfv::PropFacts& facts) const;
+
+  wfv::BufferScale Buffers;
+  wfv::MeshScale Meshes;
+  vtkWideFoVDirectionTextures Textures;
+  double Tolerance = 0.25;
+  double PixelAngle = 0;   // radians, of a pixel at the most if all were alike
+  double HalfDiagonal = 1; // of the picture, pixels
+  bool CanTessellate();
+
+  int Technique = 0;
+  int Tessellates = -1; // -1: not asked yet
+  const wfv::Projection* Projection = nullptr;
+  bool ByPixels = false; // the stereo model leaves chords no edge to stand for
+  const wfv::StereoModel* Stereo = nullptr;
+  bool IsExact() const; // every triangle is covered
+  bool IsFat(vtkProp* prop, const double* bounds, const wfv::PropFacts& facts) const;
+  bool IsCoarse(const double* bounds, const wfv::PropFacts& facts) const;
+  wfv::WfvView View;
+  double WorldToView[16];
+  void SetPart(vtkRenderer* renderer, const float tile[4]);
+  wfv::Window Part;      // of the picture, with a margin
+  wfv::vec2 Pixels{ 1 }; // of the whole picture
+  bool Culling = true;
+  std::array<vtkWideFoVStage*, 8> GetAll();
+  void Instruct(vtkWideFoVStage* stage);
+  void SetEyes(vtkWideFoVCamera* camera, const wfv::StereoModel* stereo); // after SetPart
+  double Reach = 0; // of the rays' beginnings from the middle between the eyes, scene units
+
+  // After the view is known.
+  void NumberView(const wfv::StereoModel* stereo);
+  std::uint64_t ViewNumber = 0;
+  std::vector<double> Numbered; // what the number stands for
+  const void* NumberedObjects[3] = { nullptr, nullptr, nullptr };
+  double NumberedMatrix[16];
+
+  // The present view's, made when they are first asked for.
+  std::shared_ptr<const wfv::ChordLimits> GetLimits(double tolerance);
+  std::shared_ptr<const wfv::LocalBend> Bends;
+  wfv::WfvView BendsView;
+  const wfv::Projection* BendsProjection = nullptr;
+  std::shared_ptr<const wfv::ChordLimits> Limits;
+  wfv::vec2 LimitsPixels{ 0 };
+  double LimitsTolerance = 0;
+};
+VTK_ABI_NAMESPACE_END
+
+#endif

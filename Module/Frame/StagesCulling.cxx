@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWideFoVStages: what a view need not draw, and what clusters are classified by.
+#include "Frame/Stages.h"
+
+#include "Compat/CompositeMapper.h"
+#include "Frame/ClusterDraw.h"
+#include "Frame/Technique.h"
+#include "vtkWideFoVCamera.h"
+
+#include "vtkActor.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkMapper.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace
+{
+// Pixels beyond the window that still count: what rounding, and the chords of the neighbours of
+// what is seen, may reach.
+constexpr double Margin = 2;
+
+// Of the width of a line or point: how far it may reach, with its corners and beyond a slanting
+// border.
+constexpr double WidthMargin = 2;
+
+// Mappers whose bounds hold all that they draw, but for the widths of lines and points.
+bool KeepsItsBounds(vtkActor* actor)
+{
+  vtkMapper* const mapper = actor->GetMapper();
+  if (!mapper)
+  {
+    return false;
+  }
+  const char* const name = mapper->GetClassName();
+  const char* const known[] = { "vtkOpenGLPolyDataMapper", "vtkWideFoVPolyDataMapper" };
+  vtkProperty* const property = actor->GetProperty();
+  return (wfv::IsStockComposite(mapper) ||
+           std::any_of(std::begin(known), std::end(known),
+             [name](const char* other) { return std::strcmp(name, other) == 0; })) &&
+    !property->GetRenderLinesAsTubes() && !property->GetRenderPointsAsSpheres();
+}
+
+// Lines and points, which are as wide as they are told; of blocks it is not known.
+bool DrawsOutlines(vtkActor* actor)
+{
+  auto* const mesh = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
+  vtkProperty* const property = actor->GetProperty();
+  return !mesh || mesh->GetNumberOfVerts() > 0 || mesh->GetNumberOfLines() > 0 ||
+    property->GetRepresentation() != VTK_SURFACE || property->GetEdgeVisibility() ||
+    property->GetVertexVisibility();
+}
+
+// Cells of a surface that are too few to classify; 0 where there are more, or none. Of blocks it is
+// not known, nor asked for.
+vtkIdType CountFew(vtkActor* actor)
+{
+  vtkMapper* const mapper = actor->GetMapper();
+  auto* const mesh = mapper ? vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0)) : nullptr;
+  const bool surface = actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
+  const bool few = mesh && surface && !wfv::ClusterDraw::IsWorthIt(mesh);
+  return few ? mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() : 0;
+}
+}
+
+void vtkWideFoVStages::SetPart(vtkRenderer* renderer, const float tile[4])
+{
+  int size[2];
+  int origin[2];
+  renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+  for (int i = 0; i < 2; i++)
+  {
+    const double pixels = std::max(1, size[i]) * static_cast<double>(tile[i]);
+    this->Pixels[i] = pixels;
+    this->Part.Low[i] = (-1.0 - tile[i + 2]) / tile[i] - 2 * Margin / pixels;
+    this->Part.High[i] = (1.0 - tile[i + 2]) / tile[i] + 2 * Margin / pixels;
+  }
+}
+
+void vtkWideFoVStages::SetEyes(vtkWideFoVCamera* camera, const wfv::StereoModel* stereo)
+{
+  this->Eye = wfv::FindWorldEye(this->WorldToView);
+  // seen from a place so near the origin, a box is one that is so much larger, seen from it
+  this->Reach = stereo && stereo->OwnRays ? camera->GetEyeReach() : 0;
+  if (!stereo || stereo->Straight)
+  {
+    return;
+  }
+  // what may be in the picture of either eye, at any depth
+  const wfv::Window part = this->Part;
+  for (int i = 0; i < 8; i++)
+  {
+    wfv::WfvView v = this->View;
+    v.stereo.x *= i & 1 ? -1 : 1;
+    const wfv::vec2 place = stereo->Unshift(i & 2 ? part.High : part.Low, i & 4 ? 1.0 : -1.0, v);
+    this->Part.Low = glm::min(this->Part.Low, place);
+    this->Part.High = glm::max(this->Part.High, place);
+  }
+}
+
+void vtkWideFoVStages::GetToMap(vtkActor* actor, double matrix[16]) const
+{
+  const double c = this->View.tilt.x;
+  const double s = this->View.tilt.y;
+  const double tilt[16] = { 1, 0, 0, 0, 0, c, s, 0, 0, -s, c, 0, 0, 0, 0, 1 };
+  vtkMatrix4x4::Multiply4x4(tilt, this->WorldToView, matrix);
+  if (actor)
+  {
+    vtkMatrix4x4::Multiply4x4(matrix, &actor->GetMatrix()->Element[0][0], matrix);
+  }
+}
+
+void vtkWideFoVStages::FindFacts(vtkProp* prop, wfv::PropFacts& facts)
+{
+  auto* const actor = vtkActor::SafeDownCast(prop);
+  if (actor && !facts.Known)
+  {
+    vtkProperty* const property = actor->GetProperty();
+    facts.Bounded = KeepsItsBounds(actor) && !wfv::HasOwnShaders(actor);
+    facts.PointSize = property->GetPointSize();
+    const double width = std::max<double>(property->GetLineWidth(), facts.PointSize);
+    facts.Reach = facts.Bounded && DrawsOutlines(actor) ? WidthMargin * width : 0;
+    facts.Few = CountFew(actor);
+  }
+  facts.Known = true;
+}
+
+bool vtkWideFoVStages::IsUnseen(vtkProp* prop, const double* b, wfv::PropFacts& facts) const
+{
+  FindFacts(prop, facts);
+  if (!this->Culling || !facts.Bounded)
+  {
+    return false;
+  }
+  if (!b || !vtkMath::AreBoundsInitialized(b))
+  {
+    return false;
+  }
+  double m[16];
+  this->GetToMap(nullptr, m);
+  wfv::Box box;
+  for (int i = 0; i < 8; i++)
+  {
+    double p[4] = { b[i & 1], b[2 + ((i >> 1) & 1)], b[4 + ((i >> 2) & 1)], 1 };
+    vtkMatrix4x4::MultiplyPoint(m, p, p);
+    box.Add(wfv::vec3(p[0], p[1], p[2]));
+  }
+  box.Grow(this->Reach);
+  wfv::Window window = this->Part;
+  window.Reach = facts.Reach / this->Pixels;
+  return wfv::IsUnseen(*this->Projection, this->View, box, window);
+}
+
+std::shared_ptr<const wfv::ChordLimits> vtkWideFoVStages::GetLimits(double tolerance)
+{
+  const wfv::WfvView& a = this->View;
+  const wfv::WfvView& b = this->BendsView;
+  const bool same = this->Bends && this->BendsProjection == this->Projection &&
+    a.halfFov == b.halfFov && a.scale == b.scale && a.lens == b.lens && a.lens5 == b.lens5;
+  if (!same)
+  {
+    this->Bends = std::make_shared<wfv::LocalBend>(*this->Projection, a);
+    this->BendsView = a;
+    this->BendsProjection = this->Projection;
+  }
+  if (!same || this->LimitsPixels != this->Pixels || this->LimitsTolerance != tolerance)
+  {
+    this->Limits = std::make_shared<wfv::ChordLimits>(
+      *this->Projection, this->View, *this->Bends, this->Pixels, tolerance);
+    this->LimitsPixels = this->Pixels;
+    this->LimitsTolerance = tolerance;
+  }
+  return this->Limits;
+}
+
+bool vtkWideFoVStages::GetClassifierView(
+  const vtkWideFoVStage* stage, vtkActor* actor, wfv::ClassifierView& view)
+{
+  if (this->Technique == wfv::TechniqueVertex || wfv::HasOwnShaders(actor))
+  {
+    return false;
+  }
+  view.Map = this->Projection;
+  view.View = this->View;
+  view.View.stereo.x = std::abs(this->View.stereo.x); // the same for both eyes
+  view.Part = this->Part;
+  view.Culls = this->Culling;
+  view.Reach = this->Reach;
+  const bool own = this->Stereo && this->Stereo->OwnRays && !this->Stereo->Fades(this->View);
+  view.EyeRadius = own ? std::abs(this->View.stereo.x) : 0;
+  // what shines through would be twice where two ways of drawing meet, and is mixed in its own
+  // order
+  const bool projects = this->Technique == wfv::TechniqueAuto && AllowsChords(this->Tolerance) &&
+    stage != this->Plain && (!this->ByPixels || own) &&
+    this->Projection->Axis != wfv::Family::Sampled && !actor->HasTranslucentPolygonalGeometry();
+  view.Tolerance = this->Tolerance;
+  view.Limits = projects
+    ? this->GetLimits(own ? (1 - wfv::Classifier::EyeShare) * this->Tolerance : this->Tolerance)
+    : nullptr;
+  return true;
+}
+
+void vtkWideFoVStages::Replace(vtkProp* prop, vtkWideFoVStage* from, vtkWideFoVStage* to)
+{
+  vtkInformation* const info = prop->GetPropertyKeys();
+  vtkInformationObjectBaseVectorKey* const key = vtkOpenGLRenderPass::RenderPasses();
+  const int n = info && info->Has(key) ? info->Length(key) : 0;
+  for (int i = 0; i < n; i++)
+  {
+    if (info->Get(key, i) == from)
+    {
+      info->Set(key, to, i);
+    }
+  }
+}

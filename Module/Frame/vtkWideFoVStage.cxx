@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Frame/vtkWideFoVStage.h"
+
+#include "Camera/Tile.h"
+#include "Compat/CompositeMapper.h"
+#include "Compat/Gl.h"
+#include "Compat/StockText.h"
+#include "Drawables/Discontinuity.h"
+#include "Drawables/LineMapper.h"
+#include "Drawables/PropFacts.h"
+#include "Drawables/QuadricKind.h"
+#include "Frame/ClusterDraw.h"
+#include "Frame/DirectionTextures.h"
+#include "Frame/Eye.h"
+#include "Frame/Headlights.h"
+#include "Frame/Stages.h"
+#include "Frame/Tessellation.h"
+#include "Projections/Bounds/Bend.h"
+#include "Shaders/quadrics/QuadricShaders.h"
+#include "vtkWideFoVCamera.h"
+
+#include "vtkActor.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLHelper.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkOpenGLState.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <iterator>
+#include <string>
+
+vtkStandardNewMacro(vtkWideFoVStage);
+
+namespace
+{
+// What a pass may know of a mapper only from inside.
+class MapperAccess : public vtkOpenGLPolyDataMapper
+{
+public:
+  static void Describe(vtkOpenGLPolyDataMapper* mapper, vtkRenderer* renderer, vtkActor* actor,
+    vtkWideFoVShaderBuilder::Request& request)
+  {
+    using Primitive = vtkWideFoVShaderBuilder::Primitive;
+    const vtkOpenGLHelper* buffer = mapper->*(&MapperAccess::LastBoundBO);
+    const int type = buffer ? buffer->PrimitiveType : static_cast<int>(PrimitiveTris);
+    const int representation = actor->GetProperty()->GetRepresentation();
+    const bool picking = mapper->*(&MapperAccess::PointPicking);
+    const bool points = representation == VTK_POINTS || type == PrimitivePoints ||
+      type == PrimitiveVertices || picking;
+    const bool lines = representation == VTK_WIREFRAME || type == PrimitiveLines;
+    request.Kind = points ? Primitive::Points : lines ? Primitive::Lines : Primitive::Triangles;
+    auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+    request.WidePoints = request.Kind == Primitive::Points && wfv::PointSize(mapper, actor) > 1.0f;
+    request.WideLines = request.Kind == Primitive::Lines && window &&
+      actor->GetProperty()->GetLineWidth() > window->GetMaximumHardwareLineWidth();
+    request.Edges = request.Kind == Primitive::Triangles &&
+      actor->GetProperty()->GetEdgeVisibility() && !renderer->GetSelector();
+    request.EdgeFlags =
+      request.Edges && type == PrimitiveTris && !(mapper->*(&MapperAccess::EdgeValues)).empty();
+    request.Kind = wfv::quadric::KindOf(mapper, actor, request.Kind);
+    request.Surface = DescribeMaterial(mapper, renderer, actor, buffer);
+    request.Stock = wfv::stock::Describe(mapper, actor);
+  }
+
+private:
+  // Of the mappers that take the property as it is; of composite ones each block may have colours
+  // and an opacity of its own. What is selected has a colour of its own everywhere.
+  static vtkWideFoVShaderBuilder::Material DescribeMaterial(vtkOpenGLPolyDataMapper* mapper,
+    vtkRenderer* renderer, vtkActor* actor, const vtkOpenGLHelper* buffer)
+  {
+    static const std::set<std::string> simple{ "vtkOpenGLPolyDataMapper",
+      "vtkWideFoVPolyDataMapper", "vtkOpenGLGlyph3DHelper" };
+    const std::string name = mapper->GetClassName();
+    const bool known = simple.count(name) > 0 || wfv::DrawsBlocks(mapper);
+    const bool surface = buffer && !(mapper->*(&MapperAccess::DrawingSelection)) &&
+      (buffer->PrimitiveType == PrimitiveTris || buffer->PrimitiveType == PrimitiveTriStrips);
+    vtkWideFoVShaderBuilder::Material material;
+    if (surface && !renderer->GetSelector() && known)
+    {
+      vtkProperty* property = actor->GetProperty();
+      material.NoAmbient = property->GetAmbient() == 0;
+      material.NoDiffuse = property->GetDiffuse() == 0;
+      material.FullDiffuse = property->GetDiffuse() == 1;
+      material.NoSpecular = property->GetSpecular() == 0;
+      material.Opaque = property->GetOpacity() == 1 && simple.count(name) > 0;
+    }
+    return material;
+  }
+};
+
+}
+
+//------------------------------------------------------------------------------
+// What of a view is text of the shaders.
+void vtkWideFoVStage::NoteView(const wfv::View& view)
+{
+  const bool tilts = !this->Tilted && view.GetParameters().tilt != wfv::vec2(1, 0);
+  const wfv::StereoModel* const stereo = view.GetStereoModel();
+  const bool fades = !this->Fades && stereo && stereo->Fades(view.GetParameters());
+  if (&view.GetProjection() != this->Projection || tilts || fades || stereo != this->Stereo ||
+    view.GetParameters().depthMapping != this->View.depthMapping)
+  {
+    this->Projection = &view.GetProjection();
+    this->Stereo = stereo;
+    this->Tilted = this->Tilted || tilts;
+    this->Fades = this->Fades || fades;
+    this->SourceTime.Modified();
+  }
+}
+
+void vtkWideFoVStage::SetView(vtkRenderer* renderer, vtkWideFoVCamera* camera, double tolerance)
+{
+  const wfv::View& view = camera->GetView(wfv::PictureAspect(renderer));
+  this->NoteView(view);
+  this->TakeSamples();
+  this->Renderer = renderer;
+  this->View = view.GetParameters();
+  this->Tolerance = static_cast<float>(tolerance);
+
+  this->Pixels = wfv::PixelsOfTile(renderer);
+  for (int i = 0; i < 2; i++)
+  {
+    const double whole = this->Pixels.Whole[i];
+    const double size = this->Pixels.Size[i];
+    this->Tile[i] = static_cast<float>(whole / size);
+    this->Tile[i + 2] = static_cast<float>((whole - 2 * this->Pixels.Start[i] - size) / size);
+  }
+
+  const int headlights = wfv::FindHeadlights(renderer);
+  const bool changed = this->Lights.Look(renderer);
+  if (changed || headlights != this->Headlights)
+  {
+    this->Headlights = headlights; // constants of the shaders, both
+    this->SourceTime.Modified();
+  }
+}
+
+vtkMTimeType vtkWideFoVStage::GetShaderStageMTime()
+{
+  this->NoteSamples();
+  return this->SourceTime.GetMTime();
+}
+
+namespace
+{
+bool WarnOfBodies()
+{
+  vtkGenericWarningMacro(<< "balls, sticks, tubes and splats are drawn without parallax by the "
+                            "stereo model warped; draw them as surfaces");
+  return true;
+}
+}
+
+namespace
+{
+bool IsProjected(vtkWideFoVShaderBuilder::Variant variant)
+{
+  using Variant = vtkWideFoVShaderBuilder::Variant;
+  return variant == Variant::Plain || variant == Variant::Cut;
+}
+}
+
+void vtkWideFoVStage::FinishTriangles(vtkWideFoVShaderBuilder::Request& request) const
+{
+  request.Stereo = this->Stereo;
+  request.Headlights = this->Headlights;
+  request.Lights = &this->Lights.GetConstants();
+  request.Fades = this->Fades;
+  const bool straight = !this->Stereo || this->Stereo->Straight;
+  if (request.Kind == vtkWideFoVShaderBuilder::Primitive::Lines && !straight &&
+    request.Stage == vtkWideFoVShaderBuilder::Variant::Exact)
+  {
+    request.Stage = vtkWideFoVShaderBuilder::Variant::PreClip; // strips know one depth alone
+  }
+  if (!straight && wfv::quadric::Draws(request.Kind))
+  {
+    static const bool said = WarnOfBodies();
+    (void)said;
+  }
+  if (request.Kind != vtkWideFoVShaderBuilder::Primitive::Triangles)
+  {
+    return;
+  }
+  request.ByRays = this->ByRays;
+  const bool upright =
+    this->Projection->Axis == wfv::Family::Meridian && this->Projection->StraightSeam;
+  request.Runs = upright ? this->Runs : 1;
+  // how far edges are is asked of float32 alone
+  request.Whole = this->IsWhole() && !request.Edges && !this->DebugView;
+  if ((!straight || (this->Stereo && this->Stereo->OwnRays)) && !IsProjected(request.Stage))
+  {
+    // their edges are no great circles, which is what chords are chosen by
+    request.Stage = vtkWideFoVShaderBuilder::Variant::Exact;
+  }
+}
+
+bool vtkWideFoVStage::HasWholeRays() const
+{
+  const bool exact = this->Variant == vtkWideFoVShaderBuilder::Variant::Exact;
+  const bool moved = this->Stereo && (this->Stereo->OwnRays || !this->Stereo->Straight);
+  return exact && !moved && !this->Multisample && this->Projection->Axis != wfv::Family::Planar;
+}
+
+vtkWideFoVShaderBuilder::Request vtkWideFoVStage::MakeRequest(
+  vtkAbstractMapper* mapper, vtkProp* prop) const
+{
+  using Variant = vtkWideFoVShaderBuilder::Variant;
+  vtkWideFoVShaderBuilder::Request request;
+  request.Projection = this->Projection;
+  request.Stage = this->Variant;
+  request.DebugView = this->DebugView;
+  request.DepthMapping = this->View.depthMapping;
+  request.Multisample = this->Multisample;
+  request.Tilted = this->Tilted;
+  auto* polydata = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
+  if (auto* actor = vtkActor::SafeDownCast(prop); polydata && actor && this->Renderer)
+  {
+    MapperAccess::Describe(polydata, this->Renderer, actor, request);
+  }
+  // stock VTK draws these with a geometry stage of its own, straight in the picture
+  if ((request.Edges || request.WideLines) && request.Stage == Variant::Plain && !this->Clipless)
+  {
+    request.Stage = Variant::PreClip;
+  }
+  this->FinishTriangles(request);
+  const bool lines = request.Kind == vtkWideFoVShaderBuilder::Primitive::Lines;
+  if (lines && polydata && this->ExactLines)
+  {
+    // few are exact, many are not, whatever the triangles of the prop are
+    const Variant chords = request.Stage == Variant::Exact ? Variant::PreClip : request.Stage;
+    request.Stage = wfv::HasFewLines(polydata) ? Variant::Exact : chords;
+  }
+  // only our own mapper draws patches; the pieces' edges must not show as the cell's
+  const bool patches = wfv::IsOwnMapper(mapper) &&
+    request.Kind == vtkWideFoVShaderBuilder::Primitive::Triangles && !request.Edges;
+  if (request.Stage == Variant::Tessellate && !patches)
+  {
+    request.Stage = Variant::PreClip;
+  }
+  return request;
+}
+
+bool vtkWideFoVStage::PreReplaceShaderValues(std::string&, std::string& geometryShader,
+  std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop)
+{
+  this->NoteSamples(); // a mapper with passes that are new to it does not ask for the time
+  if (this->Stages)
+  {
+    this->Stages->Shaders.Begin();
+  }
+  vtkWideFoVShaderBuilder::Prepare(this->MakeRequest(mapper, prop), geometryShader, fragmentShader);
+  return true;
+}
+
+namespace
+{
+// Of one that classifies clusters: meshes of few triangles are drawn as they are. Blocks are not
+// asked for.
+bool MayClassify(vtkAbstractMapper* mapper)
+{
+  vtkPolyData* const mesh =
+    wfv::IsOwnMapper(mapper) ? static_cast<vtkPolyDataMapper*>(mapper)->GetInput() : nullptr;
+  return !mesh || wfv::ClusterDraw::IsWorthIt(mesh);
+}
+}
+
+bool vtkWideFoVStage::PostReplaceShaderValues(std::string& vertexShader,
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper,
+  vtkProp* prop)
+{
+  if (wfv::stock::DrawsNothing(fragmentShader))
+  {
+    return true;
+  }
+  vtkWideFoVShaderBuilder::Request request = this->MakeRequest(mapper, prop);
+  const bool triangles = request.Kind == vtkWideFoVShaderBuilder::Primitive::Triangles;
+  const bool classifies = triangles && (wfv::IsOwnMapper(mapper) || wfv::ClassifiesBlocks(mapper));
+  request.MeetsChords = classifies && this->MeetsChords && !request.Edges && MayClassify(mapper);
+  request.SeveralChords = request.MeetsChords && this->SeveralChords;
+  using Texts = wfv::ShaderMemory::Texts;
+  Texts texts{ vertexShader, geometryShader, fragmentShader };
+  const Texts* const before =
+    this->Stages ? this->Stages->Texts.Find(request, classifies, texts) : nullptr;
+  if (!before)
+  {
+    if (classifies)
+    {
+      wfv::TakeTriangleNumbers(texts.Fragment);
+    }
+    vtkWideFoVShaderBuilder::Finish(request, texts.Vertex, texts.Geometry, texts.Fragment);
+    if (this->Stages)
+    {
+      this->Stages->Texts.Keep(texts);
+    }
+  }
+  const Texts& made = before ? *before : texts;
+  vertexShader = made.Vertex;
+  geometryShader = made.Geometry;
+  fragmentShader = made.Fragment;
+  vtkObject* const reports = this->Renderer ? static_cast<vtkObject*>(this->Renderer) : this;
+  wfv::stock::LeaveOutUnedited(reports, mapper, vertexShader, geometryShader, fragmentShader);
+  return true;
+}

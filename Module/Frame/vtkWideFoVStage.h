@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the pass and the mapper share: the render pass object that sits in a prop's
+// keys while it is drawn and adds one variant of the wide view to its shaders, and
+// the choice of that variant from the prop's bounds.
+#ifndef vtkWideFoVStage_h
+#define vtkWideFoVStage_h
+
+#include "Camera/Tile.h"
+#include "Frame/SteadyLights.h"
+#include "Shaders/ShaderBuilder.h"
+#include "vtkWideFoVAbi.h"
+
+#include "vtkNew.h"
+#include "vtkOpenGLRenderPass.h"
+
+namespace wfv
+{
+struct ProgramUses;
+}
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkOpenGLPolyDataMapper;
+class vtkRenderer;
+class vtkWideFoVCamera;
+class vtkWideFoVDirectionTextures;
+class vtkWideFoVStages;
+
+// One variant. Two objects, not one with a switch: a prop that changes its variant
+// changes its key, and VTK rebuilds the shaders of that prop alone.
+class vtkWideFoVStage : public vtkOpenGLRenderPass
+{
+public:
+  static vtkWideFoVStage* New();
+  vtkTypeMacro(vtkWideFoVStage, vtkOpenGLRenderPass);
+
+  void SetVariant(vtkWideFoVShaderBuilder::Variant variant) { this->Variant = variant; }
+
+  vtkWideFoVShaderBuilder::Variant GetVariant() const { return this->Variant; }
+
+  // What the next draws see. The projection's text changes the shaders; everything
+  // else is uniforms.
+  void SetView(vtkRenderer* renderer, vtkWideFoVCamera* camera, double tolerance);
+
+  // Never a pre-clip, not even for wide lines and surface edges: the technique "vertex".
+  void SetClipless(bool clipless)
+  {
+    if (clipless != this->Clipless)
+    {
+      this->Clipless = clipless;
+      this->SourceTime.Modified();
+    }
+  }
+
+  // Runs of the geometry stage that share in covering a triangle: the shapes of large ones are
+  // tighter. Set before anything is drawn.
+  void SetRuns(int runs) { this->Runs = runs; }
+
+  // Covered triangles decided in double, where the projection has rays for that: the technique
+  // "exact". Not with several samples, which would each take as long.
+  void SetWhole(bool whole)
+  {
+    if (whole != this->Whole)
+    {
+      this->Whole = whole;
+      this->SourceTime.Modified();
+    }
+  }
+
+  // Whether covered triangles are decided so, as the view and its samples are now.
+  bool IsWhole() const { return this->Whole && this->HasWholeRays(); }
+
+  // Lines by the exact variant, as long as they are few: the technique "auto".
+  void SetExactLines(bool exact)
+  {
+    if (exact != this->ExactLines)
+    {
+      this->ExactLines = exact;
+      this->SourceTime.Modified();
+    }
+  }
+
+  // Colours by what happens to each primitive.
+  void SetDebugView(bool debugView)
+  {
+    if (debugView != this->DebugView)
+    {
+      this->DebugView = debugView;
+      this->SourceTime.Modified();
+    }
+  }
+
+  // Triangles covered by each pixel's ray behind every geometry stage, whatever the variant:
+  // the techniques "auto" and "tessellate".
+  void SetByRays(bool byRays)
+  {
+    if (byRays != this->ByRays)
+    {
+      this->ByRays = byRays;
+      this->SourceTime.Modified();
+    }
+  }
+
+  // Among the triangles of a mesh some may be drawn by their chords: covered ones meet those.
+  void SetMeetsChords(bool meets)
+  {
+    if (meets != this->MeetsChords)
+    {
+      this->MeetsChords = meets;
+      this->SourceTime.Modified();
+    }
+  }
+
+  // And an edge of these may have several.
+  void SetSeveralChords(bool several) { this->SeveralChords = several; }
+
+  // The tables of a direction map; they outlive the frame.
+  void SetTextures(vtkWideFoVDirectionTextures* textures) { this->Textures = textures; }
+
+  // Those that this is one of.
+  void SetStages(vtkWideFoVStages* stages) { this->Stages = stages; }
+  vtkWideFoVStages* GetStages() const { return this->Stages; }
+
+  // NDC of the tile = NDC of the picture * first two + last two.
+  const float* GetTile() const { return this->Tile; }
+
+  // Of all, and those of them that were tessellated.
+  int GetNumberOfDraws() const { return this->NumberOfDraws; }
+  int GetNumberOfTessellateDraws() const { return this->NumberOfTessellateDraws; }
+  void ResetNumberOfDraws() { this->NumberOfDraws = this->NumberOfTessellateDraws = 0; }
+
+  // What the mapper's present primitives are drawn with.
+  vtkWideFoVShaderBuilder::Request MakeRequest(vtkAbstractMapper* mapper, vtkProp* prop) const;
+
+  bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
+    vtkOpenGLVertexArrayObject* vao = nullptr) override;
+  vtkMTimeType GetShaderStageMTime() override;
+  void Render(const vtkRenderState*) override {}
+
+protected:
+  vtkWideFoVStage() = default;
+  ~vtkWideFoVStage() override = default;
+
+private:
+  vtkWideFoVStage(const vtkWideFoVStage&) = delete;
+  void operator=(const vtkWideFoVStage&) = delete;
+
+  // The eye in the coordinates of the mapper; the diameter of tubes and of points drawn
+  // as spheres; the width of lines.
+  void SetPropParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
+    const wfv::ProgramUses& uses) const;
+
+  // What is the same for all props of a frame.
+  void SetFrameParameters(vtkShaderProgram* program, const int viewport[4]);
+
+  // Sets the stereo model, and how triangles are covered, in a request whose primitives are known.
+  bool HasWholeRays() const;
+  void FinishTriangles(vtkWideFoVShaderBuilder::Request& request) const;
+
+  void NoteView(const wfv::View& view);
+
+  // Looks whether the bound framebuffer has several samples a pixel: before a frame, and for each
+  // draw, where one of them has.
+  void TakeSamples();
+  void NoteSamples();
+
+  // How the bound framebuffer is sampled, for the coverage of the pre-clip.
+  static void SetSampleParameters(vtkShaderProgram* program);
+
+  vtkWideFoVShaderBuilder::Variant Variant = vtkWideFoVShaderBuilder::Variant::Plain;
+  vtkRenderer* Renderer = nullptr; // valid between SetView and the end of the frame
+  const wfv::Projection* Projection = nullptr;
+  const wfv::StereoModel* Stereo = nullptr;
+  vtkTimeStamp SourceTime;
+  wfv::WfvView View{};
+  vtkWideFoVDirectionTextures* Textures = nullptr;
+  vtkWideFoVStages* Stages = nullptr;
+  float Viewport[4] = { 0, 0, 1, 1 };
+  float Tile[4] = { 1, 1, 0, 0 };
+  wfv::TilePixels Pixels;
+  float Tolerance = 0.25f;
+  int Headlights = 0;
+  wfv::SteadyLights Lights;
+  bool Clipless = false;
+  // Shaders reckon with several samples a pixel in a frame that begins with them, or from the first
+  // draw on that has them.
+  bool Multisample = false;
+  bool Tilted = false; // once, and from then on
+  bool Fades = false;  // likewise
+  bool ByRays = false;
+  bool MeetsChords = false;
+  bool SeveralChords = false;
+  bool ExactLines = false;
+  bool DebugView = false;
+  int Runs = 1;
+  bool Whole = false;
+  int NumberOfDraws = 0;
+  int NumberOfTessellateDraws = 0;
+};
+VTK_ABI_NAMESPACE_END
+
+#endif

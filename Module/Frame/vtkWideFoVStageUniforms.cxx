@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWideFoVStage: what its programs are told.
+#include "Frame/vtkWideFoVStage.h"
+
+#include "Camera/Tile.h"
+#include "Camera/TwoFloats.h"
+#include "Compat/Gl.h"
+#include "Drawables/LineMapper.h"
+#include "Frame/DirectionTextures.h"
+#include "Frame/Eye.h"
+#include "Frame/Stages.h"
+#include "Frame/Tessellation.h"
+#include "Projections/Bounds/Bend.h"
+
+#include "vtkActor.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkOpenGLState.h"
+#include "vtkProperty.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+constexpr int MaxSamples = 16; // as in ray_fragment.glsl
+
+// Samples of a pixel of the framebuffer that is bound.
+int CountSamples()
+{
+  int samples = 0;
+  glGetIntegerv(GL_SAMPLES, &samples);
+  return glIsEnabled(GL_MULTISAMPLE) ? std::min(samples, MaxSamples) : 0;
+}
+
+// The uniform wfvView.
+void SetViewParameters(vtkShaderProgram* program, const wfv::WfvView& v)
+{
+  const auto set2 = [program](const char* name, const wfv::vec2& v) {
+    const float f[2] = { static_cast<float>(v.x), static_cast<float>(v.y) };
+    program->SetUniform2f(name, f);
+  };
+  set2("wfvView.halfFov", v.halfFov);
+  set2("wfvView.scale", v.scale);
+  set2("wfvView.tilt", v.tilt);
+  set2("wfvTiltLow", wfv::vec2(wfv::LowPart(v.tilt.x), wfv::LowPart(v.tilt.y)));
+  set2("wfvView.radii", v.radii);
+  const float lens[4] = { static_cast<float>(v.lens.x), static_cast<float>(v.lens.y),
+    static_cast<float>(v.lens.z), static_cast<float>(v.lens.w) };
+  program->SetUniform4f("wfvView.lens", lens);
+  const float stereo[4] = { static_cast<float>(v.stereo.x), static_cast<float>(v.stereo.y),
+    static_cast<float>(v.stereo.z), static_cast<float>(v.stereo.w) };
+  program->SetUniform4f("wfvView.stereo", stereo);
+  program->SetUniformf("wfvView.lens5", static_cast<float>(v.lens5));
+  program->SetUniformf("wfvView.maxAngle", static_cast<float>(v.maxAngle));
+  program->SetUniformf("wfvView.bend", static_cast<float>(v.bend));
+  const double unit = std::exp2(std::floor(std::log2(v.radii.y)));
+  program->SetUniformf("wfvUnit", static_cast<float>(unit));
+  const double depth = v.radii.y - v.radii.x;
+  set2("wfvUnitDepth", wfv::vec2(unit / depth, -v.radii.x / depth));
+  if (v.map)
+  {
+    const float tables[4] = { static_cast<float>(v.tables.x), static_cast<float>(v.tables.y),
+      static_cast<float>(v.tables.z), static_cast<float>(v.tables.w) };
+    program->SetUniform4f("wfvView.tables", tables);
+  }
+}
+
+wfv::ProgramUses FindUses(vtkShaderProgram* program)
+{
+  wfv::ProgramUses uses;
+  uses.Samples = program->IsUniformUsed("wfvSamples");
+  uses.Eye = wfv::FindEyeUniforms(program);
+  uses.LineWidth = program->IsUniformUsed("wfvLineWidth");
+  uses.FrontCulled = program->IsUniformUsed("wfvFrontCulled");
+  uses.PointSize = program->IsUniformUsed("wfvPointSize");
+  uses.Pixels = program->IsUniformUsed("wfvPixels");
+  uses.FineDepth = program->IsUniformUsed("wfvNearestKnown");
+  return uses;
+}
+}
+
+// Whatever frames before had: what is drawn depends on it, to the last digits.
+void vtkWideFoVStage::TakeSamples()
+{
+  const bool several = CountSamples() > 1;
+  if (several != this->Multisample)
+  {
+    this->Multisample = several;
+    this->SourceTime.Modified();
+  }
+}
+
+void vtkWideFoVStage::NoteSamples()
+{
+  if (CountSamples() > 1 && !this->Multisample)
+  {
+    this->Multisample = true;
+    this->SourceTime.Modified();
+  }
+}
+
+void vtkWideFoVStage::SetFrameParameters(vtkShaderProgram* program, const int viewport[4])
+{
+  SetViewParameters(program, this->View);
+  program->SetUniformf("wfvTolerance", this->Tolerance);
+  if (program->IsUniformUsed("wfvStretch"))
+  {
+    const wfv::vec2 stretch = wfv::Stretch(*this->Projection, this->View);
+    program->SetUniformf("wfvStretch", static_cast<float>(std::max(stretch.x, stretch.y)));
+  }
+  wfv::SetTileUniforms(program, this->Pixels, this->Tile, viewport, this->View.scale);
+}
+
+bool vtkWideFoVStage::SetShaderParameters(
+  vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop, vtkOpenGLVertexArrayObject*)
+{
+  this->Stages->Shaders.End(program);
+  int viewport[4] = { 0, 0, 1, 1 };
+  if (auto* renderer = vtkOpenGLRenderer::SafeDownCast(this->Renderer))
+  {
+    renderer->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  }
+  wfv::ProgramMemory& memory = this->Stages->Programs;
+  wfv::ProgramMemory::Entry& known = memory.Get(program);
+  if (!memory.IsSet(known, viewport))
+  {
+    this->SetFrameParameters(program, viewport);
+    known.Uses = FindUses(program);
+    memory.NoteSet(known, viewport);
+  }
+  if (this->View.map && this->Textures)
+  {
+    this->Textures->Bind(program);
+  }
+  if (known.Uses.Samples)
+  {
+    SetSampleParameters(program);
+  }
+  if (known.Uses.FineDepth)
+  {
+    this->Stages->Fine.SetParameters(program, prop, viewport);
+  }
+  this->SetPropParameters(program, mapper, prop, known.Uses);
+  this->NumberOfDraws++;
+  const bool tessellates = this->Variant == vtkWideFoVShaderBuilder::Variant::Tessellate;
+  this->NumberOfTessellateDraws += tessellates && vtkWideFoVTessellation::IsIn(program);
+  return true;
+}
+
+void vtkWideFoVStage::SetPropParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper,
+  vtkProp* prop, const wfv::ProgramUses& uses) const
+{
+  using Primitive = vtkWideFoVShaderBuilder::Primitive;
+  auto* polydata = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
+  auto* actor = vtkActor::SafeDownCast(prop);
+  if (!polydata || !actor)
+  {
+    return;
+  }
+  vtkProperty* const property = actor->GetProperty();
+  if (uses.Eye.Known >= 0)
+  {
+    wfv::SetEye(uses.Eye, polydata, actor, this->Stages->Eye);
+  }
+  if (uses.LineWidth)
+  {
+    program->SetUniformf("wfvLineWidth", wfv::LineWidth(polydata, actor));
+  }
+  if (uses.FrontCulled)
+  {
+    const bool front = property->GetFrontfaceCulling() && !property->GetBackfaceCulling();
+    program->SetUniformi("wfvFrontCulled", front);
+  }
+  if (uses.PointSize)
+  {
+    program->SetUniformf("wfvPointSize", wfv::PointSize(polydata, actor));
+  }
+  if (uses.Pixels)
+  {
+    const bool tubes = this->MakeRequest(mapper, prop).Kind == Primitive::Tubes;
+    program->SetUniformf("wfvPixels", tubes ? property->GetLineWidth() : property->GetPointSize());
+  }
+}
+
+void vtkWideFoVStage::SetSampleParameters(vtkShaderProgram* program)
+{
+  const int samples = CountSamples();
+  float offsets[MaxSamples][2];
+  for (int i = 0; i < samples; i++)
+  {
+    glGetMultisamplefv(GL_SAMPLE_POSITION, i, offsets[i]);
+    offsets[i][0] -= 0.5f;
+    offsets[i][1] -= 0.5f;
+  }
+  program->SetUniformi("wfvSamples", samples);
+  if (samples > 1)
+  {
+    program->SetUniform2fv("wfvSampleOffsets", samples, offsets);
+  }
+}

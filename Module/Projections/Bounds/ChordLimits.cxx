@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Projections/Bounds/ChordLimits.h"
+
+#include "Projections/Bounds/Bend.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace wfv
+{
+namespace
+{
+// Radians: no cell is narrower, in the corners of the cube's faces.
+constexpr double NarrowestCell = 0.03;
+
+// Of the angle from a pole or an antipode: no part of an edge is nearer than this share of what its
+// ends are.
+constexpr double Farther = 0.75;
+
+// Pixels, and tolerances besides: nearer to a pole or an antipode the map bends from pixel to
+// pixel.
+constexpr double BesidePole = 4;
+constexpr double BesidePoleOff = 16;
+
+// Over the distance of an edge's middle from the chord: the farthest place is beside the middle.
+constexpr double MiddleSafety = 1.25;
+
+// Pixels, and tolerances besides, for a chord decides within two of them: so near a rim, a seam or
+// a border of faces nothing is projected.
+constexpr double RimPixels = 3;
+constexpr double RimOff = 4;
+
+// Angles are tried from this one on, radians, each larger by this factor, up to the largest.
+constexpr double FirstAngle = 0.001;
+constexpr double AngleFactor = 1.25;
+constexpr double LargestAngle = 0.5;
+
+// Pixels from the pole or antipode to what is seen so far from it, the least all round.
+double LeastPixels(const Projection& map, const WfvView& view, const vec2& half, double angle)
+{
+  constexpr int ways = 16;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < ways; i++)
+  {
+    const double turn = 2 * WFV_PI * (i + 0.5) / ways; // none is at the seam
+    const auto at = [&](double a) {
+      const vec2 level(std::sin(a) * std::cos(turn), std::sin(a) * std::sin(turn));
+      return map.Project(map.Axis == Family::Meridian ? vec3(level.x, std::cos(a), level.y)
+                                                      : vec3(level.x, level.y, std::cos(a)),
+        view);
+    };
+    least = std::min(least, glm::length(half * (at(angle) - at(0.01 * angle))));
+  }
+  return least;
+}
+
+// Sine of the angle within which no place is BesidePole or more away.
+double SineBeside(const Projection& map, const WfvView& view, const vec2& half, double tolerance)
+{
+  double angle = FirstAngle;
+  while (angle < LargestAngle &&
+    LeastPixels(map, view, half, angle) < BesidePole + BesidePoleOff * tolerance)
+  {
+    angle *= AngleFactor;
+  }
+  return std::sin(angle);
+}
+
+// The angle from the rim of a round map at which so many pixels lie between.
+double AngleFromRim(const Projection& map, const WfvView& view, const vec2& half, double pixels)
+{
+  const auto at = [&](double angle) {
+    const double polar = view.maxAngle - angle;
+    return half * map.Project(vec3(std::sin(polar), 0, -std::cos(polar)), view);
+  };
+  double angle = FirstAngle;
+  while (angle < LargestAngle && glm::length(at(angle) - at(0.01 * FirstAngle)) < pixels)
+  {
+    angle *= AngleFactor;
+  }
+  return angle;
+}
+
+float LimitOf(const LocalBend& bends, std::size_t cell, const vec2& half, double tolerance)
+{
+  double limit = 0;
+  double longest2 = LocalBend::LongestEdge * LocalBend::LongestEdge;
+  for (int level = 0; level < LocalBend::Levels; level++, longest2 *= 4)
+  {
+    const LocalBend::Cell& bend = bends.OfCell(cell, level);
+    const double pixels = std::hypot(bend[0] * half.x, bend[1] * half.y);
+    // (0 where it is infinite)
+    limit = std::max(limit, std::min(longest2, 8 * tolerance / pixels));
+  }
+  constexpr double longest = ChordLimits::LongestChord * ChordLimits::LongestChord;
+  return static_cast<float>(std::min(limit, longest));
+}
+
+std::vector<float> LeastAroundEach(const std::vector<float>& limits)
+{
+  const std::vector<LocalBend::Around>& neighbours = LocalBend::GetNeighbours();
+  std::vector<float> least(limits);
+  for (std::size_t cell = 0; cell < limits.size(); cell++)
+  {
+    for (const std::size_t other : neighbours[cell])
+    {
+      least[cell] = std::min(least[cell], limits[other]);
+    }
+  }
+  return least;
+}
+}
+
+ChordLimits::ChordLimits(const Projection& projection, const WfvView& view, const LocalBend& bends,
+  const vec2& pixels, double tolerance)
+  : Map(projection)
+  , View(view)
+  , Half(0.5 * pixels)
+  , Tolerance(tolerance)
+  , Axis(projection.Axis)
+  , RimAngle(0)
+  , BesideSine(0)
+  , PerSine2(0)
+{
+  const bool singular =
+    Axis == Family::Meridian || (Axis == Family::Azimuthal && !projection.FlatRim);
+  if (singular && view.bend > 0)
+  {
+    this->PerSine2 = Farther * Farther * 8 * tolerance / (view.bend * 0.5 * glm::length(pixels));
+  }
+  const vec2& half = this->Half;
+  this->Limits.resize(LocalBend::NumberOfCells);
+  this->Stretches.resize(LocalBend::NumberOfCells);
+  for (std::size_t cell = 0; cell < LocalBend::NumberOfCells; cell++)
+  {
+    this->Limits[cell] = LimitOf(bends, cell, half, tolerance);
+    this->Stretches[cell] = static_cast<float>(bends.OfCell(cell, 0)[2] * std::max(half.x, half.y));
+  }
+  const double rim = RimPixels + RimOff * tolerance;
+  if (Axis == Family::Azimuthal)
+  {
+    this->RimAngle = AngleFromRim(projection, view, half, rim);
+  }
+  else if (Axis != Family::Planar) // that has no rim
+  {
+    this->RimAngle = rim / this->StretchAt(vec3(0, 0, -1));
+  }
+  this->BesideSine = singular ? SineBeside(projection, view, half, tolerance) : 0;
+  this->SpreadLimits();
+}
+
+void ChordLimits::SpreadLimits()
+{
+  std::vector<float> least(this->Limits);
+  for (int ring = 0; ring < Rings; ring++)
+  {
+    // one more than twice as far, for across the faces' borders cells do not lie in rows
+    for (int i = 0; i <= 1 << ring; i++)
+    {
+      least = LeastAroundEach(least);
+    }
+    this->Least[ring] = least;
+  }
+}
+
+vec2 ChordLimits::PlaceOf(const vec3& p) const
+{
+  return this->Half * this->Map.Project(glm::normalize(p), this->View);
+}
+
+bool ChordLimits::IsNearChord(const vec3& p, const vec3& q) const
+{
+  const vec3 way = q - p;
+  const double nearest2 = std::min(glm::dot(p, p), glm::dot(q, q));
+  if (!(glm::dot(way, way) <= LongestChord * LongestChord * nearest2))
+  {
+    return false;
+  }
+  const vec2 from = this->PlaceOf(p);
+  const vec2 chord = this->PlaceOf(q) - from;
+  const vec2 middle = this->PlaceOf(0.5 * (p + q)) - from;
+  const double off = std::abs(chord.x * middle.y - chord.y * middle.x);
+  return MiddleSafety * off <= this->Tolerance * glm::length(chord);
+}
+
+float ChordLimits::NearSingularity(const vec3& direction) const
+{
+  const double sine = SineToSingularity(this->Axis, glm::normalize(direction));
+  const double sine2 = sine * sine;
+  constexpr double share = (1 - Farther) * (1 - Farther);
+  constexpr double longest = LongestChord * LongestChord;
+  return static_cast<float>(std::min({ this->PerSine2, share, longest / sine2 }) * sine2);
+}
+
+float ChordLimits::LeastAround(const vec3& direction, double sine) const
+{
+  double reach = NarrowestCell;
+  for (int ring = 0; ring < Rings; ring++, reach *= 2)
+  {
+    if (sine <= reach)
+    {
+      return this->Least[ring][LocalBend::CellOf(direction)];
+    }
+  }
+  return 0;
+}
+}

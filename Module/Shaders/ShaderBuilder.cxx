@@ -1,0 +1,436 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shaders/ShaderBuilder.h"
+
+#include "Clusters/Classifier.h"
+#include "Compat/StockEdits.h"
+#include "Shaders/ShaderArrays.h"
+#include "Shaders/ShaderText.h"
+#include "Shaders/WholeText.h"
+#include "Shaders/lines/LineShaders.h"
+#include "Shaders/points/PointShaders.h"
+#include "Shaders/quadrics/QuadricShaders.h"
+#include "Shaders/triangles/TriangleOutputs.h"
+#include "WideFoVGlsl.h"
+
+#include <algorithm>
+#include <vector>
+
+using namespace wfv::shader;
+namespace stock = wfv::stock;
+using stock::Edit;
+using stock::Found;
+
+namespace
+{
+// How the picture of a triangle is covered, one file a family.
+std::string CoverSource(const wfv::Projection& projection)
+{
+  switch (projection.Axis)
+  {
+    case wfv::Family::Meridian:
+      return cover_meridian_glsl;
+    case wfv::Family::Faces:
+      return cover_faces_glsl;
+    case wfv::Family::Sampled:
+      return cover_directions_glsl;
+    default:
+      return cover_azimuthal_glsl;
+  }
+}
+
+// Lines carry every output on, mixed between the two ends. VTK itself renames the
+// fragment stage's VSOut to GSOut.
+std::string LineOutputs(const std::vector<Varying>& varyings)
+{
+  std::string declarations;
+  std::string body;
+  for (const Varying& v : varyings)
+  {
+    std::string out = v.Name;
+    ReplaceAll(out, "VSOut", "GSOut");
+    if (out == v.Name)
+    {
+      continue;
+    }
+    declarations += v.Input();
+    declarations += (v.Flat ? "flat out " : "out ") + v.Declaration(out);
+    body += "  " + out + " = ";
+    body += v.Flat ? v.Name + "[1];\n" : "mix(" + v.Name + "[0], " + v.Name + "[1], t);\n";
+  }
+  return declarations + "void wfvWriteMix(float t)\n{\n" + body + "}\n";
+}
+
+// True where the geometry stage cuts triangles into smaller ones, which are projected.
+bool CutsTriangles(const Request& r)
+{
+  return r.Stage == vtkWideFoVShaderBuilder::Variant::Cut;
+}
+
+bool CoversTriangles(const Request& r)
+{
+  return vtkWideFoVShaderBuilder::NeedsGeometryStage(r) && r.Kind == Primitive::Triangles &&
+    !CutsTriangles(r);
+}
+
+// Triangles carry every output on, mixed between the corners.
+std::string CutSource(const std::vector<Varying>& varyings)
+{
+  std::string declarations;
+  std::string body;
+  for (const Varying& v : varyings)
+  {
+    std::string out = v.Name;
+    ReplaceAll(out, "VSOut", "GSOut");
+    if (out == v.Name)
+    {
+      continue;
+    }
+    declarations += v.Input();
+    declarations += (v.Flat ? "flat out " : "out ") + v.Declaration(out);
+    body += "  " + out + " = ";
+    body += v.Flat
+      ? v.Name + "[2];\n"
+      : "w.x * " + v.Name + "[0] + w.y * " + v.Name + "[1] + w.z * " + v.Name + "[2];\n";
+  }
+  constexpr int rows = wfv::Classifier::MostRows;
+  constexpr int vertices = std::max(2 * wfv::Classifier::MostChords + 1, rows * (rows + 2));
+  return Define("WFV_CUT_VERTICES", vertices) + declarations + "void wfvWriteMix(vec3 w)\n{\n" +
+    body + "}\n" + edge_chords_glsl + cut_triangles_glsl;
+}
+
+// True where an eye whose rays begin in several places is served by moving the vertices.
+bool MovesVertices(const Request& r)
+{
+  return r.Stereo && r.Stereo->OwnRays && !CoversTriangles(r) && !wfv::quadric::Draws(r.Kind) &&
+    !wfv::line::Draws(r);
+}
+
+// What follows from the ray and the distance, where triangles are covered whatever their edges.
+Known KnownOf(const Request& r)
+{
+  const bool exact = r.ByRays || r.Stage == vtkWideFoVShaderBuilder::Variant::Exact;
+  return exact ? Known{ { "vertexVCVSOutput", "vec4(wfvSurface, 1.0)" },
+    { "wfvPositionVSOutput", "wfvSurface" } }
+               : Known{};
+}
+
+// For the few planes that float32 is too coarse for; without it they are as good as it is.
+// (Images: for an order as fine, fine_depth.glsl.)
+const char* const Doubles = "#extension GL_ARB_gpu_shader_fp64 : enable\n"
+                            "#extension GL_ARB_shader_image_load_store : enable\n";
+
+// For gl_SampleMask; without it a covered pixel is covered whole.
+const char* const SampleMasks = "#extension GL_ARB_sample_shading : enable\n";
+
+// For a stage that is invoked several times for a triangle; without it there is one run alone.
+const char* const Invocations = "#extension GL_ARB_gpu_shader5 : enable\n";
+
+// The geometry stage of points, lines or triangles, behind what all have.
+std::string PrimitiveSource(const Request& r, const std::vector<Varying>& varyings)
+{
+  if (wfv::point::Draws(r))
+  {
+    return wfv::point::GeometrySource(r, varyings);
+  }
+  if (wfv::line::Draws(r))
+  {
+    return wfv::line::GeometrySource(r, varyings);
+  }
+  if (CutsTriangles(r))
+  {
+    return CutSource(varyings);
+  }
+  if (r.Kind == Primitive::Lines)
+  {
+    return LineOutputs(varyings) + preclip_lines_glsl +
+      (r.Projection->Axis == wfv::Family::Faces ? lines_faces_glsl : "") +
+      (r.Projection->Axis == wfv::Family::Sampled ? lines_sampled_glsl : "");
+  }
+  // copies of every vertex output at the three corners, which the fragment stage weighs:
+  // exact wherever the geometry stage cuts
+  return InvocationsSource(r, varyings, KnownOf(r)) + CornerOutputs(varyings, 3, KnownOf(r)) +
+    preclip_emit_glsl + preclip_planes_glsl +
+    (OwnRays(r)     ? own_rays_glsl
+        : Warped(r) ? warped_cover_glsl
+                    : "") +
+    preclip_cover_glsl + preclip_narrow_glsl + CoverSource(*r.Projection) +
+    (r.DebugView ? preclip_kinds_glsl : "") + (r.MeetsChords ? edge_chords_glsl : "") +
+    preclip_triangles_glsl;
+}
+
+// Corners that a vertex stage projects and those that a geometry stage does are of one mesh: they
+// come out alike, or pixels between them were left out.
+const char* const SamePlaces = "invariant gl_Position;\n";
+
+// toView: the name of the matrix from the vertex buffer to view coordinates; empty where the
+// coordinates of the buffer do not come along.
+std::string GeometrySource(
+  const Request& r, const std::vector<Varying>& varyings, const std::string& toView)
+{
+  std::string source = std::string("//VTK::System::Dec\n") + (CoversTriangles(r) ? Doubles : "") +
+    (CoversTriangles(r) ? Invocations : "") + Define("WFV_MODEL", !toView.empty()) +
+    (CutsTriangles(r) ? SamePlaces : "") + "#define WFV_TO_VIEW " + toView + "\n" + ViewSource(r) +
+    (r.Kind == Primitive::Points || CutsTriangles(r) ? "" : preclip_glsl) +
+    (r.DebugView ? debug_kinds_glsl : "") + PrimitiveSource(r, varyings);
+  if (r.Stage == vtkWideFoVShaderBuilder::Variant::Tessellate)
+  {
+    ReplaceAll(source, "gl_PrimitiveIDIn", "wfvPrimitive[0]");
+  }
+  return source;
+}
+
+// Where the vertices go: to a geometry stage, or into the map at once.
+void FinishVertices(const Request& r, const std::vector<Varying>& varyings, std::string& vertex,
+  std::string& geometry)
+{
+  // the pieces of a tessellation have no place in the buffer
+  const bool keepModel =
+    CoversTriangles(r) && r.Stage != vtkWideFoVShaderBuilder::Variant::Tessellate;
+  const std::string toView = TakeFromEye(r, vertex, keepModel);
+  if (vtkWideFoVShaderBuilder::NeedsGeometryStage(r))
+  {
+    geometry = GeometrySource(r, varyings, keepModel ? toView : "");
+  }
+  else
+  {
+    vtkWideFoVShaderBuilder::WrapMain(
+      vertex, "", "  gl_Position = wfvProjectVertex(gl_Position.xyz);\n");
+    vtkWideFoVShaderBuilder::Declare(vertex, ViewSource(r));
+  }
+  // not of what asks for extensions itself, as volumes do: nothing may be declared before those
+  if (r.Kind == Primitive::Triangles && vertex.find("#extension") == std::string::npos)
+  {
+    vtkWideFoVShaderBuilder::Declare(vertex, SamePlaces);
+  }
+}
+
+// True where the fragment stage finds what of the primitive a pixel sees.
+bool Covers(const Request& r)
+{
+  return CoversTriangles(r) || wfv::line::Draws(r) || wfv::point::Draws(r);
+}
+
+// What the fragment stage needs for that.
+std::string CoverFragment(
+  const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
+{
+  if (wfv::line::Draws(r))
+  {
+    return wfv::line::FragmentSource(r, varyings, fragment);
+  }
+  if (wfv::point::Draws(r))
+  {
+    return wfv::point::FragmentSource(r, varyings, fragment);
+  }
+  RewriteFlatNormal(r, fragment);
+  return ray_fragment_glsl + (r.Whole ? WholeSource(*r.Projection) : "") + cover_fragment_glsl +
+    (Warped(r) ? warped_fragment_glsl : "") + chord_fragment_glsl + order_fragment_glsl +
+    (r.Whole ? fine_depth_glsl : "") + (r.Edges || r.DebugView ? edge_distance_glsl : "") +
+    CornerInputs(varyings, { "wfvB.x", "wfvB.y", "wfvB.z" }, KnownOf(r));
+}
+
+// What the debug view adds to the fragment stage.
+std::string DebugSource(const Request& r)
+{
+  if (!r.DebugView)
+  {
+    return "";
+  }
+  const bool triangles = r.Kind == Primitive::Triangles;
+  return Define("WFV_DEBUG_TRIANGLES", CoversTriangles(r)) + "#define WFV_DEBUG_KIND " +
+    (triangles ? "WFV_KIND_VERTEX" : "WFV_KIND_OTHER") + "\n" + debug_kinds_glsl +
+    debug_fragment_glsl;
+}
+
+// True where points reach across the curved seam of a map.
+bool EndsAtSeam(const Request& r)
+{
+  return r.Kind == Primitive::Points && r.Projection->Axis == wfv::Family::Meridian &&
+    !r.Projection->StraightSeam;
+}
+
+// Where the map ends; empty where nothing reaches across. Of a warped volume the border is
+// elsewhere at every depth.
+std::string BorderSource(const Request& r)
+{
+  const bool straight = !r.Stereo || r.Stereo->Straight;
+  if (straight && r.Projection->Axis == wfv::Family::Azimuthal)
+  {
+    return domain_fragment_glsl;
+  }
+  return straight && EndsAtSeam(r) ? seam_fragment_glsl : "";
+}
+
+// True where depth is not what the rasterizer interpolates: places are, on the surface.
+bool WritesDepth(const Request& r)
+{
+  return r.DepthMapping != wfv::WFV_DEPTH_LINEAR;
+}
+
+// What the fragment stage has as its place in view coordinates: the stock position, which light
+// needs, or, where there is none or the vertices are moved, an output of our own.
+const std::string StockPlace = "vertexVCVSOutput";
+const std::string OwnPlace = "wfvPlaceVSOutput";
+
+const std::string& PlaceOf(const Request& r, const std::string& fragment)
+{
+  const bool known = fragment.find(StockPlace) != std::string::npos && !MovesVertices(r);
+  return known ? StockPlace : OwnPlace;
+}
+
+// True where the fragment stage is to know its place by an output of our own: for its depth, or for
+// the distance that vtkWideFoVDataPass writes, which is along the ray of the eye.
+bool KeepsPlace(const Request& r, const std::string& fragment)
+{
+  const bool tells = MovesVertices(r) && fragment.find("wfvData(") != std::string::npos;
+  return !Covers(r) && (WritesDepth(r) || tells) && PlaceOf(r, fragment) == OwnPlace;
+}
+
+// What is needed for that.
+std::string PlaceSource(const Request& r, const std::string& fragment)
+{
+  const bool tells = MovesVertices(r);
+  const std::string distance = tells ? "#define WFV_DISTANCE length(" + OwnPlace + ")\n" : "";
+  return KeepsPlace(r, fragment) ? "in vec3 " + OwnPlace + ";\n" + distance : "";
+}
+
+// What a fragment stage that covers asks OpenGL for.
+std::string Extensions(const Request& r)
+{
+  return Covers(r) ? std::string(SampleMasks) + (r.Whole ? Doubles : "") : "";
+}
+
+void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
+{
+  const bool covers = Covers(r);
+  std::string declarations = PlaceSource(r, fragment);
+  std::string before, after;
+  if (covers)
+  {
+    RemoveInputs(r, fragment, varyings);
+    declarations = CoverFragment(r, varyings, fragment);
+    before = "  wfvPrepare();\n";
+    after = "  if (wfvHide) { discard; }\n";
+    stock::Replace(fragment, Edit::FrontFacing, "wfvFront", stock::Found::May);
+    before += RewriteDepth(r, fragment);
+  }
+  else if (WritesDepth(r))
+  {
+    declarations += depth_fragment_glsl;
+    before = "  wfvPrepareDepth(" + PlaceOf(r, fragment) + ".xyz);\n" + RewriteDepth(r, fragment);
+  }
+  const std::string border = BorderSource(r);
+  declarations += border;
+  after += border.empty() ? "" : "  if (wfvOutsideDomain()) { discard; }\n";
+  after += covers && r.Whole ? "  if (wfvIsBehind(gl_FragDepth)) { discard; }\n" : "";
+  declarations += DebugSource(r);
+  FoldMaterial(r.Surface, fragment);
+  RewriteLights(r, fragment);
+  if (!before.empty() || !after.empty())
+  {
+    vtkWideFoVShaderBuilder::WrapMain(fragment, before, after);
+  }
+  if (!declarations.empty())
+  {
+    vtkWideFoVShaderBuilder::Declare(fragment, Extensions(r) + ViewSource(r) + declarations);
+  }
+}
+}
+
+std::string vtkWideFoVShaderBuilder::MakeViewSource(const Request& r)
+{
+  return ViewSource(r);
+}
+
+bool vtkWideFoVShaderBuilder::NeedsGeometryStage(const Request& r)
+{
+  return wfv::quadric::Draws(r.Kind) || wfv::point::Draws(r) ||
+    (r.Stage != Variant::Plain && r.Kind != Primitive::Points);
+}
+
+void vtkWideFoVShaderBuilder::WrapMain(
+  std::string& source, const std::string& before, const std::string& after)
+{
+  int depth = 0;
+  while (source.find("void wfvStockMain" + std::to_string(depth) + "()") != std::string::npos)
+  {
+    depth++;
+  }
+  const std::string name = "wfvStockMain" + std::to_string(depth) + "()";
+  const stock::Span main = stock::Look(source, Edit::MainFunction);
+  if (main.Number >= 0)
+  {
+    source.replace(main.At, main.Length, "void " + name);
+  }
+  source += "\nvoid main()\n{\n" + before + "  " + name + ";\n" + after + "}\n";
+}
+
+void vtkWideFoVShaderBuilder::Prepare(
+  const Request& r, std::string& geometry, std::string& fragment)
+{
+  if (r.DebugView)
+  {
+    // in place of the surface's own colour, before light falls on it; textures stay out
+    stock::Replace(fragment, Edit::ColorsLightPlace,
+      "  diffuseColor = wfvDebugColor();\n"
+      "  ambientColor = WFV_DEBUG_AMBIENT * diffuseColor;\n"
+      "  diffuseColor -= ambientColor;\n"
+      "  $&",
+      r.Stock.If(true));
+    stock::Replace(fragment, Edit::TextureColorPlace, "", r.Stock.If(true));
+  }
+  if (!NeedsGeometryStage(r))
+  {
+    return;
+  }
+  if (wfv::quadric::Draws(r.Kind))
+  {
+    wfv::quadric::Prepare(r, geometry, fragment);
+    return;
+  }
+  geometry.clear();
+  if (r.Edges)
+  {
+    stock::Replace(fragment, Edit::EdgesDeclaration,
+      Define("WFV_EDGE_OPACITY", stock::HasEdgeOpacity()) + edges_fragment_glsl, r.Stock.If(true));
+    stock::Replace(fragment, Edit::EdgesPlace,
+      "  float wfvEdge = wfvEdgeMix();\n"
+      "  diffuseColor = mix(diffuseColor, vec3(0.0), wfvEdge);\n"
+      "  ambientColor = mix(ambientColor, edgeColor, wfvEdge);\n",
+      r.Stock.If(true));
+  }
+}
+
+void vtkWideFoVShaderBuilder::Finish(
+  const Request& r, std::string& vertex, std::string& geometry, std::string& fragment)
+{
+  if (MovesVertices(r))
+  {
+    WrapMain(vertex, "", "  gl_Position = wfvSeenVertex(gl_Position);\n");
+    // without a geometry stage the view's own text follows
+    Declare(vertex, (NeedsGeometryStage(r) ? ViewSource(r) : "") + stereo_vertex_glsl);
+  }
+  if (wfv::quadric::Draws(r.Kind))
+  {
+    return wfv::quadric::Finish(r, vertex, geometry, fragment);
+  }
+  if (NeedsGeometryStage(r))
+  {
+    wfv::FlattenArrays(r.Stock, vertex, fragment);
+  }
+  if (KeepsPlace(r, fragment))
+  {
+    WrapMain(vertex, "", "  " + OwnPlace + " = gl_Position.xyz;\n");
+    Declare(vertex, "out vec3 " + OwnPlace + ";\n");
+  }
+  if (r.Stage == Variant::Tessellate)
+  {
+    // drivers disagree on gl_PrimitiveIDIn behind a tessellation: a number of our own,
+    // which the evaluation stage sets
+    Declare(vertex, "flat out int wfvPrimitive;\n");
+    WrapMain(vertex, "", "  wfvPrimitive = 0;\n");
+  }
+  const std::vector<Varying> varyings = FindVaryings(vertex);
+  FinishVertices(r, varyings, vertex, geometry);
+  FinishFragment(r, varyings, fragment);
+}

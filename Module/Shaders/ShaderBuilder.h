@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Rewrites the shaders of a stock mapper for a wide view. Text in, text out: no
+// OpenGL, no VTK objects, so that it is tested on text.
+#ifndef WideFoVShaderBuilder_h
+#define WideFoVShaderBuilder_h
+
+#include "Compat/StockEdits.h"
+#include "Projections/Projection.h"
+#include "vtkWideFoVAbi.h"
+
+#include <string>
+
+VTK_ABI_NAMESPACE_BEGIN
+class WFV_EXPORT vtkWideFoVShaderBuilder
+{
+public:
+  enum class Variant
+  {
+    Plain,     // the vertex stage projects
+    Cut,       // a geometry stage does, and cuts triangles into smaller ones before
+    PreClip,   // a geometry stage clips, then projects
+    Exact,     // the same, every triangle by the ray of each pixel, lines as exact strips
+    Tessellate // triangles cut finer before the pre-clip (vtkWideFoVTessellation)
+  };
+
+  enum class Primitive
+  {
+    Points,
+    Lines,
+    Triangles,
+    Spheres,      // of the stock sphere mapper
+    Sticks,       // of the stock stick mapper
+    Splats,       // of the stock point gaussian mapper
+    PointSpheres, // points rendered as spheres
+    Tubes         // lines rendered as tubes
+  };
+
+  // What of the material is known to be simple: constants in the shader, which is built anew
+  // whenever the property changes.
+  struct Material
+  {
+    bool NoAmbient = false;   // intensity 0
+    bool NoDiffuse = false;   // intensity 0
+    bool FullDiffuse = false; // intensity 1
+    bool NoSpecular = false;  // intensity 0
+    bool Opaque = false;      // opacity 1
+  };
+
+  struct Request
+  {
+    const wfv::Projection* Projection = nullptr;
+    const wfv::StereoModel* Stereo = nullptr; // none: mono
+    Variant Stage = Variant::Plain;
+    Primitive Kind = Primitive::Triangles;
+    bool WidePoints = false;    // points wider than a pixel
+    bool WideLines = false;     // lines wider than the hardware draws
+    bool Edges = false;         // surface with edges
+    bool EdgeFlags = false;     // some edges of the triangles are inside a cell
+    bool ByRays = false;        // triangles are covered, whatever their edges: no chords
+    bool DebugView = false;     // coloured by what happens to each primitive
+    bool Multisample = false;   // the framebuffer may have several samples a pixel
+    bool Tilted = false;        // the view may have a tilt
+    bool Fades = false;         // the eyes' circle may have a fade
+    Material Surface;           // of triangles
+    int Headlights = 0;         // which lights are at the eye, one bit each
+    int DepthMapping = 0;       // wfv::DepthMapping; all but linear by the fragment stage
+    bool MeetsChords = false;   // triangles that are drawn by their chords may be beside these
+    bool SeveralChords = false; // and an edge of these may have several
+    bool Whole = false;         // covered triangles are decided in double, where OpenGL has that
+    int Runs = 1;               // of the geometry stage, which share in covering a triangle
+
+    // Of wfv::SteadyLights; none: all of every light is uniforms.
+    const std::string* Lights = nullptr;
+
+    wfv::stock::Facts Stock; // what must be found in VTK's text
+  };
+
+  // True where this request needs the pre-clip's own geometry stage.
+  static bool NeedsGeometryStage(const Request& request);
+
+  // Before the mapper replaces its tags: the pre-clip does without the mapper's own
+  // geometry stage (wide lines, edges) and brings what it did.
+  static void Prepare(const Request& request, std::string& geometry, std::string& fragment);
+
+  // After the mapper has replaced its tags: adds the projection to all stages. Every
+  // output of the vertex stage, whatever it is called, is interpolated. Here and in Prepare, what
+  // is not found in VTK's text leaves a mark (Compat/StockEdits.h).
+  static void Finish(
+    const Request& request, std::string& vertex, std::string& geometry, std::string& fragment);
+
+  // The mathematics of the view, for any stage.
+  static std::string MakeViewSource(const Request& request);
+
+  // Renames main() and appends a new one that runs `before`, the old one, `after`.
+  static void WrapMain(std::string& source, const std::string& before, const std::string& after);
+
+  // Inserts text behind the head of a shader, where declarations may stand.
+  static void Declare(std::string& source, const std::string& text);
+};
+VTK_ABI_NAMESPACE_END
+
+#endif

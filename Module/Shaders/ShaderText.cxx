@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shaders/ShaderText.h"
+
+#include "Compat/StockEdits.h"
+#include "Shaders/lines/LineShaders.h"
+#include "Shaders/quadrics/QuadricShaders.h"
+#include "WideFoVGlsl.h"
+
+#include <regex>
+#include <sstream>
+
+namespace wfv
+{
+namespace shader
+{
+namespace
+{
+// Newton steps of the lens inverse in float32: from half the range, quadratic
+// convergence reaches float32's end in fewer.
+constexpr int NewtonSteps = 12;
+}
+
+int Varying::Components() const
+{
+  const char last = this->Type.back();
+  const int size = last >= '2' && last <= '4' ? last - '0' : 1;
+  return this->Type.compare(0, 3, "mat") == 0 ? size * size : size;
+}
+
+std::vector<Varying> FindVaryings(const std::string& vertex)
+{
+  static const std::regex output(
+    R"((flat\s+|smooth\s+|noperspective\s+)?\bout\s+(\w+)\s+(\w+)\s*;)");
+  std::vector<Varying> result;
+  for (std::sregex_iterator i(vertex.begin(), vertex.end(), output), end; i != end; ++i)
+  {
+    result.push_back({ (*i)[1].str().compare(0, 4, "flat") == 0, (*i)[2], (*i)[3] });
+  }
+  return result;
+}
+
+void RemoveInputs(const Request& r, std::string& fragment, const std::vector<Varying>& varyings)
+{
+  for (const Varying& v : varyings)
+  {
+    const bool used = fragment.find(v.Name) != std::string::npos;
+    stock::Replace(fragment, stock::Edit::Input, "", r.Stock.If(used), v.Type + R"(\s+)" + v.Name);
+  }
+}
+
+void ReplaceAll(std::string& text, const std::string& from, const std::string& to)
+{
+  for (size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+  {
+    text.replace(at, from.size(), to);
+  }
+}
+
+void FoldMaterial(const vtkWideFoVShaderBuilder::Material& surface, std::string& fragment)
+{
+  const auto fold = [&fragment](bool known, const std::string& name, const std::string& value) {
+    if (known)
+    {
+      stock::Replace(fragment, stock::Edit::MaterialUniform,
+        "const float " + name + " = " + value + ";", stock::Found::May, name);
+    }
+  };
+  fold(surface.NoAmbient, "ambientIntensity", "0.0");
+  fold(surface.NoDiffuse, "diffuseIntensity", "0.0");
+  fold(surface.FullDiffuse, "diffuseIntensity", "1.0");
+  fold(surface.NoSpecular, "specularIntensity", "0.0");
+  fold(surface.Opaque, "opacityUniform", "1.0");
+}
+
+std::string Define(const char* name, int value)
+{
+  return std::string("#define ") + name + " " + std::to_string(value) + "\n";
+}
+
+namespace
+{
+bool AllCovered(const Request& r)
+{
+  return r.Kind == vtkWideFoVShaderBuilder::Primitive::Triangles &&
+    r.Stage != vtkWideFoVShaderBuilder::Variant::Plain &&
+    r.Stage != vtkWideFoVShaderBuilder::Variant::Cut &&
+    (r.ByRays || r.Stage == vtkWideFoVShaderBuilder::Variant::Exact);
+}
+}
+
+bool OwnRays(const Request& r)
+{
+  return r.Stereo && r.Stereo->OwnRays && (AllCovered(r) || line::Draws(r));
+}
+
+bool OwnBodies(const Request& r)
+{
+  return r.Stereo && r.Stereo->OwnRays && quadric::Draws(r.Kind);
+}
+
+bool Warped(const Request& r)
+{
+  return r.Stereo && !r.Stereo->Straight && AllCovered(r);
+}
+
+std::string ViewSource(const Request& r)
+{
+  const bool meridian = r.Projection->Axis == wfv::Family::Meridian;
+  const bool faces = r.Projection->Axis == wfv::Family::Faces;
+  const bool sampled = r.Projection->Axis == wfv::Family::Sampled;
+  return "#define WFV_FN\n#define WFV_TABLES int\n" + Define("WFV_NEWTON_STEPS", NewtonSteps) +
+    Define("WFV_MERIDIAN", meridian) + Define("WFV_FACES", faces) + Define("WFV_SAMPLED", sampled) +
+    Define("WFV_ROUND", r.Projection->Axis == wfv::Family::Azimuthal) +
+    Define("WFV_STRAIGHT_SEAM", r.Projection->StraightSeam) +
+    Define("WFV_FLAT_RIM", r.Projection->FlatRim) +
+    Define("WFV_EXACT", r.ByRays || r.Stage == vtkWideFoVShaderBuilder::Variant::Exact) +
+    Define("WFV_BY_RAYS", r.ByRays) + Define("WFV_MEETS_CHORDS", r.MeetsChords && AllCovered(r)) +
+    Define("WFV_SEVERAL_CHORDS", r.SeveralChords && AllCovered(r) && !OwnRays(r)) +
+    Define("WFV_WHOLE", r.Whole) + Define("WFV_DEPTH_MAPPING(v)", r.DepthMapping) +
+    Define("WFV_MULTISAMPLE", r.Multisample) + Define("WFV_WIDE_LINES", r.WideLines) +
+    Define("WFV_EDGES", r.Edges || r.DebugView) + Define("WFV_EDGE_FLAGS", r.EdgeFlags) +
+    Define("WFV_DEBUG_VIEW", r.DebugView) + "#define WFV_TILTED " + (r.Tilted ? "true" : "false") +
+    "\n" + "#define WFV_FADES " + (r.Fades ? "true" : "false") + "\n" + "#define WFV_ANGLES " +
+    (meridian ? "wfvMeridianAngles" : "wfvAzimuthalAngles") + "\n" +
+    Define("WFV_OWN_RAYS", OwnRays(r)) + Define("WFV_OWN_BODIES", OwnBodies(r)) +
+    Define("WFV_WARPED", Warped(r)) + Define("WFV_RUNS", r.Runs) +
+    Define("WFV_SHIFTED", r.Stereo && !r.Stereo->Straight && !Warped(r)) + wfv::MathGlsl() +
+    wfv::CommonGlsl() + wfv::DepthGlsl() + (r.Stereo ? sight_glsl + r.Stereo->Glsl : "") +
+    (sampled ? directions_glsl : "") + r.Projection->Glsl + interface_glsl;
+}
+
+std::string Corner(size_t varying, int corner)
+{
+  return "wfvCorner" + std::to_string(varying) + "_" + std::to_string(corner);
+}
+
+std::string CornerOutputs(const std::vector<Varying>& varyings, int corners, const Known& known)
+{
+  std::string declarations;
+  std::string body;
+  for (size_t i = 0; i < varyings.size(); i++)
+  {
+    const Varying& v = varyings[i];
+    if (known.count(v.Name) > 0)
+    {
+      continue;
+    }
+    declarations += v.Input();
+    for (int c = v.Flat ? corners - 1 : 0; c < corners; c++)
+    {
+      declarations += "flat out " + v.Declaration(Corner(i, c));
+      body += "  " + Corner(i, c) + " = " + v.Name + "[" + std::to_string(c) + "];\n";
+    }
+  }
+  return declarations + "void wfvWriteCorners()\n{\n" + body + "}\n";
+}
+
+std::string CornerInputs(
+  const std::vector<Varying>& varyings, const std::vector<std::string>& weights, const Known& known)
+{
+  const int corners = static_cast<int>(weights.size());
+  std::string declarations;
+  std::string body;
+  for (size_t i = 0; i < varyings.size(); i++)
+  {
+    const Varying& v = varyings[i];
+    declarations += v.Declaration(v.Name);
+    const auto value = known.find(v.Name);
+    if (value != known.end())
+    {
+      body += "  " + v.Name + " = " + value->second + ";\n";
+      continue;
+    }
+    std::string sum;
+    for (int c = v.Flat ? corners - 1 : 0; c < corners; c++)
+    {
+      declarations += "flat in " + v.Declaration(Corner(i, c));
+      sum += (sum.empty() ? "" : " + ") + (v.Flat ? "" : weights[c] + " * ") + Corner(i, c);
+    }
+    body += "  " + v.Name + " = " + sum + ";\n";
+  }
+  return declarations + "void wfvInterpolate()\n{\n" + body + "}\n";
+}
+
+int CornerComponents(const std::vector<Varying>& varyings, int corners)
+{
+  int count = 0;
+  for (const Varying& v : varyings)
+  {
+    count += v.Components() * (v.Flat ? 1 : corners);
+  }
+  return count;
+}
+
+namespace
+{
+void FoldLights(const std::string& constants, std::string& declarations)
+{
+  std::istringstream lines(constants);
+  std::string name, value;
+  while (lines >> name && std::getline(lines, value))
+  {
+    stock::Replace(declarations, stock::Edit::LightUniform,
+      "const vec3 " + name + " =" + value + ";", stock::Found::May, name);
+  }
+}
+}
+
+void RewriteLights(const Request& r, std::string& fragment)
+{
+  using stock::Edit;
+  const bool lit = r.Stock.Light != stock::Lit::No;
+  const bool alone = r.Stock.Light == stock::Lit::Headlight;
+  // the first statement of the stock main, whatever main is called by now
+  const size_t inside = stock::Look(fragment, Edit::LightPlace, r.Stock.If(lit)).At;
+  if (inside == std::string::npos)
+  {
+    return;
+  }
+  std::string head = fragment.substr(0, inside);
+  std::string body = fragment.substr(inside);
+  FoldLights(r.Lights ? *r.Lights : "", head);
+  vtkWideFoVShaderBuilder::Declare(head, light_fragment_glsl);
+  ReplaceAll(head, "uniform int wfvHeadlights;",
+    "const int wfvHeadlights = " + std::to_string(r.Headlights) + ";");
+  stock::Replace(body, Edit::LightPlace, "$&\n  wfvFromEye = WFV_FROM_EYE;");
+  stock::Replace(body, Edit::HeadlightCosine, "max($1, dot(normalVCVSOutput, -wfvFromEye))",
+    r.Stock.If(alone && !r.Stock.Physical));
+  stock::Replace(body, Edit::LightDirection, "wfvLightDirection($1, lightDirectionVC$1)",
+    r.Stock.If(lit && !alone));
+  stock::Replace(
+    body, Edit::LineFacing, "if (dot(normalVCVSOutput, wfvFromEye) > 0.0)", stock::Found::May);
+  fragment = head + body;
+}
+
+void RewriteFlatNormal(const Request& r, std::string& fragment)
+{
+  const bool flat = r.Stock.Light != stock::Lit::No && !r.Stock.Normals && !r.Stock.Wireframe;
+  stock::Replace(fragment, stock::Edit::FlatNormal, "wfvFlatNormal()", r.Stock.If(flat));
+}
+
+std::string TakeFromEye(const Request& r, std::string& vertex, bool keepModel)
+{
+  const bool both = vertex.find("MCDCMatrix") != std::string::npos;
+  const std::string matrix = both ? "MCDCMatrix" : "MCVCMatrix";
+  if (stock::Replace(vertex, stock::Edit::FromEye, "wfvFromEyeOf(" + matrix + ", vertexMC)",
+        r.Stock.If(!r.Stock.Glyphs)) < 0)
+  {
+    return "";
+  }
+  vtkWideFoVShaderBuilder::Declare(vertex, Define("WFV_MODEL", keepModel) + eye_vertex_glsl);
+  return matrix;
+}
+
+std::string RewriteDepth(const Request& r, std::string& fragment)
+{
+  stock::Replace(fragment, stock::Edit::FragmentDepth, "wfvDepth", stock::Found::May);
+  // the stock template names gl_FragDepth in a comment; only a value given counts
+  static const std::regex setsDepth(R"(gl_FragDepth\s*=)");
+  const bool sets = std::regex_search(fragment, setsDepth);
+  // depth peeling, where it comes later, would put the depth of the covering shape here
+  stock::Replace(fragment, stock::Edit::DepthPlace, "", r.Stock.If(!sets));
+  return sets ? "" : "  gl_FragDepth = wfvDepth;\n";
+}
+}
+}
+
+void vtkWideFoVShaderBuilder::Declare(std::string& source, const std::string& text)
+{
+  // what has any of VTK's tags has this one; what has none begins with the text
+  const bool tags = source.find("//VTK::") != std::string::npos;
+  const wfv::stock::Found found = tags ? wfv::stock::Found::Must : wfv::stock::Found::May;
+  const size_t at = wfv::stock::Look(source, wfv::stock::Edit::Declarations, found).At;
+  source.insert(at != std::string::npos ? source.find('\n', at) + 1 : 0, text);
+}

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shaders/aov/DataShaders.h"
+
+#include "Shaders/ShaderBuilder.h"
+#include "WideFoVGlsl.h"
+
+namespace wfv
+{
+namespace data
+{
+using stock::Edit;
+
+void Prepare(const stock::Facts& facts, bool wide, std::string& geometry, std::string& fragment)
+{
+  // stock geometry stages (surface edges, wide lines) would drop our output; without
+  // them the surface is drawn without its edges
+  if (wide || !facts.Imposters)
+  {
+    geometry.clear();
+  }
+  if (!wide)
+  {
+    stock::Replace(fragment, Edit::EdgesDeclaration, "", facts.If(true));
+    stock::Replace(fragment, Edit::EdgesPlace, "", facts.If(true));
+  }
+}
+
+void Finish(const stock::Facts& facts, bool wide, std::string& vertex, std::string& geometry,
+  std::string& fragment)
+{
+  if (facts.Imposters && !wide)
+  {
+    vtkWideFoVShaderBuilder::Declare(geometry, data_geometry_glsl);
+  }
+  else
+  {
+    vtkWideFoVShaderBuilder::WrapMain(vertex, "", "  wfvKeepPosition();\n");
+    vtkWideFoVShaderBuilder::Declare(vertex, data_vertex_glsl);
+  }
+  vtkWideFoVShaderBuilder::Declare(
+    fragment, (wide ? "" : std::string(data_perspective_glsl)) + data_fragment_glsl);
+  const bool lit = facts.Light != stock::Lit::No && (facts.Normals || !facts.Wireframe);
+  const bool has = stock::Look(fragment, Edit::DataNormal, facts.If(lit)).Number >= 0;
+  const std::string normal = has ? "wfvDataNormal(normalVCVSOutput)" : "wfvFlatNormal()";
+  // balls and sticks work their surface out; elsewhere it is what is interpolated
+  const bool ball = fragment.find("centerVCVSOutput") != std::string::npos;
+  const std::string position = ball ? "vertexVC.xyz" : "WFV_PLACE";
+  stock::Replace(fragment, Edit::DataPlace,
+    "  gl_FragData[1] = wfvData(" + position +
+      ", gl_PrimitiveID + PrimitiveIDOffset);\n"
+      "  gl_FragData[2] = vec4(" +
+      normal + ", 1.0);\n  $&\n",
+    facts.If(true));
+}
+}
+}

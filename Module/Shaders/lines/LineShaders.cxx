@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shaders/lines/LineShaders.h"
+
+#include "Compat/StockEdits.h"
+#include "WideFoVGlsl.h"
+
+#include <algorithm>
+
+namespace wfv
+{
+namespace line
+{
+using namespace shader;
+
+namespace
+{
+// OpenGL 3.2 lets a geometry stage write so many components, over all its vertices.
+constexpr int MaxComponents = 1024;
+
+// Of one vertex, beside the varyings: position, primitive number, and what
+// line_geometry.glsl writes (3 + 3 + 4 + 4 + 1).
+constexpr int LineComponents = 4 + 1 + 15;
+
+// And where the map does not show the whole of an arc, or no eye sees all of it.
+constexpr int RangeComponents = 2;
+
+// And of an eye whose rays begin in several places (line_own.glsl).
+constexpr int FootComponents = 4;
+
+// Rectangles that the stage may emit: more than these it never needs; with fewer than
+// these a window is too small a price.
+constexpr int MostQuads = 12;
+constexpr int FewestQuads = 3;
+
+int LineVertices(const Request& r, const std::vector<Varying>& varyings)
+{
+  const bool rays = OwnRays(r);
+  const bool cut = r.Projection->Axis == Family::Faces || r.Projection->FlatRim || rays;
+  const int own = LineComponents + (cut ? RangeComponents : 0) + (rays ? FootComponents : 0);
+  const int quads = MaxComponents / (4 * (own + CornerComponents(varyings, 2)));
+  return 4 * std::min(std::max(quads, FewestQuads), MostQuads);
+}
+
+// The stock normal lies across the line and towards the viewer, by derivatives, which a
+// strip has none of along its width: from the ends of the line and the pixel's own
+// direction instead.
+void RewriteNormal(const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
+{
+  const bool asked = r.Stock.Light != stock::Lit::No && !r.Stock.Normals && r.Stock.Wireframe;
+  for (size_t i = 0; i < varyings.size(); i++)
+  {
+    if (varyings[i].Name == "vertexVCVSOutput")
+    {
+      const std::string direction = Corner(i, 1) + ".xyz - " + Corner(i, 0) + ".xyz";
+      stock::Replace(fragment, stock::Edit::LineNormal,
+        "wfvLineNormal(" + direction + ", vertexVC.xyz)", r.Stock.If(asked));
+    }
+  }
+}
+}
+
+bool Draws(const Request& r)
+{
+  return r.Kind == Primitive::Lines && r.Stage == vtkWideFoVShaderBuilder::Variant::Exact &&
+    r.Projection->Axis != Family::Planar;
+}
+
+std::string GeometrySource(const Request& r, const std::vector<Varying>& varyings)
+{
+  const std::string head = Define("WFV_LINE_VERTICES", LineVertices(r, varyings)) + line_arc_glsl;
+  const std::string corners = CornerOutputs(varyings, 2);
+  if (OwnRays(r))
+  {
+    return head + line_own_glsl + line_own_frame_glsl + corners + line_geometry_glsl +
+      line_own_geometry_glsl;
+  }
+  const std::string arcs = head + line_frame_glsl + corners + line_geometry_glsl;
+  if (r.Projection->Axis == Family::Sampled)
+  {
+    return arcs + places_glsl + line_on_directions_glsl;
+  }
+  return arcs + (r.Projection->Axis == Family::Faces ? line_on_faces_glsl : "");
+}
+
+std::string FragmentSource(
+  const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
+{
+  RewriteNormal(r, varyings, fragment);
+  const bool ownMap = r.Projection->Axis == Family::Sampled && !OwnRays(r);
+  return std::string(line_arc_glsl) +
+    (OwnRays(r) ? std::string(line_own_glsl) + line_own_fragment_glsl : "") + line_fragment_glsl +
+    (ownMap ? std::string(own_map_glsl) + line_own_map_glsl : line_nearest_glsl) +
+    CornerInputs(varyings, { "(1.0 - wfvAlong)", "wfvAlong" });
+}
+}
+}
