@@ -16,8 +16,8 @@ WFV_FN float wfvEckertFromEquator(float s)
   float t = 0.25 * k;
   for (int i = 0; i < WFV_NEWTON_STEPS; i++)
   {
-    float c = cos(t);
-    float step_ = (t + sin(t) * (c + 2.0) - k) / (2.0 * c * (c + 1.0));
+    vec2 at = wfvSinCos(t);
+    float step_ = (t + at.x * (at.y + 2.0) - k) / (2.0 * at.y * (at.y + 1.0));
     t = max(0.0, min(1.5, t - step_));
     if (abs(step_) <= WFV_ROOT_STEP)
     {
@@ -35,8 +35,8 @@ WFV_FN float wfvEckertFromPole(float gap)
   float u = sqrt(k);
   for (int i = 0; i < WFV_NEWTON_STEPS && u > 0.0; i++)
   {
-    float s = sin(u);
-    float half_ = sin(0.5 * u);
+    float s = wfvSinCos(u).x;
+    float half_ = wfvSinCos(0.5 * u).x;
     float e = 0.5 * wfvArcMinusSine(2.0 * u) + 4.0 * half_ * half_ - k;
     float step_ = e / (2.0 * s * (s + 1.0));
     u = max(0.0, min(1.5, u - step_));
@@ -55,12 +55,13 @@ WFV_FN vec2 wfvParallel(vec2 phi, float latitude)
   if (s < WFV_POLAR_SIDE)
   {
     float a = wfvEckertFromEquator(s);
-    t = vec2(cos(a), sin(a));
+    vec2 at = wfvSinCos(a);
+    t = vec2(at.y, at.x);
   }
   else
   {
     float a = wfvEckertFromPole(wfvPolarGap(phi));
-    t = vec2(sin(a), cos(a));
+    t = wfvSinCos(a);
   }
   return vec2(WFV_ECKERT_WIDTH * (1.0 + t.x), phi.y < 0.0 ? -WFV_TOP * t.y : WFV_TOP * t.y);
 }
@@ -72,7 +73,7 @@ WFV_FN vec3 wfvAtHeight(float y)
   float t = wfvAtan2(s, c);
   float u = wfvAtan2(c, s);
   float sine = (t + s * (c + 2.0)) / WFV_ECKERT;
-  float half_ = sin(0.5 * u);
+  float half_ = wfvSinCos(0.5 * u).x;
   float gap = (0.5 * wfvArcMinusSine(2.0 * u) + 4.0 * half_ * half_) / WFV_ECKERT;
   vec2 phi = sine < WFV_POLAR_SIDE ? vec2(sqrt((1.0 - sine) * (1.0 + sine)), sine)
                                    : wfvFromPolarGap(gap);

@@ -15,7 +15,8 @@ WFV_FN float wfvMollweideFromEquator(float s)
   float a = 0.5 * k;
   for (int i = 0; i < WFV_NEWTON_STEPS; i++)
   {
-    float step_ = (a + sin(a) - k) / (1.0 + cos(a));
+    vec2 at = wfvSinCos(a);
+    float step_ = (a + at.x - k) / (1.0 + at.y);
     a = max(0.0, min(WFV_PI, a - step_));
     if (abs(step_) <= WFV_ROOT_STEP)
     {
@@ -34,7 +35,7 @@ WFV_FN float wfvMollweideFromPole(float gap)
   float w = c * (1.0 + c * c / 60.0 * (1.0 + c * c * 3.0 / 70.0));
   for (int i = 0; i < WFV_NEWTON_STEPS && w > 0.0; i++)
   {
-    float s = sin(0.5 * w);
+    float s = wfvSinCos(0.5 * w).x;
     float step_ = (wfvArcMinusSine(w) - k) / (2.0 * s * s);
     w = max(0.0, min(WFV_PI, w - step_));
     if (abs(step_) <= WFV_ROOT_STEP * w)
@@ -52,12 +53,13 @@ WFV_FN vec2 wfvParallel(vec2 phi, float latitude)
   if (s < WFV_POLAR_SIDE)
   {
     float a = wfvMollweideFromEquator(s);
-    t = vec2(cos(a), sin(a));
+    vec2 at = wfvSinCos(a);
+    t = vec2(at.y, at.x);
   }
   else
   {
     float a = wfvMollweideFromPole(wfvPolarGap(phi));
-    t = vec2(sin(a), cos(a));
+    t = wfvSinCos(a);
   }
   return vec2(WFV_MOLLWEIDE_WIDTH * t.x, phi.y < 0.0 ? -WFV_TOP * t.y : WFV_TOP * t.y);
 }
@@ -68,7 +70,7 @@ WFV_FN vec3 wfvAtHeight(float y)
   float c = sqrt((1.0 - s) * (1.0 + s));
   float t = wfvAtan2(s, c);
   float w = 2.0 * wfvAtan2(c, s);
-  float sine = (2.0 * t + sin(2.0 * t)) / WFV_PI;
+  float sine = (2.0 * t + wfvSinCos(2.0 * t).x) / WFV_PI;
   vec2 phi = sine < WFV_POLAR_SIDE ? vec2(sqrt((1.0 - sine) * (1.0 + sine)), sine)
                                    : wfvFromPolarGap(wfvArcMinusSine(w) / WFV_PI);
   return vec3(WFV_MOLLWEIDE_WIDTH * c, phi.x, y < 0.0 ? -phi.y : phi.y);

@@ -29,8 +29,8 @@ WFV_FN float wfvWinkelBorder(float y)
   float phi = y;
   for (int i = 0; i < WFV_NEWTON_STEPS; i++)
   {
-    float step_ =
-      (phi + 0.5 * WFV_PI * sin(phi) - 2.0 * y) / (1.0 + 0.5 * WFV_PI * cos(phi));
+    vec2 at = wfvSinCos(phi);
+    float step_ = (phi + 0.5 * WFV_PI * at.x - 2.0 * y) / (1.0 + 0.5 * WFV_PI * at.y);
     phi = max(0.0, min(0.5 * WFV_PI, phi - step_));
     if (abs(step_) <= WFV_ROOT_STEP)
     {
@@ -43,8 +43,10 @@ WFV_FN float wfvWinkelBorder(float y)
 // One step of Newton's method at (lambda/2, phi) towards the point m of the raw map.
 WFV_FN vec2 wfvWinkelStep(vec2 a, vec2 m)
 {
-  vec2 l = vec2(cos(a.x), sin(a.x));
-  vec2 p = vec2(cos(a.y), sin(a.y));
+  vec2 atL = wfvSinCos(a.x);
+  vec2 atP = wfvSinCos(a.y);
+  vec2 l = vec2(atL.y, atL.x);
+  vec2 p = vec2(atP.y, atP.x);
   float c = p.x * l.x;
   float s = wfvHypot(p.x * l.y, p.y);
   float k = s > 0.0 ? wfvAtan2(s, c) / s : 1.0;
