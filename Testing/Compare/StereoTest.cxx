@@ -143,7 +143,7 @@ TEST_P(CompareStereo, WarpedViewer)
   }
   if (p.Axis == Family::Faces)
   {
-    // a known limit (Documentation/known-limits.md): the search of the fragment stage takes the jump for a crossing
+    // a known limit: the search of the fragment stage takes the jump for a crossing
     GTEST_SKIP() << "curves jump at the border between the two rows of faces";
   }
   StereoOptions stereo = Model("warped");
