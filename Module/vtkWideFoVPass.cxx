@@ -70,7 +70,8 @@ void vtkWideFoVPass::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "NumberOfChosenProps: " << this->NumberOfChosenProps << "\n"
      << indent << "NumberOfClassifiedMeshes: " << this->NumberOfClassifiedMeshes << "\n"
      << indent << "NumberOfMadePrograms: " << this->NumberOfMadePrograms << "\n"
-     << indent << "ShaderTime: " << this->ShaderTime << "\n";
+     << indent << "ShaderTime: " << this->ShaderTime << "\n"
+     << indent << "ClusterTime: " << this->ClusterTime << "\n";
 }
 
 void vtkWideFoVPass::SetDelegatePass(vtkRenderPass* pass)
@@ -238,7 +239,8 @@ void vtkWideFoVPass::TakeCounts()
   // of the tessellate stage too, what cannot be tessellated is drawn by the pre-clip
   const int patches = stages.Tessellate->GetNumberOfTessellateDraws();
   this->NumberOfPreClipDraws = stages.PreClip->GetNumberOfDraws() +
-    stages.PreClipOfFew->GetNumberOfDraws() + stages.Tessellate->GetNumberOfDraws() - patches;
+    stages.PreClipOfFew->GetNumberOfDraws() + stages.PreClipAtChords->GetNumberOfDraws() +
+    stages.Tessellate->GetNumberOfDraws() - patches;
   this->NumberOfTessellateDraws = patches;
   this->NumberOfExactDraws =
     stages.Exact->GetNumberOfDraws() + stages.ExactInSingle->GetNumberOfDraws();
@@ -251,6 +253,7 @@ void vtkWideFoVPass::TakeCounts()
   this->NumberOfClassifiedMeshes = stages.Counts.ClassifiedMeshes;
   this->NumberOfMadePrograms = stages.Shaders.GetNumberOfPrograms();
   this->ShaderTime = stages.Shaders.GetSeconds();
+  this->ClusterTime = stages.ClusterTime.count();
 }
 
 void vtkWideFoVPass::ReleaseGraphicsResources(vtkWindow* window)

@@ -184,6 +184,11 @@ public:
   ///@}
 
   /**
+   * Seconds that it took so far, in all frames, to make clusters of meshes: once a mesh.
+   */
+  vtkGetMacro(ClusterTime, double);
+
+  /**
    * These figures in words, a line each: of the last frame, or, while one is drawn, of what it
    * drew so far. vtkWideFoVStatisticsActor puts them on the picture.
    */
@@ -217,6 +222,7 @@ protected:
   int NumberOfClassifiedMeshes = 0;
   int NumberOfMadePrograms = 0;
   double ShaderTime = 0;
+  double ClusterTime = 0;
   bool Draws = false; // a wide frame, just now
 
 private:

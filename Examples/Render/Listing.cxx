@@ -128,7 +128,11 @@ std::string StatsText(const Options& options, const Scene& scene, const RenderSt
     { "shaders",
       { { "programs", Known(stats.Shaders.Programs) }, { "ms", Known(stats.Shaders.Milliseconds) },
         { "later", Known(stats.Shaders.Later) },
-        { "first_frame_ms", Known(stats.Shaders.FirstFrame) } } } };
+        { "first_frame_ms", Known(stats.Shaders.FirstFrame) } } },
+    { "parts_ms",
+      { { "reading", Known(stats.Parts.Reading) }, { "clusters", Known(stats.Parts.Clusters) },
+        { "shaders", Known(stats.Parts.Shaders) }, { "drawing", Known(stats.Parts.Drawing) },
+        { "writing", Known(stats.Parts.Writing) } } } };
   return json.dump(2) + "\n";
 }
 }

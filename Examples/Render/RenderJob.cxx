@@ -236,7 +236,7 @@ void Count(Stage& stage, const Options& o, RenderStats& stats)
     const int others =
       (stage.Bar ? 1 : 0) + (o.Overlay ? 1 : 0) + (o.FloatingWindow > 0 || o.Letterbox > 0 ? 1 : 0);
     TakeCounts(stage.WidePass, others, stats);
-    TakeShaders(stage.WidePass, stage.ProgramsAtFirst, stats.Shaders);
+    TakeShaders(stage.WidePass, stage.ProgramsAtFirst, stats);
   }
 }
 
@@ -252,7 +252,7 @@ void CountTiles(Stage& stage, RenderStats& stats)
   stats.Shaders = all.Shaders;
   if (IsWide(stage))
   {
-    TakeShaders(stage.WidePass, stage.ProgramsAtFirst, stats.Shaders);
+    TakeShaders(stage.WidePass, stage.ProgramsAtFirst, stats);
   }
 }
 
@@ -356,7 +356,9 @@ RenderResult RenderTiled(Stage& stage, const Scene& scene, const Options& o, Out
 }
 }
 
-RenderResult Render(const Scene& scene, const Options& o, OutputFiles& files)
+namespace
+{
+RenderResult DrawAll(const Scene& scene, const Options& o, OutputFiles& files)
 {
   const DisplayConnection display;
   Stage stage;
@@ -387,6 +389,16 @@ RenderResult Render(const Scene& scene, const Options& o, OutputFiles& files)
     result.Aov = RenderAov(stage, scene);
   }
   CheckMessages();
+  return result;
+}
+}
+
+RenderResult Render(const Scene& scene, const Options& o, OutputFiles& files)
+{
+  const Stopwatch watch;
+  RenderResult result = DrawAll(scene, o, files);
+  PartTimes& parts = result.Stats.Parts;
+  parts.Drawing = watch.GetMilliseconds() - parts.Clusters.value_or(0) - parts.Shaders.value_or(0);
   return result;
 }
 }

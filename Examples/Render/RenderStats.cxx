@@ -22,13 +22,16 @@ void TakeCounts(vtkWideFoVPass* pass, int others, RenderStats& stats)
   stats.ExactDraws = pass->GetNumberOfExactDraws();
 }
 
-void TakeShaders(vtkWideFoVPass* pass, int programsAtFirst, ShaderCost& shaders)
+void TakeShaders(vtkWideFoVPass* pass, int programsAtFirst, RenderStats& stats)
 {
+  ShaderCost& shaders = stats.Shaders;
   shaders.Programs = pass->GetNumberOfMadePrograms();
   shaders.Milliseconds = 1000 * pass->GetShaderTime();
   if (shaders.FirstFrame)
   {
     shaders.Later = *shaders.Programs - programsAtFirst;
   }
+  stats.Parts.Shaders = shaders.Milliseconds;
+  stats.Parts.Clusters = 1000 * pass->GetClusterTime();
 }
 }

@@ -8,6 +8,7 @@
 #include "Display.h"
 
 #include <array>
+#include <chrono>
 #include <optional>
 #include <vector>
 
@@ -29,6 +30,32 @@ struct ShaderCost
   std::optional<int> Later; // programs made after the warm-up frames
 };
 
+// Milliseconds that the parts of a run took, one after the other. Unknown: what it did not do, or
+// stock VTK did.
+struct PartTimes
+{
+  std::optional<double> Reading;  // of files, or making a scene
+  std::optional<double> Clusters; // making them
+  std::optional<double> Shaders;  // their text and programs
+  std::optional<double> Drawing;  // all else, with opening a window; of tiles writing as well
+  std::optional<double> Writing;  // of pictures: encoding, and into files
+};
+
+// From when it is made on.
+class Stopwatch
+{
+public:
+  double GetMilliseconds() const
+  {
+    const std::chrono::duration<double, std::milli> time =
+      std::chrono::steady_clock::now() - this->Start;
+    return time.count();
+  }
+
+private:
+  std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
+};
+
 // A figure that is not known stays empty.
 struct RenderStats
 {
@@ -45,6 +72,7 @@ struct RenderStats
   std::optional<int> ChosenProps;      // anew in the last frame
   std::optional<int> ClassifiedMeshes; // anew in the last frame
   ShaderCost Shaders;
+  PartTimes Parts;
   std::optional<int> PlainDraws;
   std::optional<int> PreClipDraws;
   std::optional<int> TessellateDraws;
@@ -56,7 +84,7 @@ struct RenderStats
 void TakeCounts(vtkWideFoVPass* pass, int others, RenderStats& stats);
 
 // What it made in all frames; programsAtFirst of them before frames were timed.
-void TakeShaders(vtkWideFoVPass* pass, int programsAtFirst, ShaderCost& shaders);
+void TakeShaders(vtkWideFoVPass* pass, int programsAtFirst, RenderStats& stats);
 }
 
 #endif

@@ -39,10 +39,10 @@ void CheckOutputs(const Options& options)
   }
 }
 
-void WriteAll(
-  const Options& options, const Scene& scene, const RenderResult& result, OutputFiles& files)
+void WriteAll(const Options& options, const Scene& scene, RenderResult& result, OutputFiles& files)
 {
   const Progress progress("writing");
+  const Stopwatch watch;
   for (const std::string& output : options.Outputs)
   {
     for (const auto& [name, bytes] : EncodeFiles(options, output, result.Colors))
@@ -57,16 +57,20 @@ void WriteAll(
   }
   if (!options.Stats.empty())
   {
+    result.Stats.Parts.Writing = watch.GetMilliseconds();
     const std::string text = StatsText(options, scene, result.Stats);
     files.Write(options.Stats, text.data(), text.size());
   }
   files.Commit();
 }
 
-void DrawSights(const Options& options, const Scene& scene)
+void DrawSights(const Options& options, const Scene& scene, double reading)
 {
   OutputFiles files;
-  const RenderStats stats = RenderSights(scene, options, files);
+  const Stopwatch watch;
+  RenderStats stats = RenderSights(scene, options, files);
+  stats.Parts.Reading = reading;
+  stats.Parts.Drawing = watch.GetMilliseconds();
   if (!options.Stats.empty())
   {
     const std::string text = StatsText(options, scene, stats);
@@ -92,16 +96,19 @@ int Run(int argc, char** argv)
   CheckOutputs(options);
   LoadDirectionMap(options);
   CheckSights(options);
+  const Stopwatch watch;
   const Scene scene = LoadScene(options);
+  const double reading = watch.GetMilliseconds();
   MakePose(scene, options); // complains before a window is opened
   WarnOfNearness(options, scene, MakePose(scene, options).Eye);
   if (HasRoom(options))
   {
-    DrawSights(options, scene);
+    DrawSights(options, scene, reading);
     return ExitDone;
   }
   OutputFiles files;
-  const RenderResult result = Render(scene, options, files);
+  RenderResult result = Render(scene, options, files);
+  result.Stats.Parts.Reading = reading;
   WriteAll(options, scene, result, files);
   return ExitDone;
 }

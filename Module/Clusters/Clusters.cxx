@@ -5,16 +5,22 @@
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkDataArray.h"
+#include "vtkFloatArray.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace
 {
 using Place = std::array<double, 3>;
+
+constexpr std::array<double, 6> Nowhere{ VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX, VTK_DOUBLE_MAX,
+  -VTK_DOUBLE_MAX, VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
 
 Place PlaceOf(vtkPoints* points, vtkIdType id)
 {
@@ -23,10 +29,10 @@ Place PlaceOf(vtkPoints* points, vtkIdType id)
   return p;
 }
 
-double Distance(const Place& p, const Place& q)
+double SquaredDistance(const Place& p, const Place& q)
 {
-  return std::sqrt(
-    (p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]) + (p[2] - q[2]) * (p[2] - q[2]));
+  return (p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]) +
+    (p[2] - q[2]) * (p[2] - q[2]);
 }
 
 void Extend(std::array<double, 6>& bounds, const Place& p)
@@ -37,6 +43,11 @@ void Extend(std::array<double, 6>& bounds, const Place& p)
     bounds[2 * i] = finite ? std::min(bounds[2 * i], p[i]) : -VTK_DOUBLE_MAX;
     bounds[2 * i + 1] = finite ? std::max(bounds[2 * i + 1], p[i]) : VTK_DOUBLE_MAX;
   }
+}
+
+bool IsCollapsed(const Place& p, const Place& q, const Place& r)
+{
+  return p == q || q == r || r == p;
 }
 }
 
@@ -95,31 +106,31 @@ void Clusters::Build(vtkPolyData* data)
   this->Triangles = 0;
   this->AsTheyAre = false;
   vtkCellArray* const cells = this->GetCells(data);
-  if (!data->GetPoints())
+  vtkPoints* const points = data->GetPoints();
+  if (!points)
   {
     return;
   }
-  this->AsTheyAre = !this->Strips && cells->IsHomogeneous() == 3;
-  if (this->AsTheyAre && this->All.Take(cells) && this->AddCells(data))
+  if (!this->Strips && cells->IsHomogeneous() == 3 && this->All.Take(cells))
   {
-    return;
+    this->AsTheyAre = this->Measure(points);
   }
-  this->All = Corners();
-  this->AsTheyAre = false;
-  this->Bounds.clear();
-  this->Edges.clear();
-  this->Triangles = 0;
-  this->Copy.reserve(3 * (cells->GetNumberOfConnectivityIds() - 2 * cells->GetNumberOfCells()));
-  this->AddCells(data);
-  this->All.Take(this->Copy);
+  if (!this->AsTheyAre)
+  {
+    this->CopyCorners(data);
+    this->All.Take(this->Copy);
+    this->Measure(points);
+  }
 }
 
 // As vtkOpenGLIndexBufferObject does: polygons as fans, without triangles of two equal corners;
-// every other triangle of a strip turned round. False where such a triangle is in cells that are to
-// stay as they are.
-bool Clusters::AddCells(vtkPolyData* data)
+// every other triangle of a strip turned round.
+void Clusters::CopyCorners(vtkPolyData* data)
 {
-  auto it = vtk::TakeSmartPointer(this->GetCells(data)->NewIterator());
+  vtkCellArray* const cells = this->GetCells(data);
+  vtkPoints* const points = data->GetPoints();
+  this->Copy.reserve(3 * (cells->GetNumberOfConnectivityIds() - 2 * cells->GetNumberOfCells()));
+  auto it = vtk::TakeSmartPointer(cells->NewIterator());
   for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
   {
     vtkIdType size = 0;
@@ -130,39 +141,60 @@ bool Clusters::AddCells(vtkPolyData* data)
       const bool odd = i % 2 != 0;
       const vtkIdType corners[3] = { this->Strips ? ids[i - 2] : ids[0],
         this->Strips && odd ? ids[i] : ids[i - 1], this->Strips && odd ? ids[i - 1] : ids[i] };
-      if (!this->Add(data->GetPoints(), corners) && this->AsTheyAre)
+      if (this->Strips ||
+        !IsCollapsed(
+          PlaceOf(points, corners[0]), PlaceOf(points, corners[1]), PlaceOf(points, corners[2])))
       {
-        return false;
+        this->Copy.insert(this->Copy.end(), corners, corners + 3);
       }
     }
   }
-  return true;
 }
 
-bool Clusters::Add(vtkPoints* points, const vtkIdType corners[3])
+bool Clusters::Measure(vtkPoints* points)
 {
-  const Place p[3] = { PlaceOf(points, corners[0]), PlaceOf(points, corners[1]),
-    PlaceOf(points, corners[2]) };
-  if (!this->Strips && (p[0] == p[1] || p[1] == p[2] || p[2] == p[0]))
+  if (auto* const singles = vtkFloatArray::SafeDownCast(points->GetData()))
   {
-    return false;
+    const float* const p = singles->GetPointer(0);
+    return this->MeasurePlaces([p](std::size_t id) {
+      return Place{ p[3 * id], p[3 * id + 1], p[3 * id + 2] };
+    });
   }
-  if (this->Triangles % Size == 0)
-  {
-    this->Bounds.push_back({ { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX, VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX,
-      VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX } });
-    this->Edges.push_back(0);
-  }
-  this->Triangles++;
-  for (int c = 0; c < 3; c++)
-  {
-    if (!this->AsTheyAre)
+  return this->MeasurePlaces(
+    [points](std::size_t id) { return PlaceOf(points, static_cast<vtkIdType>(id)); });
+}
+
+template <typename PlaceAt>
+bool Clusters::MeasurePlaces(const PlaceAt& placeAt)
+{
+  this->Triangles = static_cast<vtkIdType>(this->All.size() / 3);
+  const vtkIdType clusters = (this->Triangles + Size - 1) / Size;
+  this->Bounds.assign(clusters, Nowhere);
+  this->Edges.assign(clusters, 0);
+  std::atomic<bool> collapsed{ false };
+  vtkSMPTools::For(0, clusters, Grain, [&](vtkIdType from, vtkIdType to) {
+    for (int c = static_cast<int>(from); c < to; c++)
     {
-      this->Copy.push_back(static_cast<unsigned int>(corners[c]));
+      double longest = 0; // squared
+      for (vtkIdType i = this->GetFirst(c); i < this->GetEnd(c); i++)
+      {
+        const Place p = placeAt(this->All[3 * i]);
+        const Place q = placeAt(this->All[3 * i + 1]);
+        const Place r = placeAt(this->All[3 * i + 2]);
+        if (IsCollapsed(p, q, r))
+        {
+          collapsed = true;
+        }
+        for (const Place& corner : { p, q, r })
+        {
+          Extend(this->Bounds[c], corner);
+        }
+        longest = std::max(
+          { longest, SquaredDistance(p, q), SquaredDistance(q, r), SquaredDistance(r, p) });
+      }
+      this->Edges[c] = std::sqrt(longest);
     }
-    Extend(this->Bounds.back(), p[c]);
-    this->Edges.back() = std::max(this->Edges.back(), Distance(p[c], p[(c + 1) % 3]));
-  }
-  return true;
+  });
+  return !collapsed;
 }
 }

@@ -45,7 +45,8 @@ private:
 class Clusters
 {
 public:
-  static constexpr int Size = 128; // triangles a cluster; the last one has fewer
+  static constexpr int Size = 128;       // triangles a cluster; the last one has fewer
+  static constexpr vtkIdType Grain = 64; // clusters a thread takes at least
 
   // strips: of the triangle strips; else of the polygons.
   explicit Clusters(bool strips)
@@ -81,8 +82,12 @@ public:
 
 private:
   void Build(vtkPolyData* data);
-  bool AddCells(vtkPolyData* data);
-  bool Add(vtkPoints* points, const vtkIdType corners[3]); // unless two are at one place
+  void CopyCorners(vtkPolyData* data);
+
+  // By VTK's threads. False where two corners of a triangle are at one place.
+  bool Measure(vtkPoints* points);
+  template <typename PlaceAt>
+  bool MeasurePlaces(const PlaceAt& placeAt);
 
   const bool Strips;
 

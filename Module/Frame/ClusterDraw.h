@@ -106,6 +106,7 @@ private:
     BufferTexture Chords;
 
     void Clear();
+    void Take(KindDraw& other);
     void AddRun(vtkIdType first, vtkIdType count);
     std::vector<unsigned int> ListAll() const;
     bool IsWhole(vtkIdType triangles) const { return this->Triangles == triangles; }

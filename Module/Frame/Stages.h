@@ -17,6 +17,7 @@
 #include "vtkWideFoVAbi.h"
 
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -88,6 +89,7 @@ public:
 
   // What this frame did and left out.
   wfv::FrameCounts Counts;
+  std::chrono::duration<double> ClusterTime{ 0 }; // of all frames, for making clusters of meshes
   wfv::ShaderClock Shaders;
   wfv::ShaderMemory Texts;
   wfv::ProgramMemory Programs;

@@ -66,6 +66,20 @@ int CountWhite(vtkRenderWindow* window)
 }
 }
 
+TEST(Statistics, TimesTheMakingOfClustersOnce)
+{
+  Half half;
+  vtkWideFoVPass* const pass = half.Test.Pass();
+  EXPECT_EQ(pass->GetClusterTime(), 0);
+  half.Test.Window->Render();
+  const double first = pass->GetClusterTime();
+  EXPECT_GT(first, 0);
+  half.Test.Camera->Yaw(1); // what is seen changes, meshes do not
+  half.Test.Window->Render();
+  EXPECT_GT(pass->GetNumberOfClassifiedMeshes(), 0);
+  EXPECT_LT(pass->GetClusterTime(), 2 * first);
+}
+
 TEST(Statistics, CountsPropsRunsAndTriangles)
 {
   Half half;

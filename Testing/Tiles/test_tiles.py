@@ -153,6 +153,19 @@ def stereo(tester):
         tester.compare(arguments, "once" + ending, "tiles" + ending, EXACT)
 
 
+def check_parts(tester, stats):
+    """What each part of a run took: known, and the frames and programs are among it."""
+    parts = stats["parts_ms"]
+    names = ("reading", "clusters", "shaders", "drawing", "writing")
+    tester.failures.check(set(parts) == set(names), "parts: %s" % parts)
+    tester.failures.check(all(parts[name] >= 0 for name in names), "parts: %s" % parts)
+    tester.failures.check(parts["shaders"] == stats["shaders"]["ms"] > 0, "shaders: %s" % parts)
+    frame = stats["ms"]["max"] + (stats["shaders"]["first_frame_ms"] or 0)
+    drawn = parts["clusters"] + parts["shaders"] + parts["drawing"]
+    tester.failures.check(drawn > frame, "drawing: %s of frames of %s ms" % (parts, frame))
+    tester.failures.check(parts["writing"] > 0, "writing: %s" % parts)
+
+
 def files(tester):
     """Every format, its metadata, and what the statistics say."""
     arguments = "--scene room --technique exact"
@@ -170,8 +183,13 @@ def files(tester):
         stats = json.load(stream)
     tester.failures.check(stats["tiles"] == [4, 3], "tiles: %s" % stats["tiles"])
     tester.failures.check(stats["ms"]["median"] > 0, "no time is given")
+    check_parts(tester, stats)
     # one tile is the whole picture
-    tester.draw(arguments, ["-o", tester.path("one.png")], "1000x1000")
+    tester.draw(
+        arguments, ["-o", tester.path("one.png"), "--stats", tester.path("one.json")], "1000x1000"
+    )
+    with open(tester.path("one.json"), encoding="utf-8") as stream:
+        check_parts(tester, json.load(stream))
     tester.compare(arguments, "once.png", "one.png", EXACT)
 
 

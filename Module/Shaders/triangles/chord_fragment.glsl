@@ -148,21 +148,23 @@ vec3 wfvToChords(vec3 direction, vec3 e, vec3 dx, vec3 dy)
   vec4 chord1 = vec4(c2, c0);
   vec4 chord2 = vec4(c0, c1);
 #if WFV_SEVERAL_CHORDS
-  // where a chord may decide; by loops of one round at the most, for software rendering runs through
-  // both sides of a branch
+  // where a chord may decide; a loop for those alone (see wfvMustCover)
   bvec3 several = greaterThan(wfvCount, vec3(1.0));
   bvec3 near = lessThanEqual(abs(e), wfvChordReach() * sqrt(dx * dx + dy * dy));
-  for (int i = several.x && near.x ? 1 : 0; i > 0; i--)
+  bvec3 left = bvec3(several.x && near.x, several.y && near.y, several.z && near.z);
+  for (int i = int(left.x) + int(left.y) + int(left.z); i > 0; i--)
   {
-    chord0 = wfvChordAt(wfvPlace1, wfvPlace2, vec3(wfvEdge0), wfvCount.x, direction);
-  }
-  for (int i = several.y && near.y ? 1 : 0; i > 0; i--)
-  {
-    chord1 = wfvChordAt(wfvPlace2, wfvPlace0, vec3(wfvEdge1), wfvCount.y, direction);
-  }
-  for (int i = several.z && near.z ? 1 : 0; i > 0; i--)
-  {
-    chord2 = wfvChordAt(wfvPlace0, wfvPlace1, vec3(wfvEdge2), wfvCount.z, direction);
+    bool first = left.x;
+    bool second = !first && left.y;
+    vec3 p = first ? wfvPlace1 : second ? wfvPlace2 : wfvPlace0;
+    vec3 q = first ? wfvPlace2 : second ? wfvPlace0 : wfvPlace1;
+    vec3 n = vec3(first ? wfvEdge0 : second ? wfvEdge1 : wfvEdge2);
+    float count = first ? wfvCount.x : second ? wfvCount.y : wfvCount.z;
+    vec4 chord = wfvChordAt(p, q, n, count, direction);
+    chord0 = first ? chord : chord0;
+    chord1 = second ? chord : chord1;
+    chord2 = first || second ? chord2 : chord;
+    left = bvec3(false, first && left.y, (first || second) && left.z);
   }
 #endif
   return vec3(wfvToChordOf(0, e.x, vec2(dx.x, dy.x), wfvSlack.x, chord0.xy, chord0.zw),

@@ -44,8 +44,8 @@ vec2 wfvLatitudes = vec2(0.0); // of all of the triangle, seen from the circle
 #endif
 
 // NDC of the lowest and the highest latitude of the triangle between two longitudes, or as near to
-// them as a rasterizer moves them.
-vec2 wfvColumn(vec2 lambda)
+// them as a rasterizer moves them; none where it is not asked for.
+vec2 wfvColumn(vec2 lambda, bool asked)
 {
   float snap = 2.0 * WFV_COLUMN_SNAP / (wfvViewport.z * wfvTile.x * wfvView.scale.x);
   lambda += vec2(-snap, snap);
@@ -54,17 +54,21 @@ vec2 wfvColumn(vec2 lambda)
 #if WFV_OWN_RAYS
   pad += wfvGrow;
 #endif
-  for (int i = 0; i < 3; i++)
+  vec3 plane = wfvN[0];
+  vec3 next = wfvN[1];
+  for (int i = asked ? 3 : 0; i > 0; i--) // see wfvMustCover
   {
 #if WFV_OWN_RAYS
-    vec2 edge = wfvEdgeRange(wfvN[i], lambda + vec2(-wfvTurnPad, wfvTurnPad));
+    vec2 edge = wfvEdgeRange(plane, lambda + vec2(-wfvTurnPad, wfvTurnPad));
     edge = wfvTurnPad < WFV_WIDEST_TURN ? edge : vec2(-1e30, 1e30);
 #else
-    vec2 edge = wfvEdgeRange(wfvN[i], lambda);
+    vec2 edge = wfvEdgeRange(plane, lambda);
 #endif
     r = vec2(max(r.x, edge.x), min(r.y, edge.y));
+    plane = next;
+    next = wfvN[2];
   }
-  if (r.x > r.y)
+  if (!asked || r.x > r.y)
   {
     return vec2(1e9, -1e9);
   }
@@ -114,17 +118,16 @@ void wfvEmitColumns(vec2 lambda, int columns, bool front)
   for (int i = first; i <= last; i++)
   {
     vec2 at = vec2(wfvColumnBorder(lambda, i, all), wfvColumnBorder(lambda, i + 1, all));
-    vec2 here = i < last ? wfvColumn(at) : vec2(1e9, -1e9);
+    vec2 here = wfvColumn(at, i < last);
     vec2 y = vec2(min(before.x, here.x), max(before.y, here.y));
     float x = wfvMap(vec2(at.x, 0.0), wfvView).x;
     x = clamp(x + (i == 0 ? -pad : (i == all ? pad : 0.0)), -1.0, 1.0);
     before = here;
-    if (y.x <= y.y)
+    // both ends of the border between two columns, if it has any
+    for (int end = y.x <= y.y ? 2 : 0; end > 0; end--)
     {
-      vec2 low = vec2(x, y.x) * wfvTile.xy + wfvTile.zw;
-      vec2 high = vec2(x, y.y) * wfvTile.xy + wfvTile.zw;
-      wfvEmit(vec4(front ? high : low, 0.0, 1.0), vec3(0.0));
-      wfvEmit(vec4(front ? low : high, 0.0, 1.0), vec3(0.0));
+      vec2 place = vec2(x, (end == 2) == front ? y.y : y.x);
+      wfvEmit(vec4(place * wfvTile.xy + wfvTile.zw, 0.0, 1.0), vec3(0.0));
     }
     if (here.x > here.y)
     {
@@ -162,10 +165,10 @@ void wfvCover(bool front)
   }
   bool two = across.x < across.y;
   bool wide = here.y - here.x > across.y - across.x;
-  wfvEmitColumns(here, two ? (wide ? 2 : 1) : WFV_COLUMNS, front);
-  if (two)
+  for (int part = two ? 2 : 1; part > 0; part--)
   {
-    wfvEmitColumns(across, wide ? 1 : 2, front);
+    bool last = two && part == 1;
+    wfvEmitColumns(last ? across : here, !two ? WFV_COLUMNS : wide != last ? 2 : 1, front);
   }
 }
 #else

@@ -50,86 +50,59 @@ void wfvEmitWeighed(vec3 weights)
   EmitVertex();
 }
 
-// One of whose edges has one chord, as a strip of so many rows from that edge to the corner opposite.
-void wfvEmitStrip(ivec3 chords, int rows)
+// The share of an edge at the place before, or the nearest, of its own places to one of `most`.
+float wfvNearOnEdge(int at, int chords, int most, bool before)
+{
+  return wfvOnEdge((2 * at * chords + (before ? 0 : most)) / (2 * most), chords);
+}
+
+// Of a triangle one of whose edges has one chord: the weights of the corners on a row from that edge to the
+// corner opposite, on either side.
+vec3 wfvOnStrip(int row, bool left, ivec3 chords, int rows)
 {
   // corner i is opposite to that edge; j and k are its ends
   int i = chords.x == 1 ? 0 : chords.y == 1 ? 1 : 2;
   int j = i == 2 ? 0 : i + 1;
   int k = i == 0 ? 2 : i - 1;
-  for (int row = 0; row < rows; row++)
-  {
-    // the last place passed on either edge: the next one might be the corner already, and what is
-    // then left of the other edge would be drawn from there, turned round where that edge is hollow
-    float onJ = wfvOnEdge(row * chords[k] / rows, chords[k]); // edge k is that from i to j
-    float onK = wfvOnEdge(row * chords[j] / rows, chords[j]);
-    vec3 weights = vec3(0.0);
-    weights[j] = 1.0 - onJ;
-    weights[i] = onJ;
-    wfvEmitWeighed(weights);
-    weights = vec3(0.0);
-    weights[k] = 1.0 - onK;
-    weights[i] = onK;
-    wfvEmitWeighed(weights);
-  }
-  if (rows > 0)
-  {
-    vec3 end = vec3(0.0);
-    end[i] = 1.0;
-    wfvEmitWeighed(end);
-    EndPrimitive();
-  }
+  // the last place passed on either edge: the next one might be the corner already, and what is
+  // then left of the other edge would be drawn from there, turned round where that edge is hollow
+  float share = wfvNearOnEdge(row, left ? chords[k] : chords[j], rows, true); // edge k is from i to j
+  vec3 weights = vec3(0.0);
+  weights[left ? j : k] = 1.0 - share;
+  weights[i] = share;
+  return weights;
 }
 
-// The share of an edge at the nearest of its own places to one of `most`.
-float wfvNearestOnEdge(int at, int chords, int most)
-{
-  return wfvOnEdge((2 * at * chords + most) / (2 * most), chords);
-}
-
-// The weights of the corners at a grid's node, on an edge at one of its own.
+// Of another one: the weights at a node of a grid, on an edge at one of its own places.
 vec3 wfvNode(int i, int j, ivec3 chords, int most)
 {
-  vec3 w = vec3(most - i - j, j, i) / float(most);
-  if (i + j == most)
-  {
-    float share = wfvNearestOnEdge(j, chords.x, most);
-    w = vec3(0.0, share, 1.0 - share);
-  }
-  else if (j == 0)
-  {
-    float share = wfvNearestOnEdge(i, chords.y, most);
-    w = vec3(1.0 - share, 0.0, share);
-  }
-  else if (i == 0)
-  {
-    float share = wfvNearestOnEdge(most - j, chords.z, most);
-    w = vec3(share, 1.0 - share, 0.0);
-  }
-  return w;
+  bool first = i + j == most;
+  bool second = !first && j == 0;
+  int at = first ? j : second ? i : most - j;
+  float share = wfvNearOnEdge(at, first ? chords.x : second ? chords.y : chords.z, most, false);
+  float rest = 1.0 - share;
+  return first ? vec3(0.0, share, rest)
+    : second   ? vec3(rest, 0.0, share)
+    : i == 0   ? vec3(share, rest, 0.0)
+               : vec3(most - i - j, j, i) / float(most);
 }
 
-// Another as a grid: so many rows of strips.
-void wfvEmitGrid(ivec3 chords, int rows)
-{
-  for (int j = 0; j < rows; j++)
-  {
-    for (int i = 0; i < rows - j; i++)
-    {
-      wfvEmitWeighed(wfvNode(i, j, chords, rows));
-      wfvEmitWeighed(wfvNode(i, j + 1, chords, rows));
-    }
-    wfvEmitWeighed(wfvNode(rows - j, j, chords, rows));
-    EndPrimitive();
-  }
-}
-
+// A strip of so many rows, the last of which is a corner; or a grid, so many rows of strips. One text emits
+// them all, for where all is inlined text is what compilers take long for.
 void main()
 {
   ivec3 chords = max(wfvReadChords(), 1);
   int most = max(chords.x, max(chords.y, chords.z));
   bool strip = min(chords.x, min(chords.y, chords.z)) == 1;
-  // (a loop of no rows ends at once, where software rendering would run through both sides of a branch)
-  wfvEmitStrip(chords, strip ? most : 0);
-  wfvEmitGrid(chords, strip ? 0 : most);
+  for (int j = 0; j < (strip ? 1 : most); j++)
+  {
+    int last = 2 * (strip ? most : most - j);
+    for (int v = 0; v <= last; v++)
+    {
+      bool left = (v & 1) == 0;
+      wfvEmitWeighed(strip ? wfvOnStrip(v / 2, left, chords, most)
+                           : wfvNode(v / 2, left ? j : j + 1, chords, most));
+    }
+    EndPrimitive();
+  }
 }

@@ -69,7 +69,6 @@ flat out vec3 wfvPlace2;
 #endif
 vec3 wfvSlackHere = vec3(-1.0);
 vec3 wfvCountHere = vec3(0.0);
-vec2 wfvChordEnds[3] = vec2[3](vec2(0.0), vec2(0.0), vec2(0.0));
 #define WFV_LENS wfvTolerance
 #else
 #define WFV_LENS 0.0
@@ -98,7 +97,7 @@ vec2 wfvM = vec2(0.0);
 #endif
 vec3 wfvS = vec3(0.0);
 vec3 wfvSpans[3]; // as wfvSpan0, ..
-vec2 wfvC[3]; // corners in the picture
+vec2 wfvC[3] = vec2[3](vec2(0.0), vec2(0.0), vec2(0.0)); // corners in the picture
 vec4 wfvSeamPlaces = vec4(0.0);
 float wfvReach = 0.0; // pixels: how far the edges surely stay from their chords
 bool wfvBent = false; // an edge bends by more than the tolerance
@@ -147,8 +146,8 @@ void wfvWriteFlat()
   wfvWriteRises();
 #if WFV_MEETS_CHORDS
   wfvSlack = wfvSlackHere;
-  wfvCorners01 = vec4(wfvChordEnds[0], wfvChordEnds[1]);
-  wfvCorner2 = wfvChordEnds[2];
+  wfvCorners01 = vec4(wfvC[0], wfvC[1]);
+  wfvCorner2 = wfvC[2];
 #if WFV_SEVERAL_CHORDS
   wfvCount = wfvCountHere;
   wfvPlace0 = wfvP[0];

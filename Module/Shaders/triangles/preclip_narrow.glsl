@@ -32,16 +32,19 @@ void wfvRectangle(vec2 first, vec2 right, vec2 up, bool front)
   wfvShape[3] = first + right + up;
 }
 
+// (No index is computed: that would put the corners into memory.)
+vec2 wfvShapeCorner(int i)
+{
+  return i == 0 ? wfvShape[0] : i == 1 ? wfvShape[1] : i == 2 ? wfvShape[2] : wfvShape[3];
+}
+
 // So many corners of it; none is no shape.
 void wfvEmitShape(int corners)
 {
   vec2 ndc = 2.0 / wfvViewport.zw;
-  for (int i = 0; i < 4; i++)
+  for (int i = 0; i < corners; i++)
   {
-    if (i < corners)
-    {
-      wfvEmit(vec4(wfvShape[i] * ndc, 0.0, 1.0), vec3(0.0));
-    }
+    wfvEmit(vec4(wfvShapeCorner(i) * ndc, 0.0, 1.0), vec3(0.0));
   }
   wfvEnd();
 }
@@ -97,28 +100,20 @@ int wfvShapeRound(vec3 grow, bool front)
   return triangle ? 3 : 4;
 }
 
-int wfvTightShape(vec3 grow, bool front)
-{
-  for (int i = 0; i < 3; i++)
-  {
-    wfvC[i] = wfvPixel(wfvP[i]);
-  }
-  return wfvShapeRound(grow, front);
-}
-
+// Of the places wfvC.
 void wfvCoverTight(float grow, bool front)
 {
-  wfvEmitShape(wfvTightShape(vec3(grow), front));
+  wfvEmitShape(wfvShapeRound(vec3(grow), front));
 }
 
-// By the sampled distance of the edges. False where that is unknown or large.
-bool wfvCoverNarrow(bool front)
+// By the sampled distance of the edges: pixels to grow by.
+float wfvNarrowGrow()
 {
-  float grow = WFV_REACH_SAFETY * wfvReach + WFV_REACH_PAD + WFV_LENS;
-  bool narrow = grow <= 0.25 * min(wfvViewport.z, wfvViewport.w);
-  if (narrow)
-  {
-    wfvCoverTight(grow, front);
-  }
-  return narrow;
+  return WFV_REACH_SAFETY * wfvReach + WFV_REACH_PAD + WFV_LENS;
+}
+
+// False where that is unknown or large.
+bool wfvIsNarrow()
+{
+  return wfvNarrowGrow() <= 0.25 * min(wfvViewport.z, wfvViewport.w);
 }

@@ -105,21 +105,33 @@ bool wfvOutside(vec3 lengths)
 #endif
 }
 
-// True where the triangle holds a pole or an edge of it bends too much; sets wfvS
-// and wfvBent.
-bool wfvMustCover()
+// True where the triangle holds a pole or an edge of it bends too much; sets wfvS, wfvReach
+// and wfvBent. Unless it is asked for nothing is measured.
+//
+// A loop, of no round then: software rendering runs through both sides of a branch, but through a loop only
+// as long as a triangle of several needs it; and compilers unroll none whose rounds they cannot count,
+// which would make long work of long text.
+bool wfvMustCover(bool asked)
 {
+  vec3 a = wfvP[0];
+  vec3 b = wfvP[1];
+  vec3 c = wfvP[2];
+  wfvReach = asked ? 0.0 : wfvReach;
+  for (int i = asked ? 3 : 0; i > 0; i--)
+  {
 #if WFV_OWN_RAYS
-  vec2 e0 = wfvOwnChordError(wfvP[1], wfvP[2]);
-  vec2 e1 = wfvOwnChordError(wfvP[2], wfvP[0]);
-  vec2 e2 = wfvOwnChordError(wfvP[0], wfvP[1]);
+    vec2 e = wfvOwnChordError(b, c);
 #else
-  vec2 e0 = wfvChordError(wfvP[1], wfvP[2]);
-  vec2 e1 = wfvChordError(wfvP[2], wfvP[0]);
-  vec2 e2 = wfvChordError(wfvP[0], wfvP[1]);
+    vec2 e = wfvChordError(b, c);
 #endif
-  wfvS = vec3(e0.x, e1.x, e2.x);
-  wfvReach = max(e0.y, max(e1.y, e2.y));
+    wfvS = vec3(wfvS.y, wfvS.z, e.x);
+    wfvReach = max(wfvReach, e.y);
+    // (no index is computed: that would put the corners into memory)
+    vec3 first = a;
+    a = b;
+    b = c;
+    c = first;
+  }
   wfvBent = min(wfvS.x, min(wfvS.y, wfvS.z)) < 0.0;
 #if WFV_EXACT
   return true;
@@ -151,53 +163,70 @@ void wfvEmitSides(bool seam)
 }
 #endif
 
+// Where the corners are in the picture, if that is asked for (as in wfvMustCover).
+void wfvFindPlaces(bool asked)
+{
+  vec3 a = wfvP[0];
+  vec3 b = wfvP[1];
+  for (int i = asked ? 3 : 0; i > 0; i--)
+  {
+    wfvC[0] = wfvC[1];
+    wfvC[1] = wfvC[2];
+    wfvC[2] = wfvPixel(a);
+    a = b;
+    b = wfvP[2];
+  }
+}
+
+// By a tight shape, grown by so many pixels, or by what holds all that the triangle may be seen in.
+// (Loops of one round: see wfvMustCover.)
+void wfvCoverBy(bool tight, float grow)
+{
+  bool front = wfvT.w < 0.0;
+#if WFV_MEETS_CHORDS
+  wfvFindPlaces(tight || wfvHasChords); // chords lie between them
+#elif WFV_EXACT
+  wfvFindPlaces(tight);
+#endif
+  for (int i = tight ? 1 : 0; i > 0; i--)
+  {
+    wfvCoverTight(grow, front);
+  }
+  for (int i = tight ? 0 : 1; i > 0; i--)
+  {
+    wfvCover(front);
+  }
+}
+
+#if WFV_EXACT
+void wfvDraw(bool seam, bool easy)
+{
+  bool near = easy && !seam;
+  float grow = wfvReach + WFV_LENS + WFV_TIGHT_PAD; // as wfvEasy has measured
+  wfvMustCover(!near || WFV_DEBUG_VIEW == 1);
+  wfvVertexMode = WFV_COVERED;
+#if WFV_DEBUG_VIEW
+  wfvVertexMode += WFV_KIND_UNIT * wfvCoverKind(seam, seam && WFV_STRAIGHT_SEAM == 0);
+#endif
+  wfvCoverBy(near || (!seam && wfvIsNarrow()), near ? grow : wfvNarrowGrow());
+}
+#else
 // Of a triangle that wfvMustCover has measured.
 void wfvCoverCurved(bool seam, bool tear)
 {
   wfvVertexMode = WFV_COVERED;
-#if !WFV_EXACT
   wfvPlaceCorners(seam);
-#endif
 #if WFV_DEBUG_VIEW
   wfvVertexMode += WFV_KIND_UNIT * wfvCoverKind(seam, tear);
 #endif
-  if (seam || !wfvCoverNarrow(wfvT.w < 0.0))
-  {
-    wfvCover(wfvT.w < 0.0);
-  }
+  wfvCoverBy(!seam && wfvIsNarrow(), wfvNarrowGrow());
 }
 
-#if WFV_EXACT
-// Of one that wfvEasy has measured.
-void wfvCoverEasy()
-{
-  wfvVertexMode = WFV_COVERED;
-  float reach = wfvReach;
-#if WFV_DEBUG_VIEW
-  wfvMustCover();
-  wfvVertexMode += WFV_KIND_UNIT * wfvCoverKind(false, false);
-#endif
-  wfvCoverTight(reach + WFV_LENS + WFV_TIGHT_PAD, wfvT.w < 0.0);
-}
-#endif
-
-#if WFV_EXACT
-void wfvDraw(bool seam, bool easy)
-{
-  if (easy && !seam)
-  {
-    wfvCoverEasy();
-    return;
-  }
-  wfvMustCover();
-  wfvCoverCurved(seam, seam && WFV_STRAIGHT_SEAM == 0);
-}
-#else
 void wfvDraw(bool seam, bool easy)
 {
   bool tear = seam && WFV_STRAIGHT_SEAM == 0;
   // wfvMustCover also prepares the covering: it runs wherever one may follow
-  if ((tear || !easy) && (wfvMustCover() || tear))
+  if ((tear || !easy) && (wfvMustCover(true) || tear))
   {
     wfvCoverCurved(seam, tear);
     return;
@@ -247,7 +276,6 @@ void wfvFindChords()
   wfvCountHere = vec3(chords);
   for (int i = 0; i < 3; i++)
   {
-    wfvChordEnds[i] = wfvPixel(wfvP[i]);
     wfvSlackHere[i] = chords[i] > 0 ? wfvTolerance : -1.0;
   }
 }
