@@ -1,41 +1,42 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Packs the measuring and testing programs of a build with every library they need but the
-# C library and the OpenGL driver, for machines without VTK: unpack, and run bin/NAME.
+# Packs the programs of a build with every library they need but the C library and the OpenGL
+# driver, for machines without VTK: unpack, and run ./widefov-render, ./widefov-bench, ...
 #
 #   bash Utilities/bundle.sh [BUILD FOLDER [FILE.tar.xz]]
+#   bash Utilities/bundle.sh --unpacked FOLDER [BUILD FOLDER]     the same as a folder, not packed
 #
-# By default of build/, into build/widefov-VERSION-x86_64.tar.xz. The programs find their
-# libraries from where they lie; lib/gl holds the loader of OpenGL drivers and what NVIDIA's
-# driver asks for, for machines that have a driver alone: there, add it to LD_LIBRARY_PATH.
+# By default of build/, into build/widefov-VERSION-x86_64.tar.xz. It runs where the C library is
+# not older than here: made on Debian 12, with glibc 2.36 and later. Bundled is:
+#
+#   widefov-*        one launcher under the names of the programs (Utilities/launch.sh)
+#   bin/ lib/        the programs, and libraries that nothing else on a machine shares with them
+#   lib/machine/     libraries that the driver uses as well, each in a folder of its own; used
+#                    where the machine has none
+#   data/ licences/  of the scenes "winds" and "office"; of all that is packed
+#   check.sh         Testing/Gpu/check.sh
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+programs=(widefov-render widefov-viewer widefov-bench widefov-stress widefov-compare-tests
+  widefov-gpu-tests)
+# The machine's own: always the C library; and where it has them, of what its driver uses as well
+# the newer ones, which are its own.
+own='/(ld-linux-x86-64|libc|libm|libdl|libpthread|librt|libresolv|libutil|libanl)\.so'
+machine='/lib(GL|GLX|EGL|OpenGL|GLdispatch|stdc\+\+|gcc_s|X11|X11-xcb|xcb[a-z0-9-]*|Xau|Xdmcp|bsd|md|z|zstd|expat|ffi)\.so'
+# OpenImageIO is linked with these for formats that no program reads or writes: films, OpenVDB,
+# HEIF, cameras. They and theirs are two thirds of all. Stand-ins are packed instead.
+unused='/lib(opencv_[a-z]*|avcodec|avformat|avutil|swscale|heif|openvdb)\.so'
+# What is loaded by name alone: by NVIDIA's driver, and by the windows of the viewer.
+by_name=(libXext.so.6 libXrandr.so.2 libXinerama.so.1 libXcursor.so.1 libXi.so.6 libXxf86vm.so.1)
+# Compiled into the programs, and the data.
+compiled_in=(libcli11-dev nlohmann-json3-dev libglm-dev libgtest-dev libboost-dev librapidcheck-dev
+  ferret-datasets)
 
 fail() {
   echo "bundle.sh: $1" >&2
   exit 1
 }
-
-build="${1:-build}"
-[ "$#" -le 2 ] || fail "name a build folder and a file at most, not: $*"
-programs=(widefov-bench widefov-stress widefov-compare-tests widefov-gpu-tests)
-for program in "${programs[@]}"; do
-  [ -x "$build/bin/$program" ] || fail "no program $build/bin/$program; build first: cmake --build $build"
-done
-[ "$(uname -m)" = x86_64 ] || fail "bundles are made for x86-64 alone, not for $(uname -m)"
-command -v patchelf > /dev/null || fail "patchelf is missing; as root: apt-get install patchelf"
-
-version="$("$build/bin/widefov-bench" --version | awk '{ print $NF; exit }')"
-name="widefov-$version-$(uname -m)"
-file="$(realpath --canonicalize-missing "${2:-$build/$name.tar.xz}")"
-work="$(mktemp --directory)"
-trap 'rm -rf "$work" "$file.part"' EXIT
-folder="$work/$name"
-mkdir -p "$folder/bin" "$folder/lib/gl" "$folder/licences"
-
-# The C library is the machine's own, and so is what belongs to the driver.
-own='/(ld-linux-x86-64|libc|libm|libdl|libpthread|librt|libresolv|libutil|libanl)\.so'
-loaders='/(libGL|libGLX|libEGL|libOpenGL|libGLdispatch|libXext)\.so'
 
 # The package of a library; dpkg knows some as /lib/... and some as /usr/lib/...
 package_of() {
@@ -44,41 +45,135 @@ package_of() {
   { dpkg-query --search "$path" "${path#/usr}" 2> /dev/null || true; } | awk -F: '{ print $1; exit }'
 }
 
-for program in "${programs[@]}"; do
-  cp "$build/bin/$program" "$folder/bin/"
-done
-# (libXext is what NVIDIA's driver loads)
-needed="$(ldd "$folder"/bin/*; /sbin/ldconfig -p | awk '/libXext.so.6 .*x86-64/ { print $1, $3, $4 }')"
-if grep -q 'not found' <<< "$needed"; then
-  fail "a library is missing: $(grep --max-count=1 'not found' <<< "$needed" | xargs)"
-fi
-awk '$3 ~ /^\// { print $3 }' <<< "$needed" | sort -u | grep -vE "$own" |
-  while read -r library; do
-    if grep -qE "$loaders" <<< "$library"; then
-      cp --dereference "$library" "$folder/lib/gl/"
+# add_licence PACKAGE
+add_licence() {
+  local notice="/usr/share/doc/$1/copyright"
+  [ -f "$notice" ] || fail "the package $1 has no licence at $notice; install it anew, with it"
+  cp --dereference "$notice" "$folder/licences/$1"
+}
+
+check() {
+  local program tool
+  [ "$(uname -m)" = x86_64 ] || fail "bundles are made for x86-64 alone, not for $(uname -m)"
+  for program in "${programs[@]}"; do
+    [ -x "$build/bin/$program" ] || fail "no program $build/bin/$program; build first: cmake --build $build"
+  done
+  for tool in patchelf readelf cc xz; do
+    command -v "$tool" > /dev/null || fail "$tool is missing; as root: apt-get install patchelf binutils gcc xz-utils"
+  done
+}
+
+# Stand-ins for what OpenImageIO never calls here, in $stand_ins.
+make_stand_ins() {
+  local image library
+  image="$(ldd "$build/bin/widefov-render" | awk '/libOpenImageIO\.so/ { print $3 }')"
+  [ -n "$image" ] || return 0
+  readelf --dynamic "$image" | awk -F '[][]' '/\(NEEDED\)/ { print $2 }' > "$work/needed"
+  ldd "$image" | awk '$3 ~ /^\// { print $1, $3 }' | grep -E "$unused" |
+    while read -r library path; do
+      ! grep -qFx "$library" "$work/needed" || bash Utilities/stand-in.sh "$image" "$path" "$stand_ins"
+    done
+}
+
+# Each library that the programs load, as a path; stand-ins in the place of what they stand for.
+list_libraries() {
+  local name path
+  LD_LIBRARY_PATH="$stand_ins" ldd -r "${programs[@]/#/$build/bin/}" > "$work/ldd" 2>&1 || true
+  ! grep -E 'not found|undefined symbol' "$work/ldd" >&2 || fail "the libraries do not fit, see above"
+  awk '$3 ~ /^\// { print $3 }' "$work/ldd"
+  for name in "${by_name[@]}"; do
+    path="$(/sbin/ldconfig -p | awk -v name="$name" '$1 == name && /x86-64/ { print $NF; exit }')"
+    [ -n "$path" ] || fail "$name is missing; as root: apt-get install $(tr '[:upper:]' '[:lower:]' <<< "${name/.so./}")"
+    ldd "$path" | awk -v self="$path" 'BEGIN { print self } $3 ~ /^\// { print $3 }'
+  done
+}
+
+copy_libraries() {
+  local library name package
+  list_libraries > "$work/libraries"
+  sort -u "$work/libraries" | grep -vE "$own" | while read -r library; do
+    name="$(basename "$library")"
+    if grep -qE "$machine" <<< "$library"; then
+      mkdir -p "$folder/lib/machine/$name"
+      cp --dereference "$library" "$folder/lib/machine/$name/"
     else
       cp --dereference "$library" "$folder/lib/"
     fi
-    package="$(package_of "$library")"
-    notice="/usr/share/doc/${package:-none}/copyright"
-    [ ! -f "$notice" ] || cp "$notice" "$folder/licences/$package"
+    case "$library" in
+      "$stand_ins"/* | "$(realpath "$build")"/*) ;;
+      *)
+        package="$(package_of "$library")"
+        add_licence "${package:-$name}"
+        ;;
+    esac
   done
-[ -f "$folder/lib/gl/libXext.so.6" ] || fail "libXext.so.6 is missing; as root: apt-get install libxext6"
-cp LICENSE "$folder/licences/widefov"
+}
 
-# The data of the scenes, where they are: "winds", and beside the checkout "office".
-mkdir -p "$folder/data"
-for data in /usr/share/ferret-vis/data/{etopo20,coads_climatology}.cdf ../shared/data/office.binary.vtk; do
-  [ ! -f "$data" ] || cp "$data" "$folder/data/"
-done
+copy_others() {
+  local program package data
+  for program in "${programs[@]}"; do
+    cp "$build/bin/$program" "$folder/bin/"
+    ln -s launch.sh "$folder/$program"
+  done
+  cp Utilities/launch.sh Testing/Gpu/check.sh "$folder/"
+  cp LICENSE "$folder/licences/widefov"
+  for package in "${compiled_in[@]}"; do
+    add_licence "$package"
+  done
+  # the data of the scenes, where they are: "winds", and beside the checkout "office"
+  for data in /usr/share/ferret-vis/data/{etopo20,coads_climatology}.cdf ../shared/data/office.binary.vtk; do
+    [ ! -f "$data" ] || cp "$data" "$folder/data/"
+  done
+  cat > "$folder/README" << EOF
+WideFoV for VTK $version: ./widefov-render --help, ./widefov-viewer --help, ./widefov-bench --help.
+Runs on x86-64 Linux with glibc $(getconf GNU_LIBC_VERSION | awk '{ print $2 }') or newer, an OpenGL driver and an X display (a virtual one serves).
+bash check.sh . RESULTS checks and times the machine's OpenGL driver.
+OpenImageIO is here without libraries for films, OpenVDB, HEIF and cameras: stand-ins are in their place.
+EOF
+}
 
-# (of our own the names of functions stay, for whoever reads where one of them crashed)
-find "$folder/bin" "$folder/lib" -type f -name '*WideFoV*' -exec strip --strip-debug {} +
-find "$folder/lib" -type f ! -name '*WideFoV*' -exec strip --strip-unneeded {} +
-# (RPATH, not RUNPATH: it holds for what libraries load as well)
-patchelf --force-rpath --set-rpath '$ORIGIN/../lib' "$folder"/bin/*
-patchelf --force-rpath --set-rpath '$ORIGIN' "$folder"/lib/*.so*
+# (of our own the names of functions stay, for whoever reads where one of them crashed; RPATH, not
+# RUNPATH: it holds for what libraries load as well)
+trim() {
+  find "$folder/bin" "$folder/lib" -type f -name '*[Ww]ide[Ff]o[Vv]*' -exec strip --strip-debug {} +
+  find "$folder/lib" -type f ! -name '*WideFoV*' -exec strip --strip-unneeded {} +
+  patchelf --force-rpath --set-rpath '$ORIGIN/../lib' "$folder"/bin/*
+  patchelf --force-rpath --set-rpath '$ORIGIN' "$folder"/lib/*.so*
+}
 
-tar --create --directory="$work" "$name" | xz -6 --threads=0 > "$file.part"
-mv "$file.part" "$file"
-echo "$file: $(du -h "$file" | cut -f1)"
+# BCJ and a dictionary as large as all libraries together: a sixth less than xz alone
+pack() {
+  local file="$1"
+  trap 'rm -rf "$work" "$file.part"' EXIT
+  tar --create --sort=name --owner=0 --group=0 --directory="$work" "$name" |
+    xz --x86 --lzma2=preset=9e,dict=192MiB > "$file.part"
+  mv "$file.part" "$file"
+  echo "$file: $(du -h "$file" | cut -f1)"
+}
+
+unpacked=""
+if [ "${1:-}" = --unpacked ]; then
+  [ -n "${2:-}" ] && [ ! -e "$2" ] || fail "--unpacked: name a folder that is not there yet"
+  unpacked="$(realpath --canonicalize-missing "$2")"
+  shift 2
+fi
+build="${1:-build}"
+[ "$#" -le 2 ] || fail "name a build folder and a file at most, not: $*"
+check
+version="$("$build/bin/widefov-bench" --version | awk '{ print $NF; exit }')"
+name="widefov-$version-$(uname -m)"
+work="$(mktemp --directory)"
+trap 'rm -rf "$work"' EXIT
+folder="$work/$name"
+stand_ins="$work/stand-ins"
+mkdir -p "$folder"/{bin,lib/machine,licences,data} "$stand_ins"
+make_stand_ins
+copy_libraries
+copy_others
+trim
+if [ -n "$unpacked" ]; then
+  mkdir -p "$(dirname "$unpacked")"
+  mv "$folder" "$unpacked"
+else
+  pack "$(realpath --canonicalize-missing "${2:-$build/$name.tar.xz}")"
+fi

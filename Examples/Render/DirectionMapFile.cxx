@@ -111,12 +111,13 @@ void LoadDirectionMap(Options& o)
   }
   const Progress progress("reading " + path);
   const CrashGuard guard(path + " cannot be read: it is damaged; check the file");
-  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path);
-  if (!input || std::string(input->format_name()) != "openexr")
+  // (not by the file's name: all the readers would have a look at a file that is no image)
+  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create("openexr");
+  OIIO::ImageSpec spec;
+  if (!input || !input->open(path, spec))
   {
     Fail(path + " is no OpenEXR image; give a direction map as one");
   }
-  const OIIO::ImageSpec spec = input->spec();
   TakeSize(o, path, spec);
   const std::vector<float> directions = ReadDirections(path, *input, spec);
   const std::string problem = wfv::DirectionMap::Check(spec.width, spec.height, directions);
