@@ -23,11 +23,8 @@ namespace
 // Seconds: a frame that may take longer is for standing still.
 constexpr double LongestShare = 1;
 
-// Pixels, of frames that are relaxed the most. More is no cheaper: what is ray-tested grows by it.
-constexpr double LargeTolerance = 0.25;
-
 // How many times larger a frame is shown than drawn, by how much it is relaxed.
-constexpr int Enlargements[wfv::FrameRate::Levels] = { 1, 1, 2, 3, 4, 4 };
+constexpr int Enlargements[wfv::FrameRate::Levels] = { 1, 1, 2, 3, 4 };
 }
 
 vtkWideFoVPass::vtkWideFoVPass()
@@ -163,16 +160,22 @@ void DrawFlat(vtkActor2D* flat, vtkRenderer* renderer)
 }
 }
 
-wfv::FrameRate::Allowed vtkWideFoVPass::FindRelaxations(bool small, bool samples)
+wfv::FrameRate::Allowed vtkWideFoVPass::FindRelaxations(bool small, bool samples) const
 {
-  const bool chords = this->Technique != VERTEX && !this->IsExact();
-  wfv::FrameRate::Allowed allowed{ { true, small && samples, small, small, small,
-    chords && this->Tolerance < LargeTolerance } };
+  wfv::FrameRate::Allowed allowed{ { true, small && samples, small, small, small } };
   for (int i = 0; i < wfv::FrameRate::Levels; i++)
   {
     allowed[i] = allowed[i] && i >= this->RelaxationRange[0] && i <= this->RelaxationRange[1];
   }
   return allowed;
+}
+
+// That of the window's pixels: by it fewer triangles come too near a border to be projected. But a
+// smaller one, under which none are, is no tolerance that was asked for.
+double vtkWideFoVPass::FindTolerance() const
+{
+  const double drawn = this->Tolerance / std::max(1, this->Internal->Enlargement);
+  return std::max(drawn, std::min(this->Tolerance, vtkWideFoVStages::LeastTolerance));
 }
 
 void vtkWideFoVPass::FindRelaxation(const vtkRenderState* s)
@@ -252,8 +255,7 @@ void vtkWideFoVPass::RenderWide(const vtkRenderState* s, vtkWideFoVCamera* camer
   camera->BeginFrame(renderer, in.Props.GetSceneBounds(renderer, bounds) ? bounds : nullptr);
   in.Stages.SetCulling(this->Culling != 0);
   in.Stages.SetEnlargement(std::max(1, in.Enlargement));
-  const double least = this->Relaxation == LARGE_TOLERANCE ? LargeTolerance : 0;
-  in.Stages.Begin(renderer, camera, this->Technique, std::max(this->Tolerance, least));
+  in.Stages.Begin(renderer, camera, this->Technique, this->FindTolerance());
   in.Stages.SetDebugView(this->DebugView != 0);
   in.Props.Choose(in.Stages, in.Stages.GetViewNumber());
   const int seen = this->Cull(props);

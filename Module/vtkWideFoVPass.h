@@ -119,8 +119,8 @@ public:
   ///@}
 
   /**
-   * How much a frame is relaxed. The smaller ones have one sample a pixel too, and are enlarged;
-   * the tolerance is then that of their own pixels.
+   * How much a frame is relaxed. The smaller ones have one sample a pixel too, and are enlarged.
+   * The tolerance stays that of the window's pixels: a larger one makes no frame cheaper.
    */
   enum Relaxations
   {
@@ -128,13 +128,12 @@ public:
     ONE_SAMPLE,      ///< with one sample a pixel
     HALF_SIZE,       ///< with half as many pixels on each side,
     THIRD_SIZE,      ///< a third,
-    QUARTER_SIZE,    ///< a quarter
-    LARGE_TOLERANCE  ///< and with a tolerance of at least 0.25 of these pixels
+    QUARTER_SIZE     ///< a quarter
   };
 
   ///@{
   /**
-   * The least and the most that frames are relaxed which have to hurry (default 0, 5). Alike they
+   * The least and the most that frames are relaxed which have to hurry (default 0, 4). Alike they
    * fix it, whatever frames take.
    */
   vtkSetVector2Macro(RelaxationRange, int);
@@ -232,7 +231,7 @@ protected:
   vtkTypeBool Culling = 1;
   vtkTypeBool KeepUpdateRate = 0;
   int Relaxation = NOT_RELAXED;
-  int RelaxationRange[2] = { NOT_RELAXED, LARGE_TOLERANCE };
+  int RelaxationRange[2] = { NOT_RELAXED, QUARTER_SIZE };
   int NumberOfDrawnProps = 0;
   int NumberOfCulledProps = 0;
   int NumberOfClusters = 0;
@@ -269,7 +268,10 @@ private:
   void FindRelaxation(const vtkRenderState* s);
 
   // Which steps of it make a difference.
-  std::array<bool, LARGE_TOLERANCE + 1> FindRelaxations(bool small, bool samples);
+  std::array<bool, QUARTER_SIZE + 1> FindRelaxations(bool small, bool samples) const;
+
+  // Of the pixels that this frame is drawn with.
+  double FindTolerance() const;
 
   // Draws so many props, the first ones, where the frame is shown or smaller.
   void DrawSeen(const vtkRenderState* s, int seen);

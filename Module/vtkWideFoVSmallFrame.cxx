@@ -75,8 +75,8 @@ void SmallFrame::Allocate()
   {
     this->ReleaseGraphicsResources(this->Framebuffer->GetContext());
     this->Framebuffer->SetContext(this->Window);
-    this->Framebuffer->PopulateFramebuffer(this->Size[0], this->Size[1], true, 1,
-      VTK_UNSIGNED_CHAR, true, DepthBits, 0, this->Window->GetStencilCapable() != 0);
+    this->Framebuffer->PopulateFramebuffer(this->Size[0], this->Size[1], true, 1, VTK_UNSIGNED_CHAR,
+      true, DepthBits, 0, this->Window->GetStencilCapable() != 0);
     std::copy_n(this->Size, 2, this->Allocated);
   }
   this->Framebuffer->Bind();
@@ -123,8 +123,8 @@ void SmallFrame::Enlarge()
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   if (!this->Quad)
   {
-    this->Quad = std::make_unique<vtkOpenGLQuadHelper>(
-      this->Window, nullptr, enlarge_fragment_glsl, nullptr);
+    this->Quad =
+      std::make_unique<vtkOpenGLQuadHelper>(this->Window, nullptr, enlarge_fragment_glsl, nullptr);
   }
   else
   {

@@ -20,8 +20,8 @@ VTK_ABI_NAMESPACE_END
 namespace wfv
 {
 // Whatever asks the renderer finds a smaller viewport meanwhile, at the corner of a framebuffer of
-// one sample a pixel. It then fills the renderer's viewport: colours between its pixels are blended,
-// depths are those of the nearest one.
+// one sample a pixel. It then fills the renderer's viewport: colours between its pixels are
+// blended, depths are those of the nearest one.
 class SmallFrame
 {
 public:
