@@ -31,12 +31,8 @@ namespace
 // Seconds: a frame that may take longer is for standing still.
 constexpr double LongestShare = 1;
 
-// Fraction of its share under which a frame leaves time for a better one.
-constexpr double SpareTime = 0.2;
-
-// Pixels, by how much a frame is relaxed.
-constexpr int MostRelaxed = 2;
-constexpr double RelaxedTolerances[MostRelaxed + 1] = { 0, 1, 4 };
+// How many times larger a frame is shown than drawn, by how much it is relaxed.
+constexpr int Enlargements[wfv::FrameRate::Levels] = { 1, 1, 2, 3, 4 };
 }
 
 vtkWideFoVPass::vtkWideFoVPass()
@@ -59,6 +55,8 @@ void vtkWideFoVPass::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "NumberOfTessellateDraws: " << this->NumberOfTessellateDraws << "\n"
      << indent << "KeepUpdateRate: " << this->KeepUpdateRate << "\n"
      << indent << "Relaxation: " << this->Relaxation << "\n"
+     << indent << "RelaxationRange: " << this->RelaxationRange[0] << ", "
+     << this->RelaxationRange[1] << "\n"
      << indent << "Culling: " << this->Culling << "\n"
      << indent << "NumberOfDrawnProps: " << this->NumberOfDrawnProps << "\n"
      << indent << "NumberOfCulledProps: " << this->NumberOfCulledProps << "\n"
@@ -109,12 +107,19 @@ int vtkWideFoVPass::Cull(vtkProp** props)
   int seen = 0;
   in.Chosen.clear();
   in.Texts.Clear();
+  in.Flat.clear();
   for (int i = 0; i < in.Props.GetCount(); i++)
   {
-    if (!in.Texts.Take(in.Props.GetProp(i)) && !in.Props.IsUnseen(i))
+    vtkProp* const prop = in.Props.GetProp(i);
+    auto* const flat = in.Enlargement > 0 ? vtkActor2D::SafeDownCast(prop) : nullptr;
+    if (flat)
+    {
+      in.Flat.push_back(flat);
+    }
+    else if (!in.Texts.Take(prop) && !in.Props.IsUnseen(i))
     {
       in.Chosen.push_back(in.Props.GetStage(i));
-      props[seen++] = in.Props.GetProp(i);
+      props[seen++] = prop;
     }
   }
   return seen;
@@ -143,17 +148,71 @@ void vtkWideFoVPass::DrawProps(const vtkRenderState* s, vtkProp** props, int cou
   }
 }
 
-void vtkWideFoVPass::FindRelaxation(vtkRenderer* renderer)
+namespace
 {
-  const double share = renderer->GetAllocatedRenderTime();
-  const double took = renderer->GetLastRenderTimeInSeconds();
-  if (!this->KeepUpdateRate || this->Technique == VERTEX || share > LongestShare)
+// The eyes that the window draws one after the other, each as a frame of the renderer.
+int CountEyes(vtkRenderWindow* window)
+{
+  const int type = window->GetStereoType();
+  return window->GetStereoRender() && type != VTK_STEREO_LEFT && type != VTK_STEREO_RIGHT ? 2 : 1;
+}
+
+// In the order of VTK's renderers: what lies in the scene, what shines through, what lies upon it.
+void DrawFlat(vtkActor2D* flat, vtkRenderer* renderer)
+{
+  flat->RenderOpaqueGeometry(renderer);
+  if (flat->HasTranslucentPolygonalGeometry())
   {
-    this->Relaxation = 0; // it stands still
+    flat->RenderTranslucentPolygonalGeometry(renderer);
+  }
+  flat->RenderOverlay(renderer);
+}
+}
+
+wfv::FrameRate::Allowed vtkWideFoVPass::FindRelaxations(bool small, bool samples) const
+{
+  wfv::FrameRate::Allowed allowed{ { true, small && samples, small, small, small } };
+  for (int i = 0; i < wfv::FrameRate::Levels; i++)
+  {
+    allowed[i] = allowed[i] && i >= this->RelaxationRange[0] && i <= this->RelaxationRange[1];
+  }
+  return allowed;
+}
+
+// That of the window's pixels: by it fewer triangles come too near a border to be projected. But a
+// smaller one, under which none are, is no tolerance that was asked for.
+double vtkWideFoVPass::FindTolerance() const
+{
+  const double drawn = this->Tolerance / std::max(1, this->Internal->Enlargement);
+  return std::max(drawn, std::min(this->Tolerance, vtkWideFoVStages::LeastTolerance));
+}
+
+void vtkWideFoVPass::FindRelaxation(const vtkRenderState* s)
+{
+  Internals& in = *this->Internal;
+  vtkRenderer* const renderer = s->GetRenderer();
+  vtkRenderWindow* const window = renderer->GetRenderWindow();
+  auto* const camera = vtkWideFoVCamera::SafeDownCast(renderer->GetActiveCamera());
+  const int eyes = CountEyes(window);
+  if (eyes > 1 && camera->GetCurrentEye() > 0)
+  {
+    return; // both alike
+  }
+  const double share = renderer->GetAllocatedRenderTime() / eyes;
+  const bool hurries =
+    this->KeepUpdateRate && !renderer->GetSelector() && eyes * share <= LongestShare;
+  this->Relaxation = NOT_RELAXED;
+  in.Enlargement = 0;
+  if (!hurries)
+  {
+    in.Rate.Stand();
     return;
   }
-  const int change = took > share ? 1 : took < SpareTime * share ? -1 : 0;
-  this->Relaxation = std::clamp(this->Relaxation + change, 0, MostRelaxed);
+  const bool small = wfv::SmallFrame::IsPossible(s);
+  const bool samples = window->GetMultiSamples() > 1;
+  this->Relaxation = in.Rate.Move(
+    renderer->GetLastRenderTimeInSeconds(), share, this->FindRelaxations(small, samples));
+  in.Enlargement = small && this->Relaxation > 0 ? Enlargements[this->Relaxation] : 0;
 }
 
 bool vtkWideFoVPass::IsExact()
@@ -195,22 +254,24 @@ void vtkWideFoVPass::RenderWide(const vtkRenderState* s, vtkWideFoVCamera* camer
   vtkRenderer* renderer = s->GetRenderer();
   const int count = s->GetPropArrayCount();
   vtkProp** props = s->GetPropArray();
+  this->FindRelaxation(s);
+  if (in.Enlargement > 0)
+  {
+    in.Small.Shrink(renderer, in.Enlargement);
+  }
   in.Props.Gather(renderer, props, count);
   double bounds[6];
   camera->BeginFrame(renderer, in.Props.GetSceneBounds(renderer, bounds) ? bounds : nullptr);
   in.Stages.SetCulling(this->Culling != 0);
-  this->FindRelaxation(renderer);
-  in.Stages.Begin(renderer, camera, this->Technique,
-    std::max(this->Tolerance, RelaxedTolerances[this->Relaxation]));
+  in.Stages.SetEnlargement(std::max(1, in.Enlargement));
+  in.Stages.Begin(renderer, camera, this->Technique, this->FindTolerance());
   in.Stages.SetDebugView(this->DebugView != 0);
   in.Props.Choose(in.Stages, in.Stages.GetViewNumber());
   const int seen = this->Cull(props);
-  this->NumberOfDrawnProps = seen;
-  this->NumberOfCulledProps = count - seen;
+  this->NumberOfDrawnProps = seen + static_cast<int>(in.Flat.size());
+  this->NumberOfCulledProps = count - this->NumberOfDrawnProps;
   wfv::RendererAccess::SetCount(renderer, props, seen);
-  this->Draws = true;
-  this->DrawProps(s, props, seen);
-  this->Draws = false;
+  this->DrawSeen(s, seen);
   in.Texts.Draw(renderer, camera, in.Stages.Plain->GetTile());
   wfv::RendererAccess::SetCount(renderer, props, count);
   for (int i = 0; i < count; i++)
@@ -219,6 +280,32 @@ void vtkWideFoVPass::RenderWide(const vtkRenderState* s, vtkWideFoVCamera* camer
   }
   in.Stages.End();
   camera->EndFrame();
+  if (this->KeepUpdateRate)
+  {
+    renderer->GetRenderWindow()->WaitForCompletion(); // the renderer takes the time
+  }
+}
+
+void vtkWideFoVPass::DrawSeen(const vtkRenderState* s, int seen)
+{
+  Internals& in = *this->Internal;
+  if (in.Enlargement > 0)
+  {
+    // the programs are those for the samples of the window; depth is ordered in this framebuffer
+    in.Small.Begin();
+    in.Stages.Fine.Begin(s->GetRenderer());
+  }
+  this->Draws = true;
+  this->DrawProps(s, s->GetPropArray(), seen);
+  this->Draws = false;
+  if (in.Enlargement > 0)
+  {
+    in.Small.End();
+    for (vtkActor2D* const flat : in.Flat)
+    {
+      DrawFlat(flat, s->GetRenderer());
+    }
+  }
 }
 
 void vtkWideFoVPass::ResetCounts(int props)
@@ -259,6 +346,7 @@ void vtkWideFoVPass::TakeCounts()
 void vtkWideFoVPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internal->Stages.ReleaseGraphicsResources(window);
+  this->Internal->Small.ReleaseGraphicsResources(window);
   if (this->Internal->Delegate)
   {
     this->Internal->Delegate->ReleaseGraphicsResources(window);

@@ -23,6 +23,7 @@
 #include "vtkOpenGLRenderPass.h"
 #include "vtkRenderingWideFoVModule.h" // For export macro
 
+#include <array>  // For std::array
 #include <memory> // For std::unique_ptr
 #include <string> // For GetStatistics
 
@@ -109,16 +110,41 @@ public:
   /**
    * Keep to the time that the window asks for by vtkRenderWindow::SetDesiredUpdateRate, as VTK's
    * level-of-detail props do (default off). While it asks for a frame a second or more, as an
-   * interactor does that moves, and a frame took longer than its share, the next is relaxed: it is
-   * drawn to a larger tolerance. A frame that has more time is as without. GetRelaxation says by
-   * how much the last frame was relaxed: 0 not at all, 1 and 2 to a tolerance of at least one and
-   * at least four pixels.
+   * interactor does that moves, and a frame took longer than its share, the next is relaxed by one
+   * step more, as long as steps save time. A frame that has more time is as without. Each frame is
+   * then waited for, to know what it took.
    */
   vtkSetMacro(KeepUpdateRate, vtkTypeBool);
   vtkGetMacro(KeepUpdateRate, vtkTypeBool);
   vtkBooleanMacro(KeepUpdateRate, vtkTypeBool);
-  vtkGetMacro(Relaxation, int);
   ///@}
+
+  /**
+   * How much a frame is relaxed. The smaller ones have one sample a pixel too, and are enlarged.
+   * The tolerance stays that of the window's pixels: a larger one makes no frame cheaper.
+   */
+  enum Relaxations
+  {
+    NOT_RELAXED = 0, ///< as a frame that stands
+    ONE_SAMPLE,      ///< with one sample a pixel
+    HALF_SIZE,       ///< with half as many pixels on each side,
+    THIRD_SIZE,      ///< a third,
+    QUARTER_SIZE     ///< a quarter
+  };
+
+  ///@{
+  /**
+   * The least and the most that frames are relaxed which have to hurry (default 0, 4). Alike they
+   * fix it, whatever frames take.
+   */
+  vtkSetVector2Macro(RelaxationRange, int);
+  vtkGetVector2Macro(RelaxationRange, int);
+  ///@}
+
+  /**
+   * How much the last frame was relaxed: Relaxations.
+   */
+  vtkGetMacro(Relaxation, int);
 
   ///@{
   /**
@@ -210,7 +236,8 @@ protected:
   int NumberOfTessellateDraws = 0;
   vtkTypeBool Culling = 1;
   vtkTypeBool KeepUpdateRate = 0;
-  int Relaxation = 0;
+  int Relaxation = NOT_RELAXED;
+  int RelaxationRange[2] = { NOT_RELAXED, QUARTER_SIZE };
   int NumberOfDrawnProps = 0;
   int NumberOfCulledProps = 0;
   int NumberOfClusters = 0;
@@ -244,8 +271,17 @@ private:
   void ResetCounts(int props);
   void TakeCounts();
 
-  // How much the next frame is relaxed, from the time that the last one took.
-  void FindRelaxation(vtkRenderer* renderer);
+  // How much this frame is relaxed, from the time that the last one took.
+  void FindRelaxation(const vtkRenderState* s);
+
+  // Which steps of it make a difference.
+  std::array<bool, QUARTER_SIZE + 1> FindRelaxations(bool small, bool samples) const;
+
+  // Of the pixels that this frame is drawn with.
+  double FindTolerance() const;
+
+  // Draws so many props, the first ones, where the frame is shown or smaller.
+  void DrawSeen(const vtkRenderState* s, int seen);
 
   struct Internals;
   std::unique_ptr<Internals> Internal;

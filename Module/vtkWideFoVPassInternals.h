@@ -5,11 +5,14 @@
 
 #include "Drawables/Billboards.h"
 #include "Frame/FrameProps.h"
+#include "Frame/FrameRate.h"
 #include "Frame/Headlights.h"
 #include "Frame/PropKeys.h"
+#include "Frame/SmallFrame.h"
 #include "Frame/Stages.h"
 #include "vtkWideFoVPass.h"
 
+#include "vtkActor2D.h"
 #include "vtkNew.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
@@ -25,6 +28,10 @@ struct vtkWideFoVPass::Internals
   wfv::Billboards Texts;                   // that stand in the scene
   std::vector<vtkWideFoVStage*> Chosen;    // one a prop that is seen, kept for its memory
   std::vector<wfv::PropKeys> Keys;         // the same, as many as there ever were
+  wfv::FrameRate Rate;
+  wfv::SmallFrame Small;
+  int Enlargement = 0;           // of this frame; 0: drawn where it is shown
+  std::vector<vtkActor2D*> Flat; // of a frame that is enlarged: drawn upon it
 };
 
 namespace wfv

@@ -51,7 +51,7 @@ void DeclareWindow(CLI::App& app, ViewerOptions& o)
     "poses of --pose a second; 0: as their times say");
   group.Flag("--pose-once", o.PoseOnce, "stay with the last pose instead of beginning anew");
   group.Number("--update-rate", "HZ", o.UpdateRate, { 0, 1000 },
-    "frames a second for which a moving picture is drawn coarser; 0: never");
+    "frames a second for which a moving picture is drawn smaller; 0: never");
   group.Flag("--no-text", o.NoText, "begin without the text on the picture");
   group.Name("--log", "FILE", o.Log, "the state after each frame and click, a JSON object a line");
   group.Integer("--frames", o.Frames, 0, 1000000, "end after so many frames; 0: when closed");

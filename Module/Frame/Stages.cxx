@@ -82,7 +82,8 @@ void vtkWideFoVStages::Begin(
   this->Stereo = stereo;
   this->ByPixels = stereo && (stereo->OwnRays || !stereo->Straight);
   this->Tolerance = tolerance;
-  const int* const size = renderer->GetSize();
+  const int* const drawn = renderer->GetSize();
+  const int size[2] = { this->Enlargement * drawn[0], this->Enlargement * drawn[1] };
   this->HalfDiagonal = 0.5 * std::hypot(size[0], size[1]);
   this->View = view.GetParameters();
   this->PixelAngle = 2 * std::max(this->View.halfFov.x, this->View.halfFov.y) /

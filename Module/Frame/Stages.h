@@ -58,6 +58,11 @@ public:
     this->Programs.ForgetAll();
   }
 
+  // How many times larger on each side a frame is shown than drawn (1), from the next Begin on.
+  // Props keep the variant that they have where it is drawn as large as that: no other program has
+  // to be made while a view moves, and none is dearer.
+  void SetEnlargement(int times) { this->Enlargement = times; }
+
   // For all variants, from the next draw on.
   void SetDebugView(bool debugView);
 
@@ -129,6 +134,7 @@ private:
   double Tolerance = 0.25;
   double PixelAngle = 0;   // radians, of a pixel at the most if all were alike
   double HalfDiagonal = 1; // of the picture, pixels
+  int Enlargement = 1;
   bool CanTessellate();
 
   int Technique = 0;

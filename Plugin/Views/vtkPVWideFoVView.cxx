@@ -68,6 +68,8 @@ vtkPVWideFoVView::vtkPVWideFoVView()
 {
   Internals& in = *this->Internal;
   in.Pass->SetDelegatePass(in.Delegate);
+  // frames of several ranks become smaller by ParaView's own factor, all of them alike
+  in.Pass->SetKeepUpdateRate(wfvplugin::HasOneRank());
   in.Stereo->SetStereoModelToOmnidirectional();
   in.Reduced->SetDelegatePass(in.Pass);
   this->SynchronizedRenderers->SetRenderPass(in.Reduced);

@@ -155,7 +155,7 @@ class Look(ViewerTest):
             viewer = self.start("--update-rate", rate, "--projection", "hammer",
                 "--direction", "1,-0.3,-2", scene=("--scene", "cornell"))
             before = len(viewer.states())
-            state = viewer.drag((300, 160), (340, 150), steps=8)
+            state = viewer.drag((300, 160), (340, 150), steps=40)
             moved = [s["relaxation"] for s in viewer.states()[before:] if s["event"] == "frame"]
             self.assertEqual(max(moved) > 0, coarser, "%s: %s" % (rate, moved))
             self.assertEqual(viewer.wait(lambda s: not s["pending"])["relaxation"], 0)
