@@ -7,7 +7,8 @@
 #   bash Utilities/bundle.sh --unpacked FOLDER [BUILD FOLDER]     the same as a folder, not packed
 #
 # By default of build/, into build/widefov-VERSION-x86_64.tar.xz. It runs where the C library is
-# not older than here: made on Debian 12, with glibc 2.36 and later. Bundled is:
+# not older than here: made on Debian 12, with glibc 2.36 and later. Packages that this needs are
+# installed where they are missing; packing takes three minutes of one processor. Bundled is:
 #
 #   widefov-*        one launcher under the names of the programs (Utilities/launch.sh)
 #   bin/ lib/        the programs, and libraries that nothing else on a machine shares with them
@@ -53,14 +54,12 @@ add_licence() {
 }
 
 check() {
-  local program tool
+  local program
   [ "$(uname -m)" = x86_64 ] || fail "bundles are made for x86-64 alone, not for $(uname -m)"
   for program in "${programs[@]}"; do
     [ -x "$build/bin/$program" ] || fail "no program $build/bin/$program; build first: cmake --build $build"
   done
-  for tool in patchelf readelf cc xz; do
-    command -v "$tool" > /dev/null || fail "$tool is missing; as root: apt-get install patchelf binutils gcc xz-utils"
-  done
+  bash Utilities/install-packages.sh bundle
 }
 
 # Stand-ins for what OpenImageIO never calls here, in $stand_ins.
@@ -83,7 +82,7 @@ list_libraries() {
   awk '$3 ~ /^\// { print $3 }' "$work/ldd"
   for name in "${by_name[@]}"; do
     path="$(/sbin/ldconfig -p | awk -v name="$name" '$1 == name && /x86-64/ { print $NF; exit }')"
-    [ -n "$path" ] || fail "$name is missing; as root: apt-get install $(tr '[:upper:]' '[:lower:]' <<< "${name/.so./}")"
+    [ -n "$path" ] || fail "$name is missing; install the packages of the group bundle in Utilities/packages.txt"
     ldd "$path" | awk -v self="$path" 'BEGIN { print self } $3 ~ /^\// { print $3 }'
   done
 }
@@ -115,7 +114,7 @@ copy_others() {
     cp "$build/bin/$program" "$folder/bin/"
     ln -s launch.sh "$folder/$program"
   done
-  cp Utilities/launch.sh Testing/Gpu/check.sh "$folder/"
+  install --mode=755 Utilities/launch.sh Testing/Gpu/check.sh "$folder/"
   cp LICENSE "$folder/licences/widefov"
   for package in "${compiled_in[@]}"; do
     add_licence "$package"
