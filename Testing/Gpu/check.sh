@@ -24,6 +24,10 @@
 set -euo pipefail
 
 small=no
+if [ "${WIDEFOV_GPU_SMALL:-0}" != 0 ]; then
+  echo "check.sh: WIDEFOV_GPU_SMALL is an old name; give --small" >&2
+  small=yes
+fi
 if [ "${1:-}" = --small ]; then
   small=yes
   shift
