@@ -34,6 +34,7 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkShaderProgram.h"
+#include "vtkVolume.h"
 #include "vtkWideFoVGl.h"
 
 #include <algorithm>
@@ -261,6 +262,10 @@ bool vtkWideFoVStage::PreReplaceShaderValues(std::string&, std::string& geometry
   {
     this->Stages->Shaders.Begin();
   }
+  if (vtkVolume::SafeDownCast(prop))
+  {
+    return true;
+  }
   vtkWideFoVShaderBuilder::Prepare(this->MakeRequest(mapper, prop), geometryShader, fragmentShader);
   return true;
 }
@@ -283,6 +288,11 @@ bool vtkWideFoVStage::PostReplaceShaderValues(std::string& vertexShader,
 {
   if (wfv::stock::DrawsNothing(fragmentShader))
   {
+    return true;
+  }
+  if (auto* const volume = vtkVolume::SafeDownCast(prop))
+  {
+    this->FinishVolume(volume, mapper, vertexShader, geometryShader, fragmentShader);
     return true;
   }
   vtkWideFoVShaderBuilder::Request request = this->MakeRequest(mapper, prop);

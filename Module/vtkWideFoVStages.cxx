@@ -19,6 +19,7 @@
 #include "vtkProp.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkVolume.h"
 
 #include <algorithm>
 #include <cmath>
@@ -187,7 +188,8 @@ vtkWideFoVStage* vtkWideFoVStages::Choose(
     this->Buffers.Prepare(prop);
     facts.Prepared = true;
   }
-  if (this->Technique == vtkWideFoVPass::VERTEX)
+  // a volume has no primitives: every pixel has its ray, whatever the technique
+  if (this->Technique == vtkWideFoVPass::VERTEX || vtkVolume::SafeDownCast(prop))
   {
     return this->Plain;
   }

@@ -4,6 +4,7 @@
 #define vtkWideFoVStages_h
 
 #include "Clusters/Classifier.h"
+#include "Projections/Visibility.h"
 #include "vtkWideFoVAbi.h"
 #include "vtkWideFoVBufferScale.h"
 #include "vtkWideFoVDirectionTextures.h"
@@ -67,6 +68,9 @@ public:
   // True where nothing of the prop can be in the picture: it need not be drawn.
   bool IsUnseen(vtkProp* prop, const double* bounds, wfv::PropFacts& facts) const;
 
+  // What surely holds the picture of what has these bounds, for the eye that is drawn.
+  wfv::Pictures GetPictures(const double* bounds) const;
+
   // Another one whenever what Choose and IsUnseen go by has changed, but the prop.
   std::uint64_t GetViewNumber() const { return this->ViewNumber; }
 
@@ -110,6 +114,9 @@ private:
 
   // For a prop whose rays begin all in one place.
   vtkWideFoVStage* ChooseByBounds(vtkProp* prop, const double bounds[6], wfv::PropFacts& facts);
+
+  // Bounds in the map's own frame, as large as they are seen from any place of the eyes.
+  wfv::Box GetBox(const double bounds[6]) const;
 
   // Fills in what is not known yet.
   static void FindFacts(vtkProp* prop, wfv::PropFacts& facts);

@@ -16,6 +16,7 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkVolume.h"
 
 #include <algorithm>
 #include <cmath>
@@ -129,7 +130,38 @@ void vtkWideFoVStages::FindFacts(vtkProp* prop, wfv::PropFacts& facts)
     facts.Reach = facts.Bounded && DrawsOutlines(actor) ? WidthMargin * width : 0;
     facts.Few = CountFew(actor);
   }
+  facts.Bounded = facts.Bounded || vtkVolume::SafeDownCast(prop);
   facts.Known = true;
+}
+
+wfv::Box vtkWideFoVStages::GetBox(const double b[6]) const
+{
+  double m[16];
+  this->GetToMap(nullptr, m);
+  wfv::Box box;
+  for (int i = 0; i < 8; i++)
+  {
+    double p[4] = { b[i & 1], b[2 + ((i >> 1) & 1)], b[4 + ((i >> 2) & 1)], 1 };
+    vtkMatrix4x4::MultiplyPoint(m, p, p);
+    box.Add(wfv::vec3(p[0], p[1], p[2]));
+  }
+  box.Grow(this->Reach);
+  return box;
+}
+
+wfv::Pictures vtkWideFoVStages::GetPictures(const double* b) const
+{
+  const bool straight = !this->Stereo || this->Stereo->Straight;
+  if (b && vtkMath::AreBoundsInitialized(b) && straight)
+  {
+    const wfv::Box box = this->GetBox(b);
+    return wfv::IsBetweenClips(this->View, box)
+      ? wfv::PicturesOf(*this->Projection, this->View, box, wfv::vec2(0))
+      : wfv::Pictures();
+  }
+  wfv::Pictures all;
+  all.Add(wfv::vec4(-1, -1, 1, 1));
+  return all;
 }
 
 bool vtkWideFoVStages::IsUnseen(vtkProp* prop, const double* b, wfv::PropFacts& facts) const
@@ -143,19 +175,9 @@ bool vtkWideFoVStages::IsUnseen(vtkProp* prop, const double* b, wfv::PropFacts& 
   {
     return false;
   }
-  double m[16];
-  this->GetToMap(nullptr, m);
-  wfv::Box box;
-  for (int i = 0; i < 8; i++)
-  {
-    double p[4] = { b[i & 1], b[2 + ((i >> 1) & 1)], b[4 + ((i >> 2) & 1)], 1 };
-    vtkMatrix4x4::MultiplyPoint(m, p, p);
-    box.Add(wfv::vec3(p[0], p[1], p[2]));
-  }
-  box.Grow(this->Reach);
   wfv::Window window = this->Part;
   window.Reach = facts.Reach / this->Pixels;
-  return wfv::IsUnseen(*this->Projection, this->View, box, window);
+  return wfv::IsUnseen(*this->Projection, this->View, this->GetBox(b), window);
 }
 
 std::shared_ptr<const wfv::ChordLimits> vtkWideFoVStages::GetLimits(double tolerance)

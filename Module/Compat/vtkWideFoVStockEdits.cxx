@@ -117,6 +117,21 @@ const std::vector<Entry> AllEdits{
     { Literal(901, "vec3 normalVCVSOutput =") } },
   { Edit::DepthOffset, "offset of the depth", "where VTK shifts lines and points", Optional,
     { Literal(901, "uniform float cOffset;") } },
+
+  // of volumes, all by GPU ray casting: VTK's functions, ours take their names
+  { Edit::VolumeRay, "ray of a volume", "volumes", Required,
+    { Literal(901, "vec3 computeRayDirection()") } },
+  { Edit::VolumePlace, "place at a depth", "volumes", Required,
+    { Literal(901, "vec4 WindowToNDC(") } },
+  { Edit::VolumeWindow, "depth of a place", "volumes", Required,
+    { Literal(901, "vec4 NDCToWindow(") } },
+  // in 9.6 the eye is a uniform for each input
+  { Edit::VolumeToEye, "way to the eye", "volumes shaded by one headlight alone", Required,
+    { Matching(901,
+      R"(normalize\((?:g_lightPosObj|g_eyePosObjs|in_eyePosObjs)\[(\d+)\]\.xyz - ip_vertexPos\))") } },
+  { Edit::VolumeLight, "direction of a light", "volumes shaded by other lights", Required,
+    { Matching(901, R"(in_lightDirection\[(lightNum)\])"),
+      Matching(902, R"(in_lightDirection\[(posNum|dirNum|i)\])") } },
 };
 
 std::array<std::atomic<int>, static_cast<std::size_t>(Edit::Count)>& Counts()

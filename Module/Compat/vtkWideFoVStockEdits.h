@@ -58,6 +58,12 @@ enum class Edit
   ImposterMeeting,
   DataNormal,
   DepthOffset,
+  // volumes
+  VolumeRay,
+  VolumePlace,
+  VolumeWindow,
+  VolumeToEye,
+  VolumeLight,
   Count
 };
 

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWideFoVStage: what it does for volumes.
+#include "vtkWideFoVStage.h"
+
+#include "Compat/vtkWideFoVStockText.h"
+#include "Volumes/vtkWideFoVVolumes.h"
+#include "vtkWideFoVStages.h"
+
+#include "vtkAbstractMapper.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkVolume.h"
+
+vtkWideFoVShaderBuilder::Request vtkWideFoVStage::MakeVolumeRequest() const
+{
+  vtkWideFoVShaderBuilder::Request request;
+  request.Projection = this->Projection;
+  request.Stereo = this->Stereo;
+  request.DepthMapping = this->View.depthMapping;
+  request.Tilted = this->Tilted;
+  request.Fades = this->Fades;
+  request.Headlights = this->Headlights;
+  return request;
+}
+
+void vtkWideFoVStage::FinishVolume(vtkVolume* volume, vtkAbstractMapper* mapper,
+  std::string& vertex, std::string& geometry, std::string& fragment) const
+{
+  wfv::volume::Finish(this->MakeVolumeRequest(),
+    wfv::volume::Describe(this->Renderer, volume), geometry, fragment);
+  wfv::stock::LeaveOutUnedited(this->Renderer, mapper, vertex, geometry, fragment);
+}
+
+void vtkWideFoVStage::SetVolumeParameters(vtkShaderProgram* program, vtkVolume* volume) const
+{
+  wfv::volume::SetCover(
+    program, this->Stages->GetPictures(volume->GetBounds()), this->Pixels.Whole);
+}

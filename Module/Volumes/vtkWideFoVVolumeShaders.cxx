@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Volumes/vtkWideFoVVolumeShaders.h"
+
+#include "Compat/vtkWideFoVStockEdits.h"
+#include "WideFoVGlsl.h"
+#include "vtkWideFoVShaderText.h"
+
+#include <cstdlib>
+
+namespace wfv
+{
+namespace volume
+{
+using namespace shader;
+using stock::Edit;
+using stock::Found;
+
+namespace
+{
+// Matrices of data in the text: one, or one more than there are inputs.
+int CountMatrices(const std::string& fragment)
+{
+  const std::string declaration = "uniform mat4 in_volumeMatrix[";
+  const std::size_t at = fragment.find(declaration);
+  return at == std::string::npos ? 1 : std::atoi(fragment.c_str() + at + declaration.size());
+}
+
+// What VTK's vertex stage hands on, which the fragment stage now finds itself.
+void TakeInputs(Found found, std::string& fragment)
+{
+  for (const char* const input : { R"(vec3\s+ip_textureCoords)", R"(vec3\s+ip_vertexPos)",
+         R"(mat4\s+ip_inverseTextureDataAdjusted)" })
+  {
+    stock::Replace(fragment, Edit::Input, "", found, input);
+  }
+}
+
+// Lights at the eye, which VTK takes for parallel to the view axis. 9.1 has all lights in the
+// renderer's order; since 9.2 those with a position come first. Returns what the text then calls.
+std::string RewriteLights(const Request& r, const Facts& facts, std::string& fragment)
+{
+  const auto found = [&facts](bool has) { return facts.Known && has ? Found::Must : Found::May; };
+  stock::Replace(fragment, Edit::VolumeToEye, "wfvToEye($1)", found(facts.Headlight));
+  const int wording = stock::Replace(fragment, Edit::VolumeLight,
+    "wfvVolumeLight($1, in_lightDirection[$1])", found(facts.OtherLights));
+  if (wording < 0)
+  {
+    return "";
+  }
+  return Define("WFV_VOLUME_LIGHTS", wording == 0 ? r.Headlights : facts.Directional) +
+    Define("WFV_POSITIONAL_FIRST", wording != 0) + volume_light_glsl;
+}
+}
+
+void Finish(
+  const Request& r, const Facts& facts, std::string& geometry, std::string& fragment)
+{
+  const Found must = facts.Known ? Found::Must : Found::May;
+  TakeInputs(must, fragment);
+  stock::Replace(fragment, Edit::VolumeRay, "vec3 wfvStockRayDirection()", must);
+  stock::Replace(fragment, Edit::VolumePlace, "vec4 wfvStockWindowToNDC(", must);
+  stock::Replace(fragment, Edit::VolumeWindow, "vec4 wfvStockNDCToWindow(", must);
+  stock::Replace(fragment, Edit::FragmentDepth, "wfvDepth", Found::May);
+  const std::string lights = RewriteLights(r, facts, fragment);
+  const int matrices = CountMatrices(fragment);
+  const bool eyes = r.Stereo && r.Stereo->Straight;
+  // declared first, for what it replaces is called all over the text; the rest has VTK's uniforms
+  vtkWideFoVShaderBuilder::Declare(
+    fragment, ViewSource(r) + ray_fragment_glsl + volume_fragment_glsl);
+  fragment += "\n" + Define("WFV_MATRICES", matrices) + Define("WFV_VOLUME_EYES", eyes) +
+    volume_ray_glsl + lights;
+  vtkWideFoVShaderBuilder::WrapMain(
+    fragment, "  if (wfvMeetVolume())\n  {\n", "  }\n  else\n  {\n    discard;\n  }\n");
+  geometry = "//VTK::System::Dec\n" + ViewSource(r) + volume_geometry_glsl;
+}
+}
+}

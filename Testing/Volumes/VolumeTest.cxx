@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Volumes against the march in double along the view's rays: every mode, inside and outside.
+#include "VolumeScene.h"
+
+#include "Stereo.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+
+using namespace wfv;
+using namespace wfv::test;
+using reference::Blend;
+
+namespace
+{
+// Of a level: what a picture may be off by in the mean.
+constexpr double MeanError = 1.0 / 255;
+
+// Of pixels: those that may be off by more than ten of 255 levels. A sample more or fewer at the
+// end of a ray, which float32 decides.
+constexpr double OffShare = 0.002;
+
+Shot ShotOf(const char* projection, bool inside)
+{
+  Shot shot;
+  shot.Projection = projection;
+  const bool wide = FindProjection(projection)->MaxHorizontalFov > 180;
+  shot.Options.HorizontalFov = wide ? 360 : 150;
+  shot.Options.VerticalFov = std::min(wide ? 180.0 : 100.0, FindProjection(projection)->MaxVerticalFov);
+  shot.Width = 256;
+  shot.Height = 128;
+  if (FindProjection(projection)->Axis == Family::Azimuthal)
+  {
+    shot.Options.HorizontalFov = std::min(360.0, FindProjection(projection)->MaxHorizontalFov);
+    shot.Options.VerticalFov = shot.Options.HorizontalFov;
+    shot.Width = shot.Height = 160;
+  }
+  shot.Options.Radii = { { 0.01, 100 } };
+  shot.Eye = inside ? vec3(1.3, 2.1, -0.7) : vec3(3, -2, 17);
+  shot.Direction = vec3(0.2, 0.1, -1);
+  return shot;
+}
+
+// WIDEFOV_PICTURES: a folder that pictures are written to.
+std::string PictureName(const std::string& name)
+{
+  const char* const folder = std::getenv("WIDEFOV_PICTURES");
+  return folder ? std::string(folder) + "/" + name + ".png" : "";
+}
+
+VolumeError Check(VolumeScene& scene, const Shot& shot, const std::string& name)
+{
+  scene.Draw(shot, PictureName(name + "-" + shot.Projection));
+  const VolumeError e = scene.Compare();
+  char row[200];
+  std::snprintf(row, sizeof row,
+    "%-28s %-22s mean %.3f/255 max %5.1f/255 off %.5f seen %.3f contrast %.3f", name.c_str(),
+    shot.Projection.c_str(), 255 * e.Mean, 255 * e.Max, e.Share, e.Seen, e.Contrast);
+  std::cout << row << std::endl;
+  EXPECT_LT(e.Mean, MeanError) << row;
+  EXPECT_LE(e.Share, OffShare) << row;
+  EXPECT_GT(e.Seen, 0.01) << row;
+  return e;
+}
+
+// The name of a mode in pictures and tables.
+const char* NameOf(Blend mode)
+{
+  const char* const names[] = { "composite", "maximum", "minimum", "average", "additive",
+    "isosurface", "slice" };
+  return names[static_cast<int>(mode)];
+}
+
+void SetMode(VolumeScene& scene, Blend mode)
+{
+  scene.SetBlend(mode);
+  const bool thin = mode == Blend::Additive;
+  scene.SetFunctions(scene.March.Range[0], scene.March.Range[1], thin ? 0.05 : 0.2);
+  if (mode == Blend::Isosurface)
+  {
+    scene.SetIsovalues({ 130, 200 });
+  }
+  if (mode == Blend::Slice)
+  {
+    scene.SetFunctions(scene.March.Range[0], scene.March.Range[1], 0.9);
+    scene.SetCut({ vec3(1, 0, -2), vec3(0.3, 0.2, 1) });
+  }
+}
+}
+
+class Volumes : public testing::TestWithParam<const char*>
+{
+};
+
+TEST_P(Volumes, EveryModeIsTheMarchInDouble)
+{
+  VolumeScene scene(Wavelet());
+  scene.SetBall({ vec3(2, -1, 3), 2.5 });
+  for (const Blend mode : { Blend::Composite, Blend::Maximum, Blend::Minimum, Blend::Average,
+         Blend::Additive, Blend::Isosurface, Blend::Slice })
+  {
+    SetMode(scene, mode);
+    for (bool inside : { false, true })
+    {
+      Check(scene, ShotOf(this->GetParam(), inside),
+        std::string(NameOf(mode)) + (inside ? "-inside" : "-outside"));
+    }
+  }
+}
+
+TEST_P(Volumes, ShadedClippedAndCropped)
+{
+  for (bool inside : { false, true })
+  {
+    VolumeScene scene(Wavelet());
+    const std::string where = inside ? "-inside" : "-outside";
+    const Shot shot = ShotOf(this->GetParam(), inside);
+    scene.SetFunctions(100, 260, 0.4);
+    scene.SetBall({ vec3(2, -1, 3), 2.5 });
+    scene.Shade();
+    Check(scene, shot, "shaded" + where);
+    scene.AddClip({ vec3(0, 0, 0.5), vec3(0.4, 0.1, -1) });
+    scene.AddClip({ vec3(-4, 0, 0), vec3(1, 0.5, 0) });
+    Check(scene, shot, "clipped" + where);
+    scene.Crop({ { -7.3, 8.1, -4.2, 6.3, -9.4, 5.2 } });
+    Check(scene, shot, "cropped" + where);
+    scene.SetGradientOpacity();
+    Check(scene, shot, "gradients" + where);
+  }
+}
+
+// Depth in other mappings, a tilt, tiles of the picture.
+TEST_P(Volumes, EveryDepthMapping)
+{
+  VolumeScene scene(Wavelet());
+  scene.SetBall({ vec3(2, -1, 3), 2.5 });
+  for (const DepthMapping mapping : { DepthMapping::Logarithmic, DepthMapping::Reversed })
+  {
+    scene.Camera->SetDepthMapping(static_cast<int>(mapping));
+    Check(scene, ShotOf(this->GetParam(), true), "mapping-" + std::to_string(int(mapping)));
+  }
+}
+
+// Each eye's own rays.
+TEST_P(Volumes, BothEyesOfAnOmnidirectionalPair)
+{
+  VolumeScene scene(Wavelet());
+  scene.SetBall({ vec3(2, -1, 3), 2.5 });
+  Shot shot = ShotOf(this->GetParam(), true);
+  shot.Options.Stereo.Model = FindStereoModel("omnidirectional");
+  shot.Options.Stereo.InterpupillaryDistance = 1.6;
+  if (!shot.Options.Stereo.Model->Check(shot.Options.Stereo, *FindProjection(shot.Projection)).empty())
+  {
+    GTEST_SKIP() << "not of this model";
+  }
+  for (bool inside : { false, true })
+  {
+    shot.Eye = ShotOf(this->GetParam(), inside).Eye;
+    for (const Eye eye : { Eye::Left, Eye::Right })
+    {
+      shot.Options.Stereo.Eye = eye;
+      Check(scene, shot, std::string(eye == Eye::Left ? "left" : "right") +
+          (inside ? "-inside" : "-outside"));
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Volumes,
+  testing::Values("equirectangular", "hammer", "azimuthal-equidistant", "equi-angular-cubemap"),
+  [](const auto& info) {
+    std::string name = info.param;
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+  });
