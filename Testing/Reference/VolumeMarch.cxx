@@ -73,7 +73,8 @@ vec3 Field::Gradient(const vec3& place) const
   for (int a = 0; a < 3; a++)
   {
     vec3 step(0);
-    step[a] = this->Spacing[a];
+    // VTK's step: its texture has a texel a point, and this is one of as many cells
+    step[a] = this->Spacing[a] * this->Size[a] / (this->Size[a] - 1.0);
     gradient[a] = (this->At(place + step) - this->At(place - step)) / this->Spacing[a];
   }
   return gradient;
