@@ -71,6 +71,10 @@ public:
   // What surely holds the picture of what has these bounds, for the eye that is drawn.
   wfv::Pictures GetPictures(const double* bounds) const;
 
+  // Distances, from the middle between the eyes, of the nearest and of the farthest point of what
+  // has these bounds; the clip radii where there are none.
+  wfv::vec2 GetDistances(const double* bounds) const;
+
   // Another one whenever what Choose and IsUnseen go by has changed, but the prop.
   std::uint64_t GetViewNumber() const { return this->ViewNumber; }
 

@@ -164,6 +164,11 @@ wfv::Pictures vtkWideFoVStages::GetPictures(const double* b) const
   return all;
 }
 
+wfv::vec2 vtkWideFoVStages::GetDistances(const double* b) const
+{
+  return b && vtkMath::AreBoundsInitialized(b) ? wfv::Distances(this->GetBox(b)) : this->View.radii;
+}
+
 bool vtkWideFoVStages::IsUnseen(vtkProp* prop, const double* b, wfv::PropFacts& facts) const
 {
   FindFacts(prop, facts);

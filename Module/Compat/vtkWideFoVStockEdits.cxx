@@ -132,6 +132,15 @@ const std::vector<Entry> AllEdits{
   { Edit::VolumeLight, "direction of a light", "volumes shaded by other lights", Required,
     { Matching(901, R"(in_lightDirection\[(lightNum)\])"),
       Matching(902, R"(in_lightDirection\[(posNum|dirNum|i)\])") } },
+  { Edit::VolumeSkip, "sample that is taken", "volumes along curves", Required,
+    { Literal(901, "g_skip = false;") } },
+  { Edit::VolumeAdvance, "way to the next sample", "volumes along curves", Required,
+    { Literal(901, "g_dataPos += g_dirStep;") } },
+  { Edit::VolumeLeave, "end of a volume", "volumes along curves", Required,
+    { { 901, "if(any(greaterThan(max(g_dirStep, vec3(0.0))", false,
+      "(g_dataPos - in_texMin[0]),vec3(0.0))))" } } },
+  { Edit::VolumeClip, "clipping of a volume", "volumes along curves, with clipping planes",
+    Required, { Literal(901, "bool AdjustSampleRangeForClipping(") } },
 };
 
 std::array<std::atomic<int>, static_cast<std::size_t>(Edit::Count)>& Counts()

@@ -64,6 +64,10 @@ enum class Edit
   VolumeWindow,
   VolumeToEye,
   VolumeLight,
+  VolumeSkip,
+  VolumeAdvance,
+  VolumeLeave,
+  VolumeClip,
   Count
 };
 

@@ -38,3 +38,17 @@ vec4 NDCToWindow(const float x, const float y, const float z)
 // Behind VTK's uniforms (volume_ray.glsl, volume_light.glsl).
 vec3 wfvToEye(int input_);
 vec3 wfvVolumeLight(int light, vec3 direction);
+
+#if WFV_CURVES
+vec3 wfvStraight = vec3(0.0); // where VTK's line is, texture coordinates
+
+// Behind VTK's uniforms (volume_curve.glsl).
+bool wfvSkipsSample();
+bool wfvHasLeft();
+
+// VTK cuts a line by its clipping planes; here each sample is asked.
+bool AdjustSampleRangeForClipping(inout vec3 first, inout vec3 last)
+{
+  return true;
+}
+#endif

@@ -31,6 +31,7 @@ vec2 wfvInsideBox(vec3 from, vec3 step_)
   return vec2(max(first.x, max(first.y, first.z)), min(last.x, min(last.y, last.z)));
 }
 
+#if !WFV_CURVES
 // Sets what volume_fragment.glsl declares; false where this pixel sees nothing of the box.
 bool wfvMeetVolume()
 {
@@ -53,3 +54,4 @@ bool wfvMeetVolume()
   ip_textureCoords = clamp(textureStart + entry * textureStep, in_texMin[0], in_texMax[0]);
   return ray.inside && entry < min(inside.y, wfvView.radii.y);
 }
+#endif

@@ -33,6 +33,12 @@ void vtkWideFoVStage::FinishVolume(vtkVolume* volume, vtkAbstractMapper* mapper,
 
 void vtkWideFoVStage::SetVolumeParameters(vtkShaderProgram* program, vtkVolume* volume) const
 {
-  wfv::volume::SetCover(
-    program, this->Stages->GetPictures(volume->GetBounds()), this->Pixels.Whole);
+  const double* const bounds = volume->GetBounds();
+  wfv::volume::SetCover(program, this->Stages->GetPictures(bounds), this->Pixels.Whole);
+  if (program->IsUniformUsed("wfvReach"))
+  {
+    const wfv::vec2 distances = this->Stages->GetDistances(bounds);
+    const float reach[2] = { static_cast<float>(distances.x), static_cast<float>(distances.y) };
+    program->SetUniform2f("wfvReach", reach);
+  }
 }

@@ -50,6 +50,29 @@ std::string RewriteLights(const Request& r, const Facts& facts, std::string& fra
   return Define("WFV_VOLUME_LIGHTS", wording == 0 ? r.Headlights : facts.Directional) +
     Define("WFV_POSITIONAL_FIRST", wording != 0) + volume_light_glsl;
 }
+
+bool Curves(const Request& r)
+{
+  return r.Stereo && !r.Stereo->Straight;
+}
+
+bool Has(const std::string& text, const char* part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+// Where a pixel sees along a curve: samples are moved there.
+std::string RewriteMarch(Found must, std::string& fragment)
+{
+  stock::Replace(fragment, Edit::VolumeSkip, "g_skip = wfvSkipsSample();", must);
+  stock::Replace(fragment, Edit::VolumeAdvance, "g_dataPos = wfvStraight + g_dirStep;", must);
+  stock::Replace(fragment, Edit::VolumeLeave, "if (wfvHasLeft())", must);
+  const bool clips = Has(fragment, "in_clippingPlanes");
+  stock::Replace(fragment, Edit::VolumeClip, "bool wfvStockAdjustSampleRange(",
+    clips ? must : Found::May);
+  return Define("WFV_SLICES", Has(fragment, "in_slicePlaneNormal")) + Define("WFV_CLIPS", clips) +
+    Define("WFV_HEADLIGHT", Has(fragment, "vec3 g_ldir[")) + warped_ray_glsl + volume_curve_glsl;
+}
 }
 
 void Finish(
@@ -62,13 +85,14 @@ void Finish(
   stock::Replace(fragment, Edit::VolumeWindow, "vec4 wfvStockNDCToWindow(", must);
   stock::Replace(fragment, Edit::FragmentDepth, "wfvDepth", Found::May);
   const std::string lights = RewriteLights(r, facts, fragment);
+  const std::string march = Curves(r) ? RewriteMarch(must, fragment) : "";
   const int matrices = CountMatrices(fragment);
   const bool eyes = r.Stereo && r.Stereo->Straight;
   // declared first, for what it replaces is called all over the text; the rest has VTK's uniforms
   vtkWideFoVShaderBuilder::Declare(
-    fragment, ViewSource(r) + ray_fragment_glsl + volume_fragment_glsl);
+    fragment, ViewSource(r) + Define("WFV_CURVES", Curves(r)) + ray_fragment_glsl + volume_fragment_glsl);
   fragment += "\n" + Define("WFV_MATRICES", matrices) + Define("WFV_VOLUME_EYES", eyes) +
-    volume_ray_glsl + lights;
+    volume_ray_glsl + lights + march;
   vtkWideFoVShaderBuilder::WrapMain(
     fragment, "  if (wfvMeetVolume())\n  {\n", "  }\n  else\n  {\n    discard;\n  }\n");
   geometry = "//VTK::System::Dec\n" + ViewSource(r) + volume_geometry_glsl;

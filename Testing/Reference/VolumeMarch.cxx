@@ -125,7 +125,8 @@ Rgba VolumeMarch::Lit(const Ray& ray, const vec3& place, double value, double op
   {
     const double length = glm::length(gradient);
     const vec3 normal = length > 0 ? gradient / length : vec3(0);
-    const double cosine = std::abs(glm::dot(normal, ray.Direction)); // of both sides
+    const vec3 toEye = glm::normalize(place - ray.Origin);
+    const double cosine = std::abs(glm::dot(normal, toEye)); // of both sides
     const double highlight = this->Mirrors ? std::max(0.0, 2 * cosine * cosine - 1) : cosine;
     lit.Color = lit.Color * (Ambient + Diffuse * cosine) +
       vec3(Specular * std::pow(highlight, SpecularPower));
@@ -261,24 +262,28 @@ Rgba VolumeMarch::Finish(const Ray& ray, const Sum& sum) const
   }
 }
 
+bool VolumeMarch::IsInside(const vec3& place) const
+{
+  return glm::all(glm::greaterThanEqual(place, this->Data.Origin)) &&
+    glm::all(glm::lessThanEqual(place, this->Data.GetHigh()));
+}
+
+Rgba VolumeMarch::CutByPlane(const vec3& place, const Ray& ray) const
+{
+  // of the texture's coordinates, which are taken for those of a point
+  const vec3 points(this->Data.Size[0], this->Data.Size[1], this->Data.Size[2]);
+  const vec3 share = (place - this->Data.Origin) / (this->Data.GetHigh() - this->Data.Origin);
+  const vec3 sampled = this->Data.Origin + (share * points - 0.5) * this->Data.Spacing;
+  const double value = this->Data.At(sampled);
+  return this->Lit(ray, sampled, value, this->CorrectedOpacity(value));
+}
+
 Rgba VolumeMarch::CutByPlane(const Ray& ray) const
 {
   const double slope = glm::dot(this->Cut.Normal, ray.Direction);
   const double t = glm::dot(this->Cut.Origin - ray.Origin, this->Cut.Normal) / slope;
   const vec3 place = ray.Origin + t * ray.Direction;
-  const vec3 high = this->Data.GetHigh();
-  const bool inside = glm::all(glm::greaterThanEqual(place, this->Data.Origin)) &&
-    glm::all(glm::lessThanEqual(place, high));
-  if (!(t > 0 && t < ray.Stop) || !inside)
-  {
-    return Rgba();
-  }
-  // of the texture's coordinates, which are taken for those of a point
-  const vec3 points(this->Data.Size[0], this->Data.Size[1], this->Data.Size[2]);
-  const vec3 share = (place - this->Data.Origin) / (high - this->Data.Origin);
-  const vec3 sampled = this->Data.Origin + (share * points - 0.5) * this->Data.Spacing;
-  const double value = this->Data.At(sampled);
-  return this->Lit(ray, sampled, value, this->CorrectedOpacity(value));
+  return t > 0 && t < ray.Stop && this->IsInside(place) ? this->CutByPlane(place, ray) : Rgba();
 }
 
 Rgba VolumeMarch::March(const vec3& origin, const vec3& direction, double near, double far) const
@@ -317,6 +322,68 @@ Rgba VolumeMarch::March(const vec3& origin, const vec3& direction, double near, 
       return this->Finish(ray, sum);
     }
   }
+}
+
+bool VolumeMarch::IsClipped(const vec3& place) const
+{
+  return std::any_of(this->Clips.begin(), this->Clips.end(), [&place](const Plane& plane) {
+    return glm::dot(plane.Origin - place, plane.Normal) > 0;
+  });
+}
+
+// The first distance at which the curve is in the box, looked for in short steps.
+bool VolumeMarch::FindEntry(const Curve& curve, double near, double far, double& entry) const
+{
+  const auto inside = [&](double t) {
+    vec3 place;
+    return curve(t, place) && this->IsInside(place);
+  };
+  double before = near;
+  for (double t = near; t < far; t += 0.25 * this->Step)
+  {
+    if (inside(t))
+    {
+      double behind = t;
+      for (int i = 0; i < 50 && t > near; i++)
+      {
+        const double middle = 0.5 * (before + behind);
+        (inside(middle) ? behind : before) = middle;
+      }
+      entry = behind;
+      return true;
+    }
+    before = t;
+  }
+  return false;
+}
+
+Rgba VolumeMarch::MarchCurve(
+  const vec3& origin, const Curve& curve, double near, double far) const
+{
+  const double size = glm::length(this->Data.GetHigh() - this->Data.Origin);
+  const double end = glm::length(this->Data.GetHigh() - origin) + size;
+  double entry = 0;
+  if (!this->FindEntry(curve, near, std::min(far, end), entry))
+  {
+    return Rgba();
+  }
+  const Ray ray{ origin, vec3(0), entry + this->Step, far };
+  const double steps = std::abs(ray.Stop - ray.Start) / this->Step;
+  Sum sum;
+  for (long n = 0; double(n) <= steps + 1 && sum.Front.Alpha <= Opaque; n++)
+  {
+    const double t = ray.Start + double(n) * this->Step;
+    vec3 place;
+    if (t > end)
+    {
+      break;
+    }
+    if (curve(t, place) && this->IsInside(place) && !this->IsClipped(place))
+    {
+      this->Take(ray, place, n, sum);
+    }
+  }
+  return this->Finish(ray, sum);
 }
 }
 }

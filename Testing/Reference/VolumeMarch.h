@@ -88,7 +88,15 @@ struct VolumeMarch
   // What a straight line sees.
   Rgba March(const vec3& origin, const vec3& direction, double near, double far) const;
 
+  // What is seen along a curve: the place at a distance from the origin, or none where it is
+  // outside of the picture.
+  using Curve = std::function<bool(double distance, vec3& place)>;
+  Rgba MarchCurve(const vec3& origin, const Curve& curve, double near, double far) const;
+
 private:
+  bool IsInside(const vec3& place) const;
+  bool IsClipped(const vec3& place) const;
+  bool FindEntry(const Curve& curve, double near, double far, double& entry) const;
   struct Ray;
   struct Sum;
   double CorrectedOpacity(double value) const;
@@ -99,6 +107,7 @@ private:
   void TakeContour(const Ray& ray, const vec3& place, double value, long number, Sum& sum) const;
   Rgba Finish(const Ray& ray, const Sum& sum) const;
   Rgba CutByPlane(const Ray& ray) const;
+  Rgba CutByPlane(const vec3& place, const Ray& ray) const;
 };
 }
 }

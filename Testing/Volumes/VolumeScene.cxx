@@ -264,6 +264,48 @@ vec3 VolumeScene::Expected(const ViewRay& ray, bool& seen) const
   return front.Color + (1 - front.Alpha) * (ball < radii[1] ? this->Ball.Color : this->Background);
 }
 
+// The first distance at which a curve is in the ball.
+double VolumeScene::MeetBallAlong(const reference::VolumeMarch::Curve& curve) const
+{
+  const std::array<double, 2>& radii = this->LastShot.Options.Radii;
+  const auto inside = [&](double t) {
+    vec3 place;
+    return curve(t, place) && glm::length(place - this->Ball.Center) < this->Ball.Radius;
+  };
+  for (double t = radii[0]; t < radii[1]; t += 0.05)
+  {
+    if (inside(t))
+    {
+      double before = t - 0.05;
+      for (int i = 0; i < 40; i++)
+      {
+        const double middle = 0.5 * (before + t);
+        (inside(middle) ? t : before) = middle;
+      }
+      return t;
+    }
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+vec3 VolumeScene::ExpectedOfCurve(const View& view, const vec2& ndc, bool& seen) const
+{
+  const std::array<double, 2>& radii = this->LastShot.Options.Radii;
+  const auto curve = [&](double t, vec3& place) {
+    const double depth = 2 * wfvDepthOf(t, view.GetParameters()) - 1;
+    const ViewRay ray = view.RayAt(vec3(ndc, std::clamp(depth, -1.0, 1.0)));
+    place = Place(this->ToWorld, ray.Origin + t * ray.Direction, 1);
+    return ray.Inside;
+  };
+  const double ball = this->Ball.Radius > 0 ? this->MeetBallAlong(curve)
+                                            : std::numeric_limits<double>::infinity();
+  const vec3 eye = Place(this->ToWorld, vec3(0), 1);
+  const reference::Rgba front =
+    this->March.MarchCurve(eye, curve, radii[0], std::min(ball, radii[1]));
+  seen = front.Alpha > 0;
+  return front.Color + (1 - front.Alpha) * (ball < radii[1] ? this->Ball.Color : this->Background);
+}
+
 VolumeError VolumeScene::Compare()
 {
   const Shot& s = this->LastShot;
@@ -276,13 +318,16 @@ VolumeError VolumeScene::Compare()
   {
     for (int i = 0; i < s.Width; i++)
     {
-      const ViewRay ray = view.Ray(reference::PixelToNdc(i + 0.5, j + 0.5, s.Width, s.Height));
-      if (!ray.Inside)
+      const vec2 ndc = reference::PixelToNdc(i + 0.5, j + 0.5, s.Width, s.Height);
+      const ViewRay ray = view.Ray(ndc);
+      const bool curved = view.GetStereoModel() && !view.GetStereoModel()->Straight;
+      if (!ray.Inside && !curved)
       {
         continue;
       }
       bool seen = false;
-      const vec3 wanted = this->Expected(ray, seen);
+      const vec3 wanted =
+        curved ? this->ExpectedOfCurve(view, ndc, seen) : this->Expected(ray, seen);
       const vec3 off = glm::abs(wanted - this->Drawn[std::size_t(s.Height - 1 - j) * s.Width + i]);
       const double most = std::max({ off.x, off.y, off.z });
       pixels++;

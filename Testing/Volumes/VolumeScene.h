@@ -83,6 +83,8 @@ public:
 
 private:
   vec3 Expected(const ViewRay& ray, bool& seen) const;
+  vec3 ExpectedOfCurve(const View& view, const vec2& ndc, bool& seen) const;
+  double MeetBallAlong(const reference::VolumeMarch::Curve& curve) const;
   void WritePicture(const std::string& name) const;
 
   Shot LastShot;

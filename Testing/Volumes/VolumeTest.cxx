@@ -145,28 +145,49 @@ TEST_P(Volumes, EveryDepthMapping)
   }
 }
 
+namespace
+{
+void CheckBothEyes(VolumeScene& scene, Shot shot, const StereoOptions& stereo)
+{
+  const std::string model = stereo.Model->Name;
+  shot.Options.Stereo = stereo;
+  if (!stereo.Model->Check(stereo, *FindProjection(shot.Projection)).empty())
+  {
+    return; // not of this model
+  }
+  for (bool inside : { false, true })
+  {
+    shot.Eye = ShotOf(shot.Projection.c_str(), inside).Eye;
+    for (const Eye eye : { Eye::Left, Eye::Right })
+    {
+      shot.Options.Stereo.Eye = eye;
+      Check(scene, shot,
+        model + (eye == Eye::Left ? "-left" : "-right") + (inside ? "-inside" : "-outside"));
+    }
+  }
+}
+}
+
 // Each eye's own rays.
 TEST_P(Volumes, BothEyesOfAnOmnidirectionalPair)
 {
   VolumeScene scene(Wavelet());
   scene.SetBall({ vec3(2, -1, 3), 2.5 });
+  StereoOptions stereo;
+  stereo.Model = FindStereoModel("omnidirectional");
+  stereo.InterpupillaryDistance = 1.6;
+  CheckBothEyes(scene, ShotOf(this->GetParam(), true), stereo);
+}
+
+// Along curves; bodies have no parallax with this model, so there is no ball.
+TEST_P(Volumes, BothEyesOfAWarpedVolume)
+{
+  VolumeScene scene(Wavelet());
   Shot shot = ShotOf(this->GetParam(), true);
-  shot.Options.Stereo.Model = FindStereoModel("omnidirectional");
-  shot.Options.Stereo.InterpupillaryDistance = 1.6;
-  if (!shot.Options.Stereo.Model->Check(shot.Options.Stereo, *FindProjection(shot.Projection)).empty())
-  {
-    GTEST_SKIP() << "not of this model";
-  }
-  for (bool inside : { false, true })
-  {
-    shot.Eye = ShotOf(this->GetParam(), inside).Eye;
-    for (const Eye eye : { Eye::Left, Eye::Right })
-    {
-      shot.Options.Stereo.Eye = eye;
-      Check(scene, shot, std::string(eye == Eye::Left ? "left" : "right") +
-          (inside ? "-inside" : "-outside"));
-    }
-  }
+  shot.Options.Radii = { { 0.5, 60 } };
+  StereoOptions stereo;
+  stereo.Model = FindStereoModel("warped");
+  CheckBothEyes(scene, shot, stereo);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Volumes,
