@@ -286,13 +286,9 @@ bool vtkWideFoVStage::PostReplaceShaderValues(std::string& vertexShader,
   std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper,
   vtkProp* prop)
 {
-  if (wfv::stock::DrawsNothing(fragmentShader))
+  if (wfv::stock::DrawsNothing(fragmentShader) ||
+    this->FinishVolume(prop, mapper, vertexShader, geometryShader, fragmentShader))
   {
-    return true;
-  }
-  if (auto* const volume = vtkVolume::SafeDownCast(prop))
-  {
-    this->FinishVolume(volume, mapper, vertexShader, geometryShader, fragmentShader);
     return true;
   }
   vtkWideFoVShaderBuilder::Request request = this->MakeRequest(mapper, prop);

@@ -154,9 +154,10 @@ private:
   void SetPropParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
     const wfv::ProgramUses& uses) const;
 
-  // Of volumes: what is asked of their text, the text, and where they may be in the picture.
+  // Of volumes: what is asked of their text, the text (false: of something else), and where they
+  // may be in the picture.
   vtkWideFoVShaderBuilder::Request MakeVolumeRequest() const;
-  void FinishVolume(vtkVolume* volume, vtkAbstractMapper* mapper, std::string& vertex,
+  bool FinishVolume(vtkProp* prop, vtkAbstractMapper* mapper, std::string& vertex,
     std::string& geometry, std::string& fragment) const;
   void SetVolumeParameters(vtkShaderProgram* program, vtkVolume* volume) const;
 

@@ -5,6 +5,7 @@
 #include "Clusters/ClusterDraw.h"
 #include "vtkWideFoVCamera.h"
 #include "vtkWideFoVCompositeMapper.h"
+#include "Volumes/vtkWideFoVVolumeMappers.h"
 #include "vtkWideFoVPass.h"
 
 #include "vtkActor.h"
@@ -172,6 +173,10 @@ wfv::vec2 vtkWideFoVStages::GetDistances(const double* b) const
 bool vtkWideFoVStages::IsUnseen(vtkProp* prop, const double* b, wfv::PropFacts& facts) const
 {
   FindFacts(prop, facts);
+  if (wfv::volume::IsFlatVolume(prop))
+  {
+    return true;
+  }
   if (!this->Culling || !facts.Bounded)
   {
     return false;

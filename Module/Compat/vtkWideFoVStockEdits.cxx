@@ -129,7 +129,7 @@ const std::vector<Entry> AllEdits{
   { Edit::VolumeToEye, "way to the eye", "volumes shaded by one headlight alone", Required,
     { Matching(901,
       R"(normalize\((?:g_lightPosObj|g_eyePosObjs|in_eyePosObjs)\[(\d+)\]\.xyz - ip_vertexPos\))") } },
-  { Edit::VolumeLight, "direction of a light", "volumes shaded by other lights", Required,
+  { Edit::VolumeLight, "light on a volume", "volumes shaded by other lights", Required,
     { Matching(901, R"(in_lightDirection\[(lightNum)\])"),
       Matching(902, R"(in_lightDirection\[(posNum|dirNum|i)\])") } },
   { Edit::VolumeSkip, "sample that is taken", "volumes along curves", Required,
@@ -141,6 +141,11 @@ const std::vector<Entry> AllEdits{
       "(g_dataPos - in_texMin[0]),vec3(0.0))))" } } },
   { Edit::VolumeClip, "clipping of a volume", "volumes along curves, with clipping planes",
     Required, { Literal(901, "bool AdjustSampleRangeForClipping(") } },
+  // its first surfaces are drawn flat; without them a ray begins at the box
+  { Edit::VolumeDepthPass, "beginning by a depth pass", "volumes with a depth pass", Optional,
+    { Literal(901, "g_rayOrigin = rayOrigin.xyz;") } },
+  { Edit::VolumeImageDepth, "depth of an image", "volumes that render to an image", Optional,
+    { Literal(901, "depthValue /= depthValue.w;") } },
 };
 
 std::array<std::atomic<int>, static_cast<std::size_t>(Edit::Count)>& Counts()

@@ -68,6 +68,8 @@ enum class Edit
   VolumeAdvance,
   VolumeLeave,
   VolumeClip,
+  VolumeDepthPass,
+  VolumeImageDepth,
   Count
 };
 

@@ -52,8 +52,7 @@ bool Meets(const vec4& bounds, const Window& w)
 }
 
 // Where a box may be in a map of meridians; reach: of what is drawn wide, beyond its place.
-Pictures PicturesOnMeridians(
-  const Projection& p, const WfvView& v, const Box& b, const vec2& reach)
+Pictures PicturesOnMeridians(const Projection& p, const WfvView& v, const Box& b, const vec2& reach)
 {
   const Range x{ b.Low.x, b.High.x };
   const Range ahead{ -b.High.z, -b.Low.z };
@@ -81,8 +80,7 @@ Pictures PicturesOnMeridians(
   return pictures;
 }
 
-Pictures PicturesOnRoundMap(
-  const Projection& p, const WfvView& v, const Box& b, const vec2& reach)
+Pictures PicturesOnRoundMap(const Projection& p, const WfvView& v, const Box& b, const vec2& reach)
 {
   const Range x{ b.Low.x, b.High.x };
   const Range y{ b.Low.y, b.High.y };
@@ -100,8 +98,8 @@ Pictures PicturesOnRoundMap(
   }
   const double end = reach.x > 0 ? WFV_PI : v.maxAngle;
   const Range azimuth = TurnsOf(x, y);
-  pictures.Add(p.Bounds(
-    vec4(azimuth.Low, std::min(nearest, end), azimuth.High, std::min(farthest, end)), v));
+  pictures.Add(
+    p.Bounds(vec4(azimuth.Low, std::min(nearest, end), azimuth.High, std::min(farthest, end)), v));
   return pictures;
 }
 }

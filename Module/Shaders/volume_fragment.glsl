@@ -47,7 +47,7 @@ bool wfvSkipsSample();
 bool wfvHasLeft();
 
 // VTK cuts a line by its clipping planes; here each sample is asked.
-bool AdjustSampleRangeForClipping(inout vec3 first, inout vec3 last)
+bool AdjustSampleRangeForClipping(vec3 first, vec3 last)
 {
   return true;
 }

@@ -23,12 +23,18 @@ vtkWideFoVShaderBuilder::Request vtkWideFoVStage::MakeVolumeRequest() const
   return request;
 }
 
-void vtkWideFoVStage::FinishVolume(vtkVolume* volume, vtkAbstractMapper* mapper,
-  std::string& vertex, std::string& geometry, std::string& fragment) const
+bool vtkWideFoVStage::FinishVolume(vtkProp* prop, vtkAbstractMapper* mapper, std::string& vertex,
+  std::string& geometry, std::string& fragment) const
 {
-  wfv::volume::Finish(this->MakeVolumeRequest(),
-    wfv::volume::Describe(this->Renderer, volume), geometry, fragment);
+  auto* const volume = vtkVolume::SafeDownCast(prop);
+  if (!volume)
+  {
+    return false;
+  }
+  wfv::volume::Finish(
+    this->MakeVolumeRequest(), wfv::volume::Describe(this->Renderer, volume), geometry, fragment);
   wfv::stock::LeaveOutUnedited(this->Renderer, mapper, vertex, geometry, fragment);
+  return true;
 }
 
 void vtkWideFoVStage::SetVolumeParameters(vtkShaderProgram* program, vtkVolume* volume) const

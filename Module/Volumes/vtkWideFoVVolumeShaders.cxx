@@ -17,6 +17,11 @@ using stock::Found;
 
 namespace
 {
+bool Has(const std::string& text, const char* part)
+{
+  return text.find(part) != std::string::npos;
+}
+
 // Matrices of data in the text: one, or one more than there are inputs.
 int CountMatrices(const std::string& fragment)
 {
@@ -39,10 +44,14 @@ void TakeInputs(Found found, std::string& fragment)
 // renderer's order; since 9.2 those with a position come first. Returns what the text then calls.
 std::string RewriteLights(const Request& r, const Facts& facts, std::string& fragment)
 {
-  const auto found = [&facts](bool has) { return facts.Known && has ? Found::Must : Found::May; };
-  stock::Replace(fragment, Edit::VolumeToEye, "wfvToEye($1)", found(facts.Headlight));
+  // by one headlight alone, which has variables of its own, or by others: how VTK counts them
+  // depends on those that it had before
+  const auto found = [&](const char* variable) {
+    return facts.Known && facts.Shaded && Has(fragment, variable) ? Found::Must : Found::May;
+  };
+  stock::Replace(fragment, Edit::VolumeToEye, "wfvToEye($1)", found("vec3 g_ldir["));
   const int wording = stock::Replace(fragment, Edit::VolumeLight,
-    "wfvVolumeLight($1, in_lightDirection[$1])", found(facts.OtherLights));
+    "wfvVolumeLight($1, in_lightDirection[$1])", found("g_fragWorldPos /="));
   if (wording < 0)
   {
     return "";
@@ -56,11 +65,6 @@ bool Curves(const Request& r)
   return r.Stereo && !r.Stereo->Straight;
 }
 
-bool Has(const std::string& text, const char* part)
-{
-  return text.find(part) != std::string::npos;
-}
-
 // Where a pixel sees along a curve: samples are moved there.
 std::string RewriteMarch(Found must, std::string& fragment)
 {
@@ -68,15 +72,14 @@ std::string RewriteMarch(Found must, std::string& fragment)
   stock::Replace(fragment, Edit::VolumeAdvance, "g_dataPos = wfvStraight + g_dirStep;", must);
   stock::Replace(fragment, Edit::VolumeLeave, "if (wfvHasLeft())", must);
   const bool clips = Has(fragment, "in_clippingPlanes");
-  stock::Replace(fragment, Edit::VolumeClip, "bool wfvStockAdjustSampleRange(",
-    clips ? must : Found::May);
+  stock::Replace(
+    fragment, Edit::VolumeClip, "bool wfvStockAdjustSampleRange(", clips ? must : Found::May);
   return Define("WFV_SLICES", Has(fragment, "in_slicePlaneNormal")) + Define("WFV_CLIPS", clips) +
     Define("WFV_HEADLIGHT", Has(fragment, "vec3 g_ldir[")) + warped_ray_glsl + volume_curve_glsl;
 }
 }
 
-void Finish(
-  const Request& r, const Facts& facts, std::string& geometry, std::string& fragment)
+void Finish(const Request& r, const Facts& facts, std::string& geometry, std::string& fragment)
 {
   const Found must = facts.Known ? Found::Must : Found::May;
   TakeInputs(must, fragment);
@@ -84,13 +87,18 @@ void Finish(
   stock::Replace(fragment, Edit::VolumePlace, "vec4 wfvStockWindowToNDC(", must);
   stock::Replace(fragment, Edit::VolumeWindow, "vec4 wfvStockNDCToWindow(", must);
   stock::Replace(fragment, Edit::FragmentDepth, "wfvDepth", Found::May);
+  stock::Replace(
+    fragment, Edit::VolumeDepthPass, "g_rayOrigin = ip_textureCoords.xyz;", Found::May);
+  stock::Replace(fragment, Edit::VolumeImageDepth,
+    "$&\n    depthValue.z = 2.0 * NDCToWindow(depthValue.x, depthValue.y, depthValue.z).z - 1.0;",
+    Found::May);
   const std::string lights = RewriteLights(r, facts, fragment);
   const std::string march = Curves(r) ? RewriteMarch(must, fragment) : "";
   const int matrices = CountMatrices(fragment);
   const bool eyes = r.Stereo && r.Stereo->Straight;
   // declared first, for what it replaces is called all over the text; the rest has VTK's uniforms
-  vtkWideFoVShaderBuilder::Declare(
-    fragment, ViewSource(r) + Define("WFV_CURVES", Curves(r)) + ray_fragment_glsl + volume_fragment_glsl);
+  vtkWideFoVShaderBuilder::Declare(fragment,
+    ViewSource(r) + Define("WFV_CURVES", Curves(r)) + ray_fragment_glsl + volume_fragment_glsl);
   fragment += "\n" + Define("WFV_MATRICES", matrices) + Define("WFV_VOLUME_EYES", eyes) +
     volume_ray_glsl + lights + march;
   vtkWideFoVShaderBuilder::WrapMain(

@@ -13,10 +13,9 @@ namespace volume
 // What is known of the volume's text, beside the request.
 struct Facts
 {
-  bool Known = false;        // all of it is VTK's own
-  bool Headlight = false;    // shaded by one headlight alone, as VTK counts
-  bool OtherLights = false;  // shaded by any others
-  int Directional = 0;       // which of the lights without a position are at the eye, a bit each
+  bool Known = false;  // all of it is VTK's own
+  bool Shaded = false; // by lights
+  int Directional = 0; // which of the lights without a position are at the eye, a bit each
 };
 
 // After the mapper has replaced its tags.

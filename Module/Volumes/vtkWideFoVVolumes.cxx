@@ -34,8 +34,8 @@ vec4 Both(const vec4& a, const vec4& b)
 vec4 Padded(const vec4& r, const vec2& pixels)
 {
   const vec2 pad = 2 * Pad / pixels;
-  return vec4(std::max(r.x - pad.x, -1.0), std::max(r.y - pad.y, -1.0),
-    std::min(r.z + pad.x, 1.0), std::min(r.w + pad.y, 1.0));
+  return vec4(std::max(r.x - pad.x, -1.0), std::max(r.y - pad.y, -1.0), std::min(r.z + pad.x, 1.0),
+    std::min(r.w + pad.y, 1.0));
 }
 
 // What is drawn twice would be twice as dense.
@@ -70,44 +70,32 @@ bool HasOwnCode(vtkVolume* volume)
     code->HasGeometryShaderCode() || code->GetNumberOfShaderReplacements() > 0;
 }
 
-struct LightCount
+// Lights at the eye, one bit each of those without a position.
+int FindDirectional(vtkRenderer* renderer)
 {
-  int All = 0;
-  bool Plain = true; // every one is a headlight of full intensity without a position
-  int Directional = 0; // those at the eye, one bit each of those without a position
-};
-
-LightCount CountLights(vtkRenderer* renderer)
-{
-  LightCount count;
-  int directional = 0;
+  int found = 0;
+  int number = 0;
   vtkLightCollection* const lights = renderer->GetLights();
   vtkCollectionSimpleIterator it;
   lights->InitTraversal(it);
   while (vtkLight* light = lights->GetNextLight(it))
   {
-    if (!light->GetSwitch())
+    if (light->GetSwitch() && !light->GetPositional())
     {
-      continue;
+      found |= light->LightTypeIsHeadlight() ? 1 << number : 0;
+      number++;
     }
-    const bool head = light->LightTypeIsHeadlight() && !light->GetPositional();
-    count.All++;
-    count.Plain = count.Plain && head && light->GetIntensity() == 1;
-    count.Directional |= head ? 1 << directional : 0;
-    directional += light->GetPositional() ? 0 : 1;
   }
-  return count;
+  return found;
 }
 }
 
 Facts Describe(vtkRenderer* renderer, vtkVolume* volume)
 {
-  const LightCount lights = CountLights(renderer);
-  const bool shaded = volume->GetProperty()->GetShade() != 0 && lights.All > 0;
   Facts facts;
   facts.Known = !HasOwnCode(volume);
-  facts.Headlight = shaded && lights.All == 1 && lights.Plain;
-  facts.Directional = lights.Directional;
+  facts.Shaded = volume->GetProperty()->GetShade() != 0;
+  facts.Directional = FindDirectional(renderer);
   return facts;
 }
 

@@ -46,8 +46,8 @@ double Field::At(const vec3& place) const
   double t[3];
   for (int a = 0; a < 3; a++)
   {
-    const double x = std::clamp(
-      (place[a] - this->Origin[a]) / this->Spacing[a], 0.0, double(this->Size[a] - 1));
+    const double x =
+      std::clamp((place[a] - this->Origin[a]) / this->Spacing[a], 0.0, double(this->Size[a] - 1));
     low[a] = std::min(static_cast<int>(x), std::max(0, this->Size[a] - 2));
     t[a] = x - low[a];
   }
@@ -113,7 +113,8 @@ double VolumeMarch::CorrectedOpacity(double value) const
 Rgba VolumeMarch::Lit(const Ray& ray, const vec3& place, double value, double opacity) const
 {
   Rgba lit{ this->Color(value), opacity };
-  const vec3 gradient = this->Shades || this->GradientOpacity ? this->Data.Gradient(place) : vec3(0);
+  const vec3 gradient =
+    this->Shades || this->GradientOpacity ? this->Data.Gradient(place) : vec3(0);
   if (this->GradientOpacity)
   {
     // VTK's mean of the spacings is of one: these images have the same spacing everywhere
@@ -161,8 +162,8 @@ bool VolumeMarch::Clip(Ray& ray) const
     {
       return false;
     }
-    const double slope = glm::dot(normal, ray.Direction) *
-      (this->ClipsAsCells ? this->Data.CellScale() : 1.0);
+    const double slope =
+      glm::dot(normal, ray.Direction) * (this->ClipsAsCells ? this->Data.CellScale() : 1.0);
     if (slope > 0 && first > 0)
     {
       ray.Start = entry + first / slope + this->Step;
@@ -252,9 +253,8 @@ Rgba VolumeMarch::Finish(const Ray& ray, const Sum& sum) const
       return this->Lit(ray, ray.Origin, value, this->CorrectedOpacity(value));
     }
     case Blend::Average:
-      return sum.Count > 0
-        ? Rgba{ vec3(std::clamp(sum.Value / double(sum.Count), 0.0, 1.0)), 1 }
-        : Rgba();
+      return sum.Count > 0 ? Rgba{ vec3(std::clamp(sum.Value / double(sum.Count), 0.0, 1.0)), 1 }
+                           : Rgba();
     case Blend::Additive:
       return { vec3(grey), 1 };
     default:
@@ -326,9 +326,8 @@ Rgba VolumeMarch::March(const vec3& origin, const vec3& direction, double near, 
 
 bool VolumeMarch::IsClipped(const vec3& place) const
 {
-  return std::any_of(this->Clips.begin(), this->Clips.end(), [&place](const Plane& plane) {
-    return glm::dot(plane.Origin - place, plane.Normal) > 0;
-  });
+  return std::any_of(this->Clips.begin(), this->Clips.end(),
+    [&place](const Plane& plane) { return glm::dot(plane.Origin - place, plane.Normal) > 0; });
 }
 
 // The first distance at which the curve is in the box, looked for in short steps.
@@ -357,8 +356,7 @@ bool VolumeMarch::FindEntry(const Curve& curve, double near, double far, double&
   return false;
 }
 
-Rgba VolumeMarch::MarchCurve(
-  const vec3& origin, const Curve& curve, double near, double far) const
+Rgba VolumeMarch::MarchCurve(const vec3& origin, const Curve& curve, double near, double far) const
 {
   const double size = glm::length(this->Data.GetHigh() - this->Data.Origin);
   const double end = glm::length(this->Data.GetHigh() - origin) + size;

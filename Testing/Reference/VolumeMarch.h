@@ -66,7 +66,6 @@ struct Rgba
   double Alpha = 0;
 };
 
-
 struct VolumeMarch
 {
   Field Data;
@@ -77,7 +76,7 @@ struct VolumeMarch
   std::function<double(double)> GradientOpacity; // of a share of a quarter of the range; none: 1
   std::array<double, 2> Range{ { 0, 1 } };       // of the values
   std::vector<Plane> Clips;
-  bool ClipsAsCells = false; // as VTK does up to 9.5
+  bool ClipsAsCells = false;                             // as VTK does up to 9.5
   std::array<double, 6> Cropped{ { 0, 0, 0, 0, 0, 0 } }; // the box that is kept
   bool Crops = false;
   bool Shades = false;  // by a headlight, VTK's default material

@@ -218,7 +218,7 @@ void VolumeScene::Draw(const Shot& shot, const std::string& picture)
   this->LastShot = shot;
   this->Window->SetSize(shot.Width, shot.Height);
   PlaceCamera(this->Camera, shot);
-  this->Camera->SetExactPerspective(shot.Projection == "perspective");
+  this->Camera->SetExactPerspective(shot.Projection == "perspective" && !this->Stock);
   const Eye eye = shot.Options.Stereo.Eye;
   this->Window->SetStereoType(eye == Eye::Left ? VTK_STEREO_LEFT : VTK_STEREO_RIGHT);
   this->Window->SetStereoRender(eye != Eye::Middle);
@@ -230,8 +230,8 @@ void VolumeScene::Draw(const Shot& shot, const std::string& picture)
   this->Drawn.clear();
   for (vtkIdType i = 0; i < pixels->GetNumberOfTuples(); i++)
   {
-    this->Drawn.push_back(vec3(pixels->GetComponent(i, 0), pixels->GetComponent(i, 1),
-                            pixels->GetComponent(i, 2)) /
+    this->Drawn.push_back(
+      vec3(pixels->GetComponent(i, 0), pixels->GetComponent(i, 1), pixels->GetComponent(i, 2)) /
       255.0);
   }
   if (!picture.empty())
@@ -252,11 +252,45 @@ void VolumeScene::WritePicture(const std::string& name) const
   writer->Write();
 }
 
+void VolumeScene::SetTranslucent(const OpaqueBall& ball, double opacity)
+{
+  this->Glass = ball;
+  this->GlassOpacity = opacity;
+}
+
+// The volume in three parts, with both sides of the ball between them.
+vec3 VolumeScene::ExpectedThroughGlass(const vec3& origin, const vec3& direction, bool& seen) const
+{
+  const std::array<double, 2>& radii = this->LastShot.Options.Radii;
+  const double first = MeetBall(this->Glass, origin, direction);
+  const double b = glm::dot(this->Glass.Center - origin, direction);
+  const double ends[] = { std::min(first, radii[1]), std::min(2 * b - first, radii[1]), radii[1] };
+  const bool met = first < radii[1];
+  double from = radii[0];
+  vec3 color(0);
+  double left = 1;
+  for (int i = met ? 0 : 2; i < 3; i++)
+  {
+    const reference::Rgba part = this->March.March(origin, direction, from, ends[i]);
+    seen = seen || part.Alpha > 0;
+    color += left * part.Color;
+    left *= 1 - part.Alpha;
+    color += i < 2 ? left * this->GlassOpacity * this->Glass.Color : vec3(0);
+    left *= i < 2 ? 1 - this->GlassOpacity : 1;
+    from = ends[i];
+  }
+  return color + left * this->Background;
+}
+
 vec3 VolumeScene::Expected(const ViewRay& ray, bool& seen) const
 {
   const vec3 origin = Place(this->ToWorld, ray.Origin, 1);
   const vec3 direction = Place(this->ToWorld, ray.Direction, 0);
   const std::array<double, 2>& radii = this->LastShot.Options.Radii;
+  if (this->GlassOpacity > 0)
+  {
+    return this->ExpectedThroughGlass(origin, direction, seen);
+  }
   const double ball = MeetBall(this->Ball, origin, direction);
   const double far = std::min(ball, radii[1]);
   const reference::Rgba front = this->March.March(origin, direction, radii[0], far);
@@ -297,8 +331,8 @@ vec3 VolumeScene::ExpectedOfCurve(const View& view, const vec2& ndc, bool& seen)
     place = Place(this->ToWorld, ray.Origin + t * ray.Direction, 1);
     return ray.Inside;
   };
-  const double ball = this->Ball.Radius > 0 ? this->MeetBallAlong(curve)
-                                            : std::numeric_limits<double>::infinity();
+  const double ball =
+    this->Ball.Radius > 0 ? this->MeetBallAlong(curve) : std::numeric_limits<double>::infinity();
   const vec3 eye = Place(this->ToWorld, vec3(0), 1);
   const reference::Rgba front =
     this->March.MarchCurve(eye, curve, radii[0], std::min(ball, radii[1]));
@@ -311,9 +345,7 @@ VolumeError VolumeScene::Compare()
   const Shot& s = this->LastShot;
   const View view(this->Camera->GetView(double(s.Width) / s.Height));
   VolumeError error;
-  double pixels = 0;
-  double sum = 0;
-  double squares = 0;
+  double pixels = 0, sum = 0, squares = 0;
   for (int j = 0; j < s.Height; j++)
   {
     for (int i = 0; i < s.Width; i++)
@@ -328,7 +360,8 @@ VolumeError VolumeScene::Compare()
       bool seen = false;
       const vec3 wanted =
         curved ? this->ExpectedOfCurve(view, ndc, seen) : this->Expected(ray, seen);
-      const vec3 off = glm::abs(wanted - this->Drawn[std::size_t(s.Height - 1 - j) * s.Width + i]);
+      const vec3& drawn = this->Drawn[std::size_t(s.Height - 1 - j) * s.Width + i];
+      const vec3 off = glm::abs(wanted - drawn);
       const double most = std::max({ off.x, off.y, off.z });
       pixels++;
       error.Mean += (off.x + off.y + off.z) / 3;

@@ -57,6 +57,7 @@ public:
   // Both the drawing's and the march's.
   void SetBlend(reference::Blend mode);
   void SetBall(const OpaqueBall& ball);
+  void SetTranslucent(const OpaqueBall& ball, double opacity); // the march's alone
   void AddClip(const reference::Plane& plane);
   void Crop(const std::array<double, 6>& box);
   void Shade();
@@ -69,6 +70,9 @@ public:
 
   // Draws; picture: a PNG that is written, where it has a name.
   void Draw(const Shot& shot, const std::string& picture = "");
+
+  // Whether stock VTK draws the projection perspective (no: the pass does).
+  bool Stock = false;
 
   // Of the last picture, against the march.
   VolumeError Compare();
@@ -88,7 +92,10 @@ private:
   void WritePicture(const std::string& name) const;
 
   Shot LastShot;
+  vec3 ExpectedThroughGlass(const vec3& origin, const vec3& direction, bool& seen) const;
   OpaqueBall Ball;
+  OpaqueBall Glass;
+  double GlassOpacity = 0;
   vec3 Background{ 0.1, 0.1, 0.2 };
   std::array<double, 16> ToWorld;
   std::vector<vec3> Drawn; // rows from the bottom
