@@ -178,7 +178,7 @@ TEST(VolumeKinds, SeveralVolumesInOne)
   VolumeScene scene(Wavelet());
   vtkNew<vtkVolume> other;
   other->SetProperty(scene.Volume->GetProperty());
-  other->SetPosition(-16, 3, -4);
+  other->SetPosition(16, 3, -4);
   scene.Renderer->RemoveAllViewProps();
   vtkNew<vtkMultiVolume> both;
   vtkNew<vtkGPUVolumeRayCastMapper> mapper;

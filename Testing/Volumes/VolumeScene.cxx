@@ -5,6 +5,7 @@
 
 #include <vtkActor.h>
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkContourValues.h>
 #include <vtkFloatArray.h>
 #include <vtkMath.h>
@@ -17,12 +18,16 @@
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
 #include <vtkRTAnalyticSource.h>
+#include <vtkResampleToImage.h>
+#include <vtkStructuredGridReader.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkVersion.h>
 #include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 
 namespace wfv
 {
@@ -68,6 +73,29 @@ vtkSmartPointer<vtkImageData> Wavelet()
   vtkNew<vtkRTAnalyticSource> source;
   source->Update();
   vtkSmartPointer<vtkImageData> image = source->GetOutput();
+  return image;
+}
+
+vtkSmartPointer<vtkImageData> Office()
+{
+  const char* const folder = std::getenv("WIDEFOV_DATA_FOLDER");
+  const std::string name =
+    std::string(folder ? folder : WIDEFOV_DATA_FOLDER) + "/office.binary.vtk";
+  if (!std::filesystem::exists(name))
+  {
+    return nullptr;
+  }
+  vtkNew<vtkStructuredGridReader> reader;
+  reader->SetFileName(name.c_str());
+  vtkNew<vtkResampleToImage> grid;
+  grid->SetInputConnection(reader->GetOutputPort());
+  grid->SetSamplingDimensions(41, 39, 31);
+  grid->Update();
+  vtkSmartPointer<vtkImageData> image = grid->GetOutput();
+  // at the border rounding says outside, and VTK would leave cells out
+  image->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+  image->GetCellData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+  image->GetPointData()->SetActiveScalars("scalars");
   return image;
 }
 

@@ -29,6 +29,9 @@ namespace test
 // VTK's wavelet, from -10 to 10 on each axis.
 vtkSmartPointer<vtkImageData> Wavelet();
 
+// The scalars of the office of the shared data on a regular grid; none where there is no such file.
+vtkSmartPointer<vtkImageData> Office();
+
 // The values that an image has, for the march.
 reference::Field FieldOf(vtkImageData* image);
 

@@ -80,6 +80,31 @@ TEST_P(Volumes, ShadedClippedAndCropped)
   }
 }
 
+// Air in an office, from the middle of the room: the flow of VTK's own data.
+TEST_P(Volumes, MeasuredData)
+{
+  const vtkSmartPointer<vtkImageData> office = Office();
+  if (!office)
+  {
+    GTEST_SKIP() << "no office.binary.vtk";
+  }
+  VolumeScene scene(office);
+  const vec3 low = scene.March.Data.Origin;
+  const vec3 high = scene.March.Data.GetHigh();
+  scene.SetFunctions(scene.March.Range[0], scene.March.Range[1], 0.9);
+  scene.SetBall({ 0.4 * low + 0.6 * high, 0.1 * (high.x - low.x) });
+  for (bool inside : { false, true })
+  {
+    Shot shot = ShotOf(this->GetParam(), inside);
+    shot.Eye = inside ? 0.55 * low + 0.45 * high : high + 0.8 * (high - low);
+    shot.Direction = 0.5 * (low + high) - shot.Eye;
+    scene.SetBlend(Blend::Composite);
+    Check(scene, shot, inside ? "office-inside" : "office-outside");
+    scene.SetBlend(Blend::Maximum);
+    Check(scene, shot, inside ? "office-maximum-inside" : "office-maximum-outside");
+  }
+}
+
 // Depth in other mappings, a tilt, tiles of the picture.
 TEST_P(Volumes, EveryDepthMapping)
 {
