@@ -117,6 +117,35 @@ const std::vector<Entry> AllEdits{
     { Literal(901, "vec3 normalVCVSOutput =") } },
   { Edit::DepthOffset, "offset of the depth", "where VTK shifts lines and points", Optional,
     { Literal(901, "uniform float cOffset;") } },
+
+  // of volumes, all by GPU ray casting: VTK's functions, ours take their names
+  { Edit::VolumeRay, "ray of a volume", "volumes", Required,
+    { Literal(901, "vec3 computeRayDirection()") } },
+  { Edit::VolumePlace, "place at a depth", "volumes", Required,
+    { Literal(901, "vec4 WindowToNDC(") } },
+  { Edit::VolumeWindow, "depth of a place", "volumes", Required,
+    { Literal(901, "vec4 NDCToWindow(") } },
+  // in 9.6 the eye is a uniform for each input
+  { Edit::VolumeToEye, "way to the eye", "volumes shaded by one headlight alone", Required,
+    { Matching(901,
+      R"(normalize\((?:g_lightPosObj|g_eyePosObjs|in_eyePosObjs)\[(\d+)\]\.xyz - ip_vertexPos\))") } },
+  { Edit::VolumeLight, "light on a volume", "volumes shaded by other lights", Required,
+    { Matching(901, R"(in_lightDirection\[(lightNum)\])"),
+      Matching(902, R"(in_lightDirection\[(posNum|dirNum|i)\])") } },
+  { Edit::VolumeSkip, "sample that is taken", "volumes along curves", Required,
+    { Literal(901, "g_skip = false;") } },
+  { Edit::VolumeAdvance, "way to the next sample", "volumes along curves", Required,
+    { Literal(901, "g_dataPos += g_dirStep;") } },
+  { Edit::VolumeLeave, "end of a volume", "volumes along curves", Required,
+    { { 901, "if(any(greaterThan(max(g_dirStep, vec3(0.0))", false,
+      "(g_dataPos - in_texMin[0]),vec3(0.0))))" } } },
+  { Edit::VolumeClip, "clipping of a volume", "volumes along curves, with clipping planes",
+    Required, { Literal(901, "bool AdjustSampleRangeForClipping(") } },
+  // its first surfaces are drawn flat; without them a ray begins at the box
+  { Edit::VolumeDepthPass, "beginning by a depth pass", "volumes with a depth pass", Optional,
+    { Literal(901, "g_rayOrigin = rayOrigin.xyz;") } },
+  { Edit::VolumeImageDepth, "depth of an image", "volumes that render to an image", Optional,
+    { Literal(901, "depthValue /= depthValue.w;") } },
 };
 
 std::array<std::atomic<int>, static_cast<std::size_t>(Edit::Count)>& Counts()

@@ -58,6 +58,18 @@ enum class Edit
   ImposterMeeting,
   DataNormal,
   DepthOffset,
+  // volumes
+  VolumeRay,
+  VolumePlace,
+  VolumeWindow,
+  VolumeToEye,
+  VolumeLight,
+  VolumeSkip,
+  VolumeAdvance,
+  VolumeLeave,
+  VolumeClip,
+  VolumeDepthPass,
+  VolumeImageDepth,
   Count
 };
 

@@ -43,7 +43,8 @@ public:
   void Render(const vtkRenderState*) override {}
 
 protected:
-  vtkWideFoVHeadlights() = default;
+  // VTK's volume mappers ask the last pass of a prop how many buffers they draw to.
+  vtkWideFoVHeadlights() { this->ActiveDrawBuffers = 1; }
   ~vtkWideFoVHeadlights() override = default;
 
 private:

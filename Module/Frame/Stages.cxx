@@ -19,6 +19,7 @@
 #include "vtkProp.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkVolume.h"
 
 #include <algorithm>
 #include <cmath>
@@ -194,7 +195,8 @@ vtkWideFoVStage* vtkWideFoVStages::Choose(
     this->Buffers.Prepare(prop);
     facts.Prepared = true;
   }
-  if (this->Technique == wfv::TechniqueVertex)
+  // a volume has no primitives: every pixel has its ray, whatever the technique
+  if (this->Technique == wfv::TechniqueVertex || vtkVolume::SafeDownCast(prop))
   {
     return this->Plain;
   }

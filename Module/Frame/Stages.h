@@ -14,6 +14,7 @@
 #include "Frame/ShaderClock.h"
 #include "Frame/ShaderMemory.h"
 #include "Frame/vtkWideFoVStage.h"
+#include "Projections/Bounds/Visibility.h"
 #include "vtkWideFoVAbi.h"
 
 #include <array>
@@ -76,6 +77,13 @@ public:
   // True where nothing of the prop can be in the picture: it need not be drawn.
   bool IsUnseen(vtkProp* prop, const double* bounds, wfv::PropFacts& facts) const;
 
+  // What surely holds the picture of what has these bounds, for the eye that is drawn.
+  wfv::Pictures GetPictures(const double* bounds) const;
+
+  // Distances, from the middle between the eyes, of the nearest and of the farthest point of what
+  // has these bounds; the clip radii where there are none.
+  wfv::vec2 GetDistances(const double* bounds) const;
+
   // Another one whenever what Choose and IsUnseen go by has changed, but the prop.
   std::uint64_t GetViewNumber() const { return this->ViewNumber; }
 
@@ -120,6 +128,9 @@ private:
 
   // For a prop whose rays begin all in one place.
   vtkWideFoVStage* ChooseByBounds(vtkProp* prop, const double bounds[6], wfv::PropFacts& facts);
+
+  // Bounds in the map's own frame, as large as they are seen from any place of the eyes.
+  wfv::Box GetBox(const double bounds[6]) const;
 
   // Fills in what is not known yet.
   static void FindFacts(vtkProp* prop, wfv::PropFacts& facts);

@@ -3,6 +3,7 @@
 #include "Frame/Stages.h"
 
 #include "Compat/CompositeMapper.h"
+#include "Drawables/VolumeMappers.h"
 #include "Frame/ClusterDraw.h"
 #include "Frame/Technique.h"
 #include "vtkWideFoVCamera.h"
@@ -16,6 +17,7 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkVolume.h"
 
 #include <algorithm>
 #include <cmath>
@@ -129,20 +131,12 @@ void vtkWideFoVStages::FindFacts(vtkProp* prop, wfv::PropFacts& facts)
     facts.Reach = facts.Bounded && DrawsOutlines(actor) ? WidthMargin * width : 0;
     facts.Few = CountFew(actor);
   }
+  facts.Bounded = facts.Bounded || vtkVolume::SafeDownCast(prop);
   facts.Known = true;
 }
 
-bool vtkWideFoVStages::IsUnseen(vtkProp* prop, const double* b, wfv::PropFacts& facts) const
+wfv::Box vtkWideFoVStages::GetBox(const double b[6]) const
 {
-  FindFacts(prop, facts);
-  if (!this->Culling || !facts.Bounded)
-  {
-    return false;
-  }
-  if (!b || !vtkMath::AreBoundsInitialized(b))
-  {
-    return false;
-  }
   double m[16];
   this->GetToMap(nullptr, m);
   wfv::Box box;
@@ -153,9 +147,47 @@ bool vtkWideFoVStages::IsUnseen(vtkProp* prop, const double* b, wfv::PropFacts& 
     box.Add(wfv::vec3(p[0], p[1], p[2]));
   }
   box.Grow(this->Reach);
+  return box;
+}
+
+wfv::Pictures vtkWideFoVStages::GetPictures(const double* b) const
+{
+  const bool straight = !this->Stereo || this->Stereo->Straight;
+  if (b && vtkMath::AreBoundsInitialized(b) && straight)
+  {
+    const wfv::Box box = this->GetBox(b);
+    return wfv::IsBetweenClips(this->View, box)
+      ? wfv::PicturesOf(*this->Projection, this->View, box, wfv::vec2(0))
+      : wfv::Pictures();
+  }
+  wfv::Pictures all;
+  all.Add(wfv::vec4(-1, -1, 1, 1));
+  return all;
+}
+
+wfv::vec2 vtkWideFoVStages::GetDistances(const double* b) const
+{
+  return b && vtkMath::AreBoundsInitialized(b) ? wfv::Distances(this->GetBox(b)) : this->View.radii;
+}
+
+bool vtkWideFoVStages::IsUnseen(vtkProp* prop, const double* b, wfv::PropFacts& facts) const
+{
+  FindFacts(prop, facts);
+  if (wfv::volume::IsFlatVolume(prop))
+  {
+    return true;
+  }
+  if (!this->Culling || !facts.Bounded)
+  {
+    return false;
+  }
+  if (!b || !vtkMath::AreBoundsInitialized(b))
+  {
+    return false;
+  }
   wfv::Window window = this->Part;
   window.Reach = facts.Reach / this->Pixels;
-  return wfv::IsUnseen(*this->Projection, this->View, box, window);
+  return wfv::IsUnseen(*this->Projection, this->View, this->GetBox(b), window);
 }
 
 std::shared_ptr<const wfv::ChordLimits> vtkWideFoVStages::GetLimits(double tolerance)

@@ -34,6 +34,7 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkShaderProgram.h"
+#include "vtkVolume.h"
 
 #include <algorithm>
 #include <cmath>
@@ -260,6 +261,10 @@ bool vtkWideFoVStage::PreReplaceShaderValues(std::string&, std::string& geometry
   {
     this->Stages->Shaders.Begin();
   }
+  if (vtkVolume::SafeDownCast(prop))
+  {
+    return true;
+  }
   vtkWideFoVShaderBuilder::Prepare(this->MakeRequest(mapper, prop), geometryShader, fragmentShader);
   return true;
 }
@@ -280,7 +285,8 @@ bool vtkWideFoVStage::PostReplaceShaderValues(std::string& vertexShader,
   std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper,
   vtkProp* prop)
 {
-  if (wfv::stock::DrawsNothing(fragmentShader))
+  if (wfv::stock::DrawsNothing(fragmentShader) ||
+    this->FinishVolume(prop, mapper, vertexShader, geometryShader, fragmentShader))
   {
     return true;
   }

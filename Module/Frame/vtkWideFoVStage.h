@@ -21,6 +21,7 @@ struct ProgramUses;
 VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLPolyDataMapper;
 class vtkRenderer;
+class vtkVolume;
 class vtkWideFoVCamera;
 class vtkWideFoVDirectionTextures;
 class vtkWideFoVStages;
@@ -141,7 +142,8 @@ public:
   void Render(const vtkRenderState*) override {}
 
 protected:
-  vtkWideFoVStage() = default;
+  // VTK's volume mappers ask the last pass of a prop how many buffers they draw to.
+  vtkWideFoVStage() { this->ActiveDrawBuffers = 1; }
   ~vtkWideFoVStage() override = default;
 
 private:
@@ -152,6 +154,13 @@ private:
   // as spheres; the width of lines.
   void SetPropParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
     const wfv::ProgramUses& uses) const;
+
+  // Of volumes: what is asked of their text, the text (false: of something else), and where they
+  // may be in the picture.
+  vtkWideFoVShaderBuilder::Request MakeVolumeRequest() const;
+  bool FinishVolume(vtkProp* prop, vtkAbstractMapper* mapper, std::string& vertex,
+    std::string& geometry, std::string& fragment) const;
+  void SetVolumeParameters(vtkShaderProgram* program, vtkVolume* volume) const;
 
   // What is the same for all props of a frame.
   void SetFrameParameters(vtkShaderProgram* program, const int viewport[4]);

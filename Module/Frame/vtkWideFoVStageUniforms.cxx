@@ -18,6 +18,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkProperty.h"
 #include "vtkShaderProgram.h"
+#include "vtkVolume.h"
 
 #include <algorithm>
 #include <cmath>
@@ -141,6 +142,10 @@ bool vtkWideFoVStage::SetShaderParameters(
   if (known.Uses.FineDepth)
   {
     this->Stages->Fine.SetParameters(program, prop, viewport);
+  }
+  if (auto* const volume = vtkVolume::SafeDownCast(prop))
+  {
+    this->SetVolumeParameters(program, volume);
   }
   this->SetPropParameters(program, mapper, prop, known.Uses);
   this->NumberOfDraws++;

@@ -224,8 +224,9 @@ std::string CoverFragment(
   }
   RewriteFlatNormal(r, fragment);
   return ray_fragment_glsl + (r.Whole ? WholeSource(*r.Projection) : "") + cover_fragment_glsl +
-    (Warped(r) ? warped_fragment_glsl : "") + chord_fragment_glsl + order_fragment_glsl +
-    (r.Whole ? fine_depth_glsl : "") + (r.Edges || r.DebugView ? edge_distance_glsl : "") +
+    (Warped(r) ? std::string(warped_ray_glsl) + warped_fragment_glsl : "") + chord_fragment_glsl +
+    order_fragment_glsl + (r.Whole ? fine_depth_glsl : "") +
+    (r.Edges || r.DebugView ? edge_distance_glsl : "") +
     CornerInputs(varyings, { "wfvB.x", "wfvB.y", "wfvB.z" }, KnownOf(r));
 }
 

@@ -5,25 +5,31 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCompositePolyDataMapper.h"
+#include "vtkContourValues.h"
 #include "vtkCubeSource.h"
 #include "vtkFloatArray.h"
+#include "vtkGPUVolumeRayCastMapper.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkImageCanvasSource2D.h"
 #include "vtkLight.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkOpenGLSphereMapper.h"
 #include "vtkOpenGLStickMapper.h"
+#include "vtkPiecewiseFunction.h"
 #include "vtkPlane.h"
 #include "vtkPointData.h"
 #include "vtkPointGaussianMapper.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
+#include "vtkRTAnalyticSource.h"
 #include "vtkShaderProperty.h"
 #include "vtkSphereSource.h"
 #include "vtkStripper.h"
 #include "vtkTexture.h"
 #include "vtkTextureMapToSphere.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
 #include "vtkWideFoVDataPass.h"
 #include "vtkWideFoVPolyDataMapper.h"
 #include "vtkWideFoVScreenCamera.h"
@@ -271,6 +277,59 @@ void FillFlat(Window& test, vtkCamera* camera)
   Add(test, Ball());
 }
 
+// Behind the eye as well, and lit; shade: by the renderer's lights.
+vtkGPUVolumeRayCastMapper* AddVolume(Window& test, bool shade)
+{
+  vtkNew<vtkRTAnalyticSource> source;
+  source->SetWholeExtent(-4, 4, -4, 4, -4, 4);
+  vtkNew<vtkGPUVolumeRayCastMapper> mapper;
+  mapper->SetInputConnection(source->GetOutputPort());
+  vtkNew<vtkVolume> volume;
+  volume->SetMapper(mapper);
+  volume->GetProperty()->SetShade(shade);
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AddPoint(0, 0.1);
+  opacity->AddPoint(300, 0.3);
+  volume->GetProperty()->SetScalarOpacity(opacity);
+  test.Renderer->AddVolume(volume);
+  return mapper;
+}
+
+void FillWarpedVolume(Window& test)
+{
+  test.Camera->SetStereoModelToWarped();
+  test.Window->SetStereoTypeToLeft();
+  test.Window->StereoRenderOn();
+  vtkNew<vtkPlane> plane;
+  plane->SetNormal(1, 0, 0.2);
+  AddVolume(test, true)->AddClippingPlane(plane);
+}
+
+void FillVolumeOfDepthPass(Window& test)
+{
+  vtkGPUVolumeRayCastMapper* const mapper = AddVolume(test, false);
+  mapper->UseDepthPassOn();
+  mapper->GetDepthPassContourValues()->SetValue(0, 100);
+}
+
+// Which is not in the window: a ball is.
+void FillImageOfVolume(Window& test)
+{
+  AddVolume(test, false)->RenderToImageOn();
+  Add(test, Ball());
+}
+
+std::vector<Scene> VolumesByRays()
+{
+  return {
+    { "volume", [](Window& t) { AddVolume(t, true); } },
+    { "volume, light kit", [](Window& t) { AddLights(t, false), AddVolume(t, true); } },
+    { "volume, as an image", FillImageOfVolume },
+    { "volume, warped", FillWarpedVolume },
+    { "volume, depth pass", FillVolumeOfDepthPass },
+  };
+}
+
 std::vector<Scene> Surfaces()
 {
   return {
@@ -337,6 +396,8 @@ const std::vector<Scene>& All()
     std::vector<Scene> all = Surfaces();
     const std::vector<Scene> others = Others();
     all.insert(all.end(), others.begin(), others.end());
+    const std::vector<Scene> volumes = VolumesByRays();
+    all.insert(all.end(), volumes.begin(), volumes.end());
     return all;
   }();
   return scenes;

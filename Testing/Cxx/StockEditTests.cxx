@@ -8,7 +8,6 @@
 #include "StockEditScenes.h"
 
 #include "vtkActor.h"
-#include "vtkActorCollection.h"
 #include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -16,6 +15,7 @@
 #include "vtkMapper.h"
 #include "vtkOpenGLRenderPass.h"
 #include "vtkPointData.h"
+#include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkSelection.h"
 #include "vtkSphereSource.h"
@@ -43,7 +43,9 @@ struct OverheardAnew : Overheard
 // Of the edits that are called with a name: any.
 std::string AnyName(Edit edit)
 {
-  return edit == Edit::Input ? R"(\w+\s+\w+VSOutput)" : edit == Edit::InputArray ? R"(\w+)" : "";
+  return edit == Edit::Input   ? R"(\w+\s+(?:\w+VSOutput|ip_\w+))"
+    : edit == Edit::InputArray ? R"(\w+)"
+                               : "";
 }
 
 // The same to GLSL, but no more what the edit looks for.
@@ -85,11 +87,11 @@ public:
     return this->PreReplaceShaderValues(vertex, geometry, fragment, mapper, prop);
   }
 
-  void GiveTo(vtkActor* actor)
+  void GiveTo(vtkProp* prop)
   {
     vtkNew<vtkInformation> keys;
     keys->Append(vtkOpenGLRenderPass::RenderPasses(), this);
-    actor->SetPropertyKeys(keys);
+    prop->SetPropertyKeys(keys);
   }
 
   Edit Other = Edit::Count;
@@ -133,12 +135,12 @@ struct BrokenPicture
 
   void BreakAll(OtherVtk* other)
   {
-    vtkActorCollection* const actors = this->Test.Renderer->GetActors();
+    vtkPropCollection* const props = this->Test.Renderer->GetViewProps();
     vtkCollectionSimpleIterator it;
-    actors->InitTraversal(it);
-    while (vtkActor* actor = actors->GetNextActor(it))
+    props->InitTraversal(it);
+    while (vtkProp* prop = props->GetNextProp(it))
     {
-      other->GiveTo(actor);
+      other->GiveTo(prop);
     }
   }
 
@@ -284,6 +286,8 @@ const std::map<Edit, std::vector<const char*>>& Written()
     { Edit::HeadlightCosine,
       { "max(0.0,normalVCVSOutput.z)", "max(0.000001, normalVCVSOutput.z)" } },
     { Edit::LightDirection, { "lightDirectionVC0" } },
+    { Edit::VolumeToEye, { "normalize(g_eyePosObjs[0].xyz - ip_vertexPos)" } },
+    { Edit::VolumeLight, { "in_lightDirection[lightNum]", "in_lightDirection[dirNum]" } },
     { Edit::LineNormal, { "normalize(cross(vec3(fdx.y, -fdx.x, 0.0), fdx))" } },
   };
   return written;

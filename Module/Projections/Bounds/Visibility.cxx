@@ -51,18 +51,20 @@ bool Meets(const vec4& bounds, const Window& w)
   return !(bounds.x > high.x || bounds.z < low.x || bounds.y > high.y || bounds.w < low.y);
 }
 
-bool MeetsMeridian(const Projection& p, const WfvView& v, const Box& b, const Window& w)
+// Where a box may be in a map of meridians; reach: of what is drawn wide, beyond its place.
+Pictures PicturesOnMeridians(const Projection& p, const WfvView& v, const Box& b, const vec2& reach)
 {
   const Range x{ b.Low.x, b.High.x };
   const Range ahead{ -b.High.z, -b.Low.z };
   const Range flat = RadiiOf(x, ahead);
   const Range lambda = TurnsOf(ahead, x);
   // what reaches over the seam shows at the other border as well
-  const bool both = w.Reach.x > 0 && std::max(-lambda.Low, lambda.High) > 0.5 * WFV_PI;
+  const bool both = reach.x > 0 && std::max(-lambda.Low, lambda.High) > 0.5 * WFV_PI;
   const double endX = glm::radians(0.5 * p.MaxHorizontalFov);
   const double endY = glm::radians(0.5 * p.MaxVerticalFov);
   const double low = std::atan2(b.Low.y, b.Low.y < 0 ? flat.Low : flat.High);
   const double high = std::atan2(b.High.y, b.High.y < 0 ? flat.High : flat.Low);
+  Pictures pictures;
   for (int turn = -1; turn <= 1; turn++)
   {
     const double from = lambda.Low + 2 * WFV_PI * turn;
@@ -73,15 +75,12 @@ bool MeetsMeridian(const Projection& p, const WfvView& v, const Box& b, const Wi
     }
     const vec4 angles(std::clamp(from, -endX, endX), std::clamp(low, -endY, endY),
       std::clamp(to, -endX, endX), std::clamp(high, -endY, endY));
-    if (Meets(p.Bounds(angles, v), w))
-    {
-      return true;
-    }
+    pictures.Add(p.Bounds(angles, v));
   }
-  return false;
+  return pictures;
 }
 
-bool MeetsAzimuthal(const Projection& p, const WfvView& v, const Box& b, const Window& w)
+Pictures PicturesOnRoundMap(const Projection& p, const WfvView& v, const Box& b, const vec2& reach)
 {
   const Range x{ b.Low.x, b.High.x };
   const Range y{ b.Low.y, b.High.y };
@@ -92,15 +91,34 @@ bool MeetsAzimuthal(const Projection& p, const WfvView& v, const Box& b, const W
   // what is wide shows inside a rim that its place is outside of
   const double outside =
     p.Map(vec2(0, std::max(nearest, v.maxAngle)), v).x - p.Map(vec2(0, v.maxAngle), v).x;
-  if (nearest > v.maxAngle * (1 + Rounding) && outside >= w.Reach.x)
+  Pictures pictures;
+  if (nearest > v.maxAngle * (1 + Rounding) && outside >= reach.x)
   {
-    return false;
+    return pictures;
   }
-  const double end = w.Reach.x > 0 ? WFV_PI : v.maxAngle;
+  const double end = reach.x > 0 ? WFV_PI : v.maxAngle;
   const Range azimuth = TurnsOf(x, y);
-  const vec4 sector(azimuth.Low, std::min(nearest, end), azimuth.High, std::min(farthest, end));
-  return Meets(p.Bounds(sector, v), w);
+  pictures.Add(
+    p.Bounds(vec4(azimuth.Low, std::min(nearest, end), azimuth.High, std::min(farthest, end)), v));
+  return pictures;
 }
+}
+
+Pictures PicturesOf(const Projection& p, const WfvView& v, const Box& b, const vec2& reach)
+{
+  switch (p.Axis)
+  {
+    case Family::Meridian:
+      return PicturesOnMeridians(p, v, b, reach);
+    case Family::Azimuthal:
+      return PicturesOnRoundMap(p, v, b, reach);
+    default:
+    {
+      Pictures pictures;
+      pictures.Add(vec4(-1, -1, 1, 1));
+      return pictures; // the faces of a cube show all directions; of a table nothing is said
+    }
+  }
 }
 
 vec2 Distances(const Box& b)
@@ -147,14 +165,12 @@ bool IsUnseen(const Projection& p, const WfvView& v, const Box& b, const Window&
   {
     return true;
   }
-  switch (p.Axis)
+  if (p.Axis != Family::Meridian && p.Axis != Family::Azimuthal)
   {
-    case Family::Meridian:
-      return !MeetsMeridian(p, v, b, w);
-    case Family::Azimuthal:
-      return !MeetsAzimuthal(p, v, b, w);
-    default:
-      return false; // the faces of a cube show all directions; of a table nothing is said
+    return false;
   }
+  const Pictures pictures = PicturesOf(p, v, b, w.Reach);
+  return std::none_of(pictures.Bounds.begin(), pictures.Bounds.begin() + pictures.Count,
+    [&w](const vec4& bounds) { return Meets(bounds, w); });
 }
 }

@@ -5,6 +5,8 @@
 
 #include "Projections/Projection.h"
 
+#include <array>
+
 namespace wfv
 {
 // A box in the map's own frame: view coordinates behind the tilt.
@@ -34,6 +36,21 @@ struct Window
   vec2 High{ 1 };
   vec2 Reach{ 0 }; // how far a thing may be drawn from its place: wide lines and points
 };
+
+// Rectangles of the map, NDC: left, bottom, right, top. They may overlap and reach beyond the
+// picture.
+struct Pictures
+{
+  std::array<vec4, 3> Bounds;
+  int Count = 0;
+
+  void Add(const vec4& bounds) { this->Bounds[this->Count++] = bounds; }
+};
+
+// What surely holds the picture of a box, whatever the clip spheres; reach: how far a thing may be
+// drawn from its place.
+WFV_EXPORT Pictures PicturesOf(
+  const Projection& projection, const WfvView& view, const Box& box, const vec2& reach);
 
 // True where no point of the box is between the clip spheres and in the window. Never where one
 // is; boxes that are near may be called seen though they are not. In double.

@@ -12,15 +12,6 @@ const int WFV_WARPED_PARTS = 8;
 // Steps of the search in one of them: to float32's end at surfaces not seen edge-on.
 const int WFV_WARPED_STEPS = 8;
 
-// The ray of the map, for a place of the picture and a depth; outside where the volume ends.
-WfvRay wfvRayOfDepth(vec2 place, float depth)
-{
-  vec2 ndc = wfvUnshift(place, depth, wfvView);
-  WfvRay ray = wfvUnproject(ndc, wfvView);
-  ray.inside = ray.inside && abs(ndc.x) <= 1.0 && abs(ndc.y) <= 1.0;
-  return ray;
-}
-
 // The depths of the curve that may meet the triangle, from t = 0 to 1.
 vec2 wfvSpan = vec2(0.0);
 

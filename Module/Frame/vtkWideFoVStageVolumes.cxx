@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkWideFoVStage: what it does for volumes.
+#include "Frame/vtkWideFoVStage.h"
+
+#include "Compat/StockText.h"
+#include "Drawables/Volumes.h"
+#include "Frame/Stages.h"
+
+#include "vtkAbstractMapper.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkVolume.h"
+
+vtkWideFoVShaderBuilder::Request vtkWideFoVStage::MakeVolumeRequest() const
+{
+  vtkWideFoVShaderBuilder::Request request;
+  request.Projection = this->Projection;
+  request.Stereo = this->Stereo;
+  request.DepthMapping = this->View.depthMapping;
+  request.Tilted = this->Tilted;
+  request.Fades = this->Fades;
+  request.Headlights = this->Headlights;
+  return request;
+}
+
+bool vtkWideFoVStage::FinishVolume(vtkProp* prop, vtkAbstractMapper* mapper, std::string& vertex,
+  std::string& geometry, std::string& fragment) const
+{
+  auto* const volume = vtkVolume::SafeDownCast(prop);
+  if (!volume)
+  {
+    return false;
+  }
+  wfv::volume::Finish(
+    this->MakeVolumeRequest(), wfv::volume::Describe(this->Renderer, volume), geometry, fragment);
+  wfv::stock::LeaveOutUnedited(this->Renderer, mapper, vertex, geometry, fragment);
+  return true;
+}
+
+void vtkWideFoVStage::SetVolumeParameters(vtkShaderProgram* program, vtkVolume* volume) const
+{
+  const double* const bounds = volume->GetBounds();
+  wfv::volume::SetCover(program, this->Stages->GetPictures(bounds), this->Pixels.Whole);
+  if (program->IsUniformUsed("wfvReach"))
+  {
+    const wfv::vec2 distances = this->Stages->GetDistances(bounds);
+    const float reach[2] = { static_cast<float>(distances.x), static_cast<float>(distances.y) };
+    program->SetUniform2f("wfvReach", reach);
+  }
+}
