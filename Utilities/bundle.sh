@@ -142,7 +142,7 @@ trim() {
 
 # BCJ and a dictionary as large as all libraries together: a sixth less than xz alone
 pack() {
-  local file="$1"
+  file="$1"
   trap 'rm -rf "$work" "$file.part"' EXIT
   tar --create --sort=name --owner=0 --group=0 --directory="$work" "$name" |
     xz --x86 --lzma2=preset=9e,dict=192MiB > "$file.part"
