@@ -43,7 +43,7 @@ fail() {
 package_of() {
   local path
   path="$(realpath "$1")"
-  { dpkg-query --search "$path" "${path#/usr}" 2> /dev/null || true; } | awk -F: '{ print $1; exit }'
+  { dpkg-query --search "$path" "${path#/usr}" 2> /dev/null || true; } | awk -F: 'NR == 1 { print $1 }'
 }
 
 # add_licence PACKAGE
@@ -81,7 +81,8 @@ list_libraries() {
   ! grep -E 'not found|undefined symbol' "$work/ldd" >&2 || fail "the libraries do not fit, see above"
   awk '$3 ~ /^\// { print $3 }' "$work/ldd"
   for name in "${by_name[@]}"; do
-    path="$(/sbin/ldconfig -p | awk -v name="$name" '$1 == name && /x86-64/ { print $NF; exit }')"
+    # (awk reads to the end: who writes to a pipe that is closed fails)
+    path="$(/sbin/ldconfig -p | awk -v name="$name" '$1 == name && /x86-64/ && !n++ { print $NF }')"
     [ -n "$path" ] || fail "$name is missing; install the packages of the group bundle in Utilities/packages.txt"
     ldd "$path" | awk -v self="$path" 'BEGIN { print self } $3 ~ /^\// { print $3 }'
   done
@@ -159,7 +160,7 @@ fi
 build="${1:-build}"
 [ "$#" -le 2 ] || fail "name a build folder and a file at most, not: $*"
 check
-version="$("$build/bin/widefov-bench" --version | awk '{ print $NF; exit }')"
+version="$("$build/bin/widefov-bench" --version | awk 'NR == 1 { print $NF }')"
 name="widefov-$version-$(uname -m)"
 work="$(mktemp --directory)"
 trap 'rm -rf "$work"' EXIT
