@@ -122,7 +122,11 @@ copy_others() {
   done
   # the data of the scenes, where they are: "winds", and beside the checkout "office"
   for data in /usr/share/ferret-vis/data/{etopo20,coads_climatology}.cdf ../shared/data/office.binary.vtk; do
-    [ ! -f "$data" ] || cp "$data" "$folder/data/"
+    if [ -f "$data" ]; then
+      cp "$data" "$folder/data/"
+    else
+      echo "bundle.sh: without $data, which is not there" >&2
+    fi
   done
   cat > "$folder/README" << EOF
 WideFoV for VTK $version: ./widefov-render --help, ./widefov-viewer --help, ./widefov-bench --help.

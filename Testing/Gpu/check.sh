@@ -64,6 +64,12 @@ if [ "$small" = yes ]; then
   bench_frames=3
 fi
 all="${WIDEFOV_GPU_SECONDS:-$all}"
+until="$all" # steps end by then
+if [ "$small" = no ] && [ ! -f "$bundle/data/office.binary.vtk" ]; then
+  echo "check.sh: without the scene office, whose data this bundle has not" >&2
+  scenes=("${scenes[@]/office/}")
+  bench_scenes="${bench_scenes/office,/}"
+fi
 
 # note NAME CODE SECONDS
 note() {
@@ -77,7 +83,7 @@ note() {
 step() {
   local limit="$1" name="$2" begin="$SECONDS" code=0
   shift 2
-  [ "$limit" -le "$((all - SECONDS))" ] || limit="$((all - SECONDS))"
+  [ "$limit" -le "$((until - SECONDS))" ] || limit="$((until - SECONDS))"
   if [ "$limit" -lt 1 ]; then
     note "$name" 125 0
     return
@@ -134,7 +140,7 @@ compare_few() {
 
 draw() {
   local scene input
-  for scene in "${scenes[@]}"; do
+  for scene in ${scenes[@]}; do # (one that was taken out is empty)
     input=(--scene "$scene")
     # as the project's own picture of it
     [ "$scene" != office ] || input=("$bundle/data/office.binary.vtk" --streamlines vectors
@@ -157,7 +163,8 @@ bench() {
 trap 'kill $(jobs -p) 2> /dev/null; exit 1' INT TERM
 step 30 gl "$bundle/widefov-render" --scene room --size 64x32 --frames 1 --stats "$out/gl.json" \
   --output "$out/pictures/gl.png"
-# Pictures, side by side; nothing is timed meanwhile but the pictures themselves, roughly.
+# Pictures, side by side, in half of the time at most; nothing is timed meanwhile but the pictures themselves, roughly.
+until="$((all / 2))"
 processors="$(nproc)"
 beside "$stress_limit" stress "$bundle/widefov-stress" --technique exact,auto --seed 1 \
   --primitives "$primitives" --projections "$stress_projections" --output "$out/stress.json"
@@ -168,6 +175,7 @@ else
 fi
 draw
 wait
+until="$all"
 # (exact and preclip take four fifths of the time of all, so they are timed once and at the end)
 for size in "${bench_sizes[@]}"; do
   for samples in "${bench_samples[@]}"; do
