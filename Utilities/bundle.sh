@@ -43,7 +43,7 @@ fail() {
 package_of() {
   local path
   path="$(realpath "$1")"
-  { dpkg-query --search "$path" "${path#/usr}" 2> /dev/null || true; } | awk -F: '{ print $1; exit }'
+  { dpkg-query --search "$path" "${path#/usr}" 2> /dev/null || true; } | awk -F: 'NR == 1 { print $1 }'
 }
 
 # add_licence PACKAGE
@@ -81,7 +81,8 @@ list_libraries() {
   ! grep -E 'not found|undefined symbol' "$work/ldd" >&2 || fail "the libraries do not fit, see above"
   awk '$3 ~ /^\// { print $3 }' "$work/ldd"
   for name in "${by_name[@]}"; do
-    path="$(/sbin/ldconfig -p | awk -v name="$name" '$1 == name && /x86-64/ { print $NF; exit }')"
+    # (awk reads to the end: who writes to a pipe that is closed fails)
+    path="$(/sbin/ldconfig -p | awk -v name="$name" '$1 == name && /x86-64/ && !n++ { print $NF }')"
     [ -n "$path" ] || fail "$name is missing; install the packages of the group bundle in Utilities/packages.txt"
     ldd "$path" | awk -v self="$path" 'BEGIN { print self } $3 ~ /^\// { print $3 }'
   done
@@ -121,7 +122,11 @@ copy_others() {
   done
   # the data of the scenes, where they are: "winds", and beside the checkout "office"
   for data in /usr/share/ferret-vis/data/{etopo20,coads_climatology}.cdf ../shared/data/office.binary.vtk; do
-    [ ! -f "$data" ] || cp "$data" "$folder/data/"
+    if [ -f "$data" ]; then
+      cp "$data" "$folder/data/"
+    else
+      echo "bundle.sh: without $data, which is not there" >&2
+    fi
   done
   cat > "$folder/README" << EOF
 WideFoV for VTK $version: ./widefov-render --help, ./widefov-viewer --help, ./widefov-bench --help.
@@ -142,7 +147,7 @@ trim() {
 
 # BCJ and a dictionary as large as all libraries together: a sixth less than xz alone
 pack() {
-  local file="$1"
+  file="$1"
   trap 'rm -rf "$work" "$file.part"' EXIT
   tar --create --sort=name --owner=0 --group=0 --directory="$work" "$name" |
     xz --x86 --lzma2=preset=9e,dict=192MiB > "$file.part"
@@ -159,7 +164,7 @@ fi
 build="${1:-build}"
 [ "$#" -le 2 ] || fail "name a build folder and a file at most, not: $*"
 check
-version="$("$build/bin/widefov-bench" --version | awk '{ print $NF; exit }')"
+version="$("$build/bin/widefov-bench" --version | awk 'NR == 1 { print $NF }')"
 name="widefov-$version-$(uname -m)"
 work="$(mktemp --directory)"
 trap 'rm -rf "$work"' EXIT

@@ -354,10 +354,7 @@ RenderResult RenderTiled(Stage& stage, const Scene& scene, const Options& o, Out
   }
   return result;
 }
-}
 
-namespace
-{
 RenderResult DrawAll(const Scene& scene, const Options& o, OutputFiles& files)
 {
   const DisplayConnection display;

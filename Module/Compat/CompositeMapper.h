@@ -19,9 +19,7 @@ using vtkWideFoVCompositeMapper = vtkCompositePolyDataMapper2;
 #endif
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkMapper;
 class vtkObjectBase;
-class vtkWindow;
 VTK_ABI_NAMESPACE_END
 
 namespace wfv

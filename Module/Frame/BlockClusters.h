@@ -5,6 +5,11 @@
 
 #include "Compat/CompositeMapper.h"
 
+VTK_ABI_NAMESPACE_BEGIN
+class vtkMapper;
+class vtkWindow;
+VTK_ABI_NAMESPACE_END
+
 namespace wfv
 {
 // Before a composite mapper draws: the clusters of its blocks are to be classified as those of

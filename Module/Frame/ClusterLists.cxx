@@ -25,8 +25,8 @@ namespace
 constexpr vtkIdType FewCorners = 768;
 
 // Triangles, up to which the program that draws some at edges of several chords draws all that are
-// ray-tested. It takes up to five microseconds more for each (a processor of 2020, llvmpipe), and
-// another program half a second for being made.
+// ray-tested. It takes up to five microseconds more for each (llvmpipe, two cores), and another
+// program half a second for being made.
 constexpr vtkIdType FewByStage = 1280;
 
 // A row-major affine matrix.

@@ -163,12 +163,8 @@ void vtkWideFoVCompositeHelper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ClassifiedBlocks: " << this->Internal->Polygons.Blocks.size() << "\n";
 }
 
+// Any other mapper, or one that makes helpers of a kind of its own, is left as it is.
 void wfv::ClassifyBlocksOf(vtkMapper* mapper, vtkWindow* window)
-{
-  vtkWideFoVCompositeHelper::GiveTo(mapper, window);
-}
-
-void vtkWideFoVCompositeHelper::GiveTo(vtkMapper* mapper, vtkWindow* window)
 {
   // a class derived from it may make helpers of its own
   if (mapper && Is(mapper, "vtkCompositePolyDataMapper2"))

@@ -21,7 +21,6 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkCompositeMapperHelperData;
-class vtkMapper;
 class vtkWideFoVStage;
 class vtkWindow;
 
@@ -32,10 +31,6 @@ public:
   vtkTypeMacro(vtkWideFoVCompositeHelper, vtkCompositeMapperHelper2);
   void PrintSelf(ostream& os, vtkIndent indent) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
-
-  // Before a composite mapper draws: gives it such helpers. Any other mapper, or one that makes
-  // helpers of a kind of its own, is left as it is.
-  static void GiveTo(vtkMapper* mapper, vtkWindow* window);
 
 protected:
   vtkWideFoVCompositeHelper();

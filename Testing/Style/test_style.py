@@ -28,7 +28,10 @@ LONG_CONSTRUCTOR = (
 
 TIDY = {
     "Module/Projections/Map.h": HEAD + "#include <cmath>\n",
+    "Module/Metadata/Tags.h": HEAD + "#include <string>\n",
     "Module/Stereo/Eyes.h": HEAD + '#include "Map.h"\n',
+    "Module/Shaders/Text.h": HEAD + '#include "Eyes.h"\n',
+    "Module/Frame/Part.h": HEAD + '#include "Text.h"\n',
     "Module/vtkWide.h": HEAD + '#include "Map.h"\n#include "vtkObject.h"\n',
     "Module/Shaders/stage.glsl": HEAD + "void main()\n{\n  gl_Position = vec4(0.0);\n}\n",
     "Module/vtkWide.cxx": HEAD + '#include "vtkWide.h"\n\n// gl_Position: see the shader\n'
@@ -45,6 +48,10 @@ BREACHES = [
     ("pure mathematics", "Module/Stereo/Eyes.h", HEAD + '# include "vtkWide.h"\n'),
     ("one way", "Module/Projections/Map.h", HEAD + '#include "Eyes.h"\n'),
     ("one way", "Module/vtkWide.h", HEAD + '#include "Tool.h"\n'),
+    ("one way", "Module/vtkWide.h", HEAD + '#include "Tags.h"\n'),
+    ("one way", "Module/Frame/Part.h", HEAD + '#include "vtkWide.h"\n'),
+    ("one way", "Module/Shaders/Text.h", HEAD + '#include "Part.h"\n'),
+    ("one way", "Module/Compat/Old.h", HEAD + '#include "Eyes.h"\n'),
     ("one way", "Examples/Tool.h", HEAD + '#include "../Testing/Unit/Check.h"\n'),
     ("function length", "Module/vtkWide.cxx", HEAD + long_function(40)),
     ("function length", "Module/Shaders/stage.glsl", HEAD + long_function(40)),
