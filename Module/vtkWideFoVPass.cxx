@@ -14,8 +14,10 @@
 #include "vtkRenderState.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkVolume.h"
 
 #include <algorithm>
+#include <vector>
 
 vtkStandardNewMacro(vtkWideFoVPass);
 
@@ -158,7 +160,7 @@ int CountEyes(vtkRenderWindow* window)
 }
 
 // In the order of VTK's renderers: what lies in the scene, what shines through, what lies upon it.
-void DrawFlat(vtkActor2D* flat, vtkRenderer* renderer)
+void DrawOverlay(vtkActor2D* flat, vtkRenderer* renderer)
 {
   flat->RenderOpaqueGeometry(renderer);
   if (flat->HasTranslucentPolygonalGeometry())
@@ -240,12 +242,36 @@ void vtkWideFoVPass::Render(const vtkRenderState* s)
   }
   if (!camera || !camera->IsWide())
   {
-    this->DrawDelegate(s);
+    this->DrawFlat(s, camera);
     return;
   }
   wfv::WarnOfVtk();
   this->RenderWide(s, camera);
   this->TakeCounts();
+}
+
+void vtkWideFoVPass::DrawFlat(const vtkRenderState* s, vtkWideFoVCamera* camera)
+{
+  Internals& in = *this->Internal;
+  std::vector<vtkProp*> volumes;
+  const bool moved = camera && camera->GetEyeReach() > 0;
+  for (int i = 0; moved && i < s->GetPropArrayCount(); i++)
+  {
+    if (vtkVolume::SafeDownCast(s->GetPropArray()[i]))
+    {
+      volumes.push_back(s->GetPropArray()[i]);
+    }
+  }
+  if (volumes.empty())
+  {
+    this->DrawDelegate(s);
+    return;
+  }
+  vtkRenderState those(s->GetRenderer());
+  those.SetPropArrayAndCount(volumes.data(), static_cast<int>(volumes.size()));
+  in.Headlights->Begin(&those);
+  this->DrawDelegate(s);
+  in.Headlights->End(&those);
 }
 
 void vtkWideFoVPass::RenderWide(const vtkRenderState* s, vtkWideFoVCamera* camera)
@@ -303,7 +329,7 @@ void vtkWideFoVPass::DrawSeen(const vtkRenderState* s, int seen)
     in.Small.End();
     for (vtkActor2D* const flat : in.Flat)
     {
-      DrawFlat(flat, s->GetRenderer());
+      DrawOverlay(flat, s->GetRenderer());
     }
   }
 }

@@ -265,6 +265,9 @@ private:
   // Draws these props, of those of the state, with the stages that they need.
   void DrawProps(const vtkRenderState* s, vtkProp** props, int count);
 
+  // With any other, which stock VTK draws; camera may be nullptr.
+  void DrawFlat(const vtkRenderState* s, vtkWideFoVCamera* camera);
+
   // With a camera that is wide.
   void RenderWide(const vtkRenderState* s, vtkWideFoVCamera* camera);
 

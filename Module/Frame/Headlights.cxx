@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Frame/Headlights.h"
 
+#include "Camera/Tile.h"
+#include "Camera/vtkWideFoVCamera.h"
 #include "Compat/StockText.h"
 #include "Shaders/ShaderBuilder.h"
+#include "Shaders/volumes/VolumeShaders.h"
 #include "WideFoVGlsl.h"
 
 #include "vtkLight.h"
@@ -11,6 +14,7 @@
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
+#include "vtkVolume.h"
 
 vtkStandardNewMacro(vtkWideFoVHeadlights);
 
@@ -38,6 +42,7 @@ int FindHeadlights(vtkRenderer* renderer)
 
 void vtkWideFoVHeadlights::Begin(const vtkRenderState* s)
 {
+  this->Renderer = s->GetRenderer();
   this->Lights = wfv::FindHeadlights(s->GetRenderer());
   this->PreRender(s);
 }
@@ -66,6 +71,11 @@ void vtkWideFoVHeadlights::Rewrite(const wfv::stock::Facts& facts, std::string& 
 bool vtkWideFoVHeadlights::PostReplaceShaderValues(
   std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop)
 {
+  if (vtkVolume::SafeDownCast(prop))
+  {
+    wfv::volume::FinishFlat(fragmentShader);
+    return true;
+  }
   std::string fragment = fragmentShader;
   Rewrite(wfv::stock::Describe(mapper, prop), fragment);
   const char* const instead = "headlights shine along the view axis";
@@ -82,6 +92,15 @@ bool vtkWideFoVHeadlights::SetShaderParameters(
   if (program->IsUniformUsed("wfvHeadlights"))
   {
     program->SetUniformi("wfvHeadlights", this->Lights);
+  }
+  if (program->IsUniformUsed("wfvFlatEye"))
+  {
+    float eye[3] = { 0, 0, 0 }; // which one is drawn the camera knows by now
+    if (auto* camera = vtkWideFoVCamera::SafeDownCast(this->Renderer->GetActiveCamera()))
+    {
+      camera->GetPerspectiveEye(wfv::PictureAspect(this->Renderer), eye);
+    }
+    program->SetUniform3f("wfvFlatEye", eye);
   }
   return true;
 }

@@ -22,7 +22,8 @@ int FindHeadlights(vtkRenderer* renderer);
 
 VTK_ABI_NAMESPACE_BEGIN
 // Sits in the props' keys while they are drawn. Stock VTK takes a headlight for parallel to the
-// view axis; on screens at angles to each other it would have a step where they meet.
+// view axis; on screens at angles to each other it would have a step where they meet. And it takes
+// the rays of volumes from the camera's position, whichever eye is drawn.
 class vtkWideFoVHeadlights : public vtkOpenGLRenderPass
 {
 public:
@@ -52,6 +53,7 @@ private:
   void operator=(const vtkWideFoVHeadlights&) = delete;
 
   int Lights = 0;
+  vtkRenderer* Renderer = nullptr; // valid between Begin and End
 };
 VTK_ABI_NAMESPACE_END
 

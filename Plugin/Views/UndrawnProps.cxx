@@ -16,9 +16,6 @@ struct Kind
 };
 
 const Kind Kinds[] = {
-  { "vtkVolume",
-    "Volumes cannot be drawn in this view yet: their rays assume a flat picture. "
-    "Show contours or slices instead." },
   { "vtkCubeAxesActor",
     "Cube axes cannot be drawn right in this view yet: they place their lines and labels for a "
     "flat "

@@ -3,6 +3,8 @@
 // translucent surfaces; and those that cannot be drawn.
 #include "VolumeCheck.h"
 
+#include "Stereo.h"
+
 #include <vtkActor.h>
 #include <vtkFloatArray.h>
 #include <vtkFixedPointVolumeRayCastMapper.h>
@@ -16,6 +18,7 @@
 #include <vtkSmartVolumeMapper.h>
 #include <vtkSphereSource.h>
 #include <vtkUnsignedCharArray.h>
+#include <vtkWideFoVScreenCamera.h>
 
 #include <gtest/gtest.h>
 
@@ -89,6 +92,41 @@ TEST(VolumeKinds, EveryProjection)
       Check(scene, Small(projection.Name.c_str(), inside), inside ? "any-inside" : "any-outside");
     }
   }
+}
+
+// By stock VTK, along the rays of each eye. A surface there would have VTK's own depth.
+TEST(VolumeKinds, BothEyesOfAPerspective)
+{
+  VolumeScene scene(Wavelet());
+  Shot shot = Small("perspective", false);
+  shot.Options.Radii = { { 1, 100 } };
+  shot.Options.HorizontalFov = 80;
+  shot.Options.VerticalFov = 50;
+  shot.Options.Stereo.Model = FindStereoModel("offaxis");
+  for (const Eye eye : { Eye::Left, Eye::Right })
+  {
+    shot.Options.Stereo.Eye = eye;
+    Check(scene, shot, eye == Eye::Left ? "offaxis-left" : "offaxis-right");
+  }
+}
+
+// A screen at the side of a room, and an eye that is not before its middle.
+TEST(VolumeKinds, AScreenOfARoom)
+{
+  VolumeScene scene(Wavelet());
+  vtkNew<vtkWideFoVScreenCamera> camera;
+  const double corners[3][3] = { { -1.2, -0.8, -1 }, { 0.9, -0.8, -1.6 }, { 0.9, 0.7, -1.6 } };
+  camera->SetScreen(corners[0], corners[1], corners[2]);
+  camera->SetHeadPosition(0.5, -0.3, 0.2);
+  camera->SetPosition(3, -2, 17);
+  camera->SetFocalPoint(3, -2, 16);
+  camera->SetClipRadii(0.5, 100);
+  const auto place = [](const double* p) { return vec3(3 + p[0], p[1] - 2, 17 + p[2]); };
+  const VolumeError e = scene.CompareScreen(
+    camera, vec3(3.5, -2.3, 17.2), { place(corners[0]), place(corners[1]), place(corners[2]) });
+  std::cout << "screen: mean " << 255 * e.Mean << "/255 seen " << e.Seen << std::endl;
+  EXPECT_LT(e.Mean, 1.0 / 255);
+  EXPECT_GT(e.Seen, 0.3);
 }
 
 TEST(VolumeKinds, SmartAndMultiBlockMappersDrawTheSame)

@@ -407,5 +407,32 @@ VolumeError VolumeScene::Compare()
   error.Seen /= pixels;
   return error;
 }
+
+VolumeError VolumeScene::CompareScreen(
+  vtkCamera* camera, const vec3& eye, const std::array<vec3, 3>& corners)
+{
+  constexpr int width = 96;
+  constexpr int height = 64;
+  this->Window->SetSize(width, height);
+  this->Renderer->SetActiveCamera(camera);
+  this->Window->Render();
+  vtkNew<vtkUnsignedCharArray> pixels;
+  this->Window->GetRGBACharPixelData(0, 0, width - 1, height - 1, 1, pixels);
+  VolumeError error;
+  for (int i = 0; i < width * height; i++)
+  {
+    const double x = (i % width + 0.5) / width;
+    const double y = (i / width + 0.5) / height;
+    const vec3 place = corners[0] + x * (corners[1] - corners[0]) + y * (corners[2] - corners[1]);
+    const reference::Rgba front = this->March.March(eye, glm::normalize(place - eye), 0.5, 100);
+    const vec3 wanted = front.Color + (1 - front.Alpha) * this->Background;
+    for (int c = 0; c < 3; c++)
+    {
+      error.Mean += std::abs(wanted[c] - pixels->GetComponent(i, c) / 255) / (3 * width * height);
+    }
+    error.Seen += front.Alpha > 0 ? 1.0 / (width * height) : 0;
+  }
+  return error;
+}
 }
 }

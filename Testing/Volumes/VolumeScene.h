@@ -74,6 +74,9 @@ public:
   // Draws; picture: a PNG that is written, where it has a name.
   void Draw(const Shot& shot, const std::string& picture = "");
 
+  // Draws a screen of which three corners are seen from an eye, world, and compares that.
+  VolumeError CompareScreen(vtkCamera* camera, const vec3& eye, const std::array<vec3, 3>& corners);
+
   // Whether stock VTK draws the projection perspective (no: the pass does).
   bool Stock = false;
 

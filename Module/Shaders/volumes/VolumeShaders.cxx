@@ -105,5 +105,16 @@ void Finish(const Request& r, const Facts& facts, std::string& geometry, std::st
     fragment, "  if (wfvMeetVolume())\n  {\n", "  }\n  else\n  {\n    discard;\n  }\n");
   geometry = "//VTK::System::Dec\n" + ViewSource(r) + volume_geometry_glsl;
 }
+
+void FinishFlat(std::string& fragment)
+{
+  if (stock::Replace(fragment, Edit::VolumeRay, "vec3 wfvStockRayDirection()", Found::May) < 0)
+  {
+    return;
+  }
+  stock::Replace(fragment, Edit::VolumeToEye, "(-computeRayDirection())", Found::May);
+  vtkWideFoVShaderBuilder::Declare(fragment, "vec3 computeRayDirection();\n");
+  fragment += std::string("\n") + volume_flat_glsl;
+}
 }
 }
