@@ -3,7 +3,7 @@
 // translucent surfaces; and those that cannot be drawn.
 #include "VolumeCheck.h"
 
-#include "Stereo.h"
+#include "Stereo/Stereo.h"
 
 #include <vtkActor.h>
 #include <vtkFloatArray.h>
