@@ -6,6 +6,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
+#include "vtkWideFoVCamera.h"
 
 #include <algorithm>
 
@@ -22,6 +23,13 @@ void vtkWideFoVReducedPass::RenderDelegate(const vtkRenderState* s)
 {
   if (this->Delegate)
   {
+    // IceT's composite pass lends the camera the matrix of a flat picture, and takes it back; a
+    // wide camera has no use for it, and would warn
+    auto* const camera = vtkWideFoVCamera::SafeDownCast(s->GetRenderer()->GetActiveCamera());
+    if (camera && camera->IsWide())
+    {
+      camera->UseExplicitProjectionTransformMatrixOff();
+    }
     this->Delegate->Render(s);
     this->NumberOfRenderedProps = this->Delegate->GetNumberOfRenderedProps();
   }

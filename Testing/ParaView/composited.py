@@ -124,6 +124,18 @@ def check_translucent(options, view, display):
     scene.require(other <= _most(), "translucency")
 
 
+def check_volume(options, view):
+    """Parts of a volume put over each other in order."""
+    for projection in PROJECTIONS:
+        view.Projection = projection
+        name = "volume-%s.png" % projection
+        picture = scene.save(view, os.path.join(options.output, name))
+        scene.require(pixels.count_lit(picture) > HITS, "no volume")
+        other = pixels.count_other(picture, _of_one_rank(options, name), ROUNDING)
+        print(other, "pixels of a volume differ from one rank's", flush=True)
+        scene.require(other <= _most(), name)
+
+
 def grab(view, path):
     """The window as it is, which a screenshot would draw anew."""
     window = vtkWindowToImageFilter()

@@ -7,10 +7,12 @@ so every number of ranks draws the same.
 
 import os
 
+from paraview import simple
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
 import composited
 import scene
+from messages import Log
 
 
 def check_eyes(options, view, mesh):
@@ -49,6 +51,23 @@ def check_reduced(options, view, mesh):
     composited.check_reduced(options, view, mesh, picture, 4)
 
 
+def check_volume(options):
+    """An image of which each rank has a part, and a ball in it: one rank's picture."""
+    view = scene.make_view()
+    scene.place_eye(view, [0.5, 0.3, 1], [0.6, 0.2, 0])
+    image = simple.Wavelet()
+    display = simple.Show(image, view)
+    display.SetRepresentationType("Volume")
+    simple.ColorBy(display, ("POINTS", "RTData"))
+    simple.GetOpacityTransferFunction("RTData").Points = [37, 0, 0.5, 0, 277, 0.2, 0.5, 0]
+    ball = simple.Sphere(Center=[3, 1, -4], Radius=1.5, ThetaResolution=32, PhiResolution=32)
+    simple.Show(ball, view)
+    with Log(options, "volume") as log:
+        composited.check_volume(options, view)
+        warnings = log.count("WARN") + log.count("Warning")
+    scene.require(warnings == 0, "%d warnings of a volume" % warnings)
+
+
 def main(options):
     ranks = vtkMultiProcessController.GetGlobalController().GetNumberOfProcesses()
     scene.load_plugin(options)
@@ -61,6 +80,7 @@ def main(options):
     composited.check_in_order(options, view, mesh, display)
     composited.check_translucent(options, view, display)
     check_idle_ranks(options)
+    check_volume(options)
 
 
 scene.run(main)
