@@ -14,7 +14,8 @@ const float WFV_CENTRAL_END = 1e-6;
 
 WFV_FN float wfvHeight(float phi)
 {
-  return sin(phi) / max(cos(phi), WFV_CENTRAL_END);
+  vec2 at = wfvSinCos(phi); // not GLSL's own, see arc_minus_sine.glsl
+  return at.x / max(at.y, WFV_CENTRAL_END);
 }
 
 WFV_FN vec2 wfvLatitude(float y)
