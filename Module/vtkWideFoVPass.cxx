@@ -186,7 +186,7 @@ wfv::FrameRate::Allowed vtkWideFoVPass::FindRelaxations(bool small, bool samples
 double vtkWideFoVPass::FindTolerance() const
 {
   const double drawn = this->Tolerance / std::max(1, this->Internal->Enlargement);
-  return std::max(drawn, std::min(this->Tolerance, vtkWideFoVStages::LeastTolerance));
+  return std::max(drawn, std::min(this->Tolerance, wfv::Stages::LeastTolerance));
 }
 
 void vtkWideFoVPass::FindRelaxation(const vtkRenderState* s)
@@ -224,7 +224,7 @@ bool vtkWideFoVPass::IsExact()
 
 bool vtkWideFoVPass::IsExactTechnique(int technique, double tolerance)
 {
-  return vtkWideFoVStages::IsExactTechnique(technique, tolerance);
+  return wfv::Stages::IsExactTechnique(technique, tolerance);
 }
 
 void vtkWideFoVPass::Render(const vtkRenderState* s)
@@ -347,7 +347,7 @@ void vtkWideFoVPass::ResetCounts(int props)
 
 void vtkWideFoVPass::TakeCounts()
 {
-  const vtkWideFoVStages& stages = this->Internal->Stages;
+  const wfv::Stages& stages = this->Internal->Stages;
   this->NumberOfPlainDraws = stages.Plain->GetNumberOfDraws() + stages.Cut->GetNumberOfDraws();
   // of the tessellate stage too, what cannot be tessellated is drawn by the pre-clip
   const int patches = stages.Tessellate->GetNumberOfTessellateDraws();

@@ -22,7 +22,7 @@
 struct vtkWideFoVPass::Internals
 {
   vtkSmartPointer<vtkRenderPass> Delegate;
-  vtkWideFoVStages Stages;
+  wfv::Stages Stages;
   vtkNew<vtkWideFoVHeadlights> Headlights; // of flat screens
   wfv::FrameProps Props;                   // as they came
   wfv::Billboards Texts;                   // that stand in the scene

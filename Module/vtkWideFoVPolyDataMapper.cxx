@@ -28,7 +28,7 @@ vtkStandardNewMacro(vtkWideFoVPolyDataMapper);
 
 struct vtkWideFoVPolyDataMapper::Internals
 {
-  vtkWideFoVStages Stages;
+  wfv::Stages Stages;
   wfv::PropKeys Keys; // of the actor that is drawn, where no pass draws it
   wfv::ClusterDraw Polygons{ false };
   wfv::ClusterDraw Strips{ true };
@@ -60,13 +60,13 @@ void vtkWideFoVPolyDataMapper::RenderPiece(vtkRenderer* renderer, vtkActor* acto
 {
   auto* camera = vtkWideFoVCamera::SafeDownCast(renderer->GetActiveCamera());
   vtkWideFoVStage*& stage = this->Internal->Stage;
-  stage = vtkWideFoVStages::FindAttached(actor);
+  stage = wfv::Stages::FindAttached(actor);
   if (!camera || !camera->IsWide() || stage)
   {
     this->Superclass::RenderPiece(renderer, actor);
     return;
   }
-  vtkWideFoVStages& stages = this->Internal->Stages;
+  wfv::Stages& stages = this->Internal->Stages;
   const double* const bounds = actor->GetBounds();
   wfv::PropFacts facts;
   stages.Begin(renderer, camera, this->Technique, this->Tolerance);
@@ -93,15 +93,15 @@ void vtkWideFoVPolyDataMapper::ReleaseGraphicsResources(vtkWindow* window)
 void vtkWideFoVPolyDataMapper::SetCustomUniforms(vtkOpenGLHelper& cellBO, vtkActor* actor)
 {
   vtkWideFoVStage* const stage = this->Internal->Stage;
-  if (stage && stage->GetVariant() == vtkWideFoVShaderBuilder::Variant::Tessellate &&
-    !vtkWideFoVTessellation::IsIn(cellBO.Program))
+  if (stage && stage->GetVariant() == wfv::ShaderBuilder::Variant::Tessellate &&
+    !wfv::Tessellation::IsIn(cellBO.Program))
   {
-    const vtkWideFoVShaderBuilder::Request request = stage->MakeRequest(this, actor);
+    const wfv::ShaderBuilder::Request request = stage->MakeRequest(this, actor);
     // (one that draws nothing has no geometry stage)
-    if (request.Stage == vtkWideFoVShaderBuilder::Variant::Tessellate &&
+    if (request.Stage == wfv::ShaderBuilder::Variant::Tessellate &&
       !cellBO.Program->GetGeometryShader()->GetSource().empty())
     {
-      const std::string log = vtkWideFoVTessellation::AddTo(cellBO.Program, request);
+      const std::string log = wfv::Tessellation::AddTo(cellBO.Program, request);
       if (!log.empty())
       {
         vtkErrorMacro(<< "the tessellation stages were refused: " << log);
@@ -128,9 +128,9 @@ void vtkWideFoVPolyDataMapper::DrawPrimitives(
   const auto vertices = static_cast<GLuint>(this->VBOs->GetNumberOfTuples("vertexMC"));
   const auto indices = static_cast<int>(cellBO.IBO->IndexCount);
   cellBO.IBO->Bind();
-  if (mode == GL_TRIANGLES && cellBO.Program && vtkWideFoVTessellation::IsIn(cellBO.Program))
+  if (mode == GL_TRIANGLES && cellBO.Program && wfv::Tessellation::IsIn(cellBO.Program))
   {
-    vtkWideFoVTessellation::Draw(cellBO.Program, vertices, indices, this->PrimitiveIDOffset);
+    wfv::Tessellation::Draw(cellBO.Program, vertices, indices, this->PrimitiveIDOffset);
   }
   else
   {
@@ -148,7 +148,7 @@ void vtkWideFoVPolyDataMapper::DrawClusters(int primitive, vtkRenderer* renderer
   wfv::DrawnPart part;
   part.Vertices = static_cast<unsigned int>(this->VBOs->GetNumberOfTuples("vertexMC"));
   part.Indices = own.IBO->IndexCount;
-  vtkWideFoVStage* const stage = vtkWideFoVStages::FindAttached(actor);
+  vtkWideFoVStage* const stage = wfv::Stages::FindAttached(actor);
   for (int i = 0; i < wfv::ClusterDraw::NumberOfKinds; i++)
   {
     const auto kind = static_cast<wfv::ClusterDraw::Kind>(i);
@@ -160,11 +160,11 @@ void vtkWideFoVPolyDataMapper::DrawClusters(int primitive, vtkRenderer* renderer
     vtkWideFoVStage* const other = wfv::ClusterDraw::GetStage(kind, stage);
     vtkOpenGLHelper& helper = byStage ? own : clusters.GetHelper(kind);
     helper.IBO->IndexCount = own.IBO->IndexCount; // the other has none of its own
-    vtkWideFoVStages::Replace(actor, stage, other);
+    wfv::Stages::Replace(actor, stage, other);
     clusters.Choose(kind);
     this->UpdateShaders(helper, renderer, actor);
     clusters.Draw(own.IBO, part);
-    vtkWideFoVStages::Replace(actor, other, stage);
+    wfv::Stages::Replace(actor, other, stage);
   }
   clusters.Choose(wfv::ClusterDraw::All);
 }
@@ -179,8 +179,7 @@ void vtkWideFoVPolyDataMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* 
   const bool edges = property->GetEdgeVisibility() && !renderer->GetSelector();
   const bool surface =
     stage && !this->PointPicking && !edges && property->GetRepresentation() == VTK_SURFACE;
-  const bool patches =
-    surface && stage->GetVariant() == vtkWideFoVShaderBuilder::Variant::Tessellate;
+  const bool patches = surface && stage->GetVariant() == wfv::ShaderBuilder::Variant::Tessellate;
   bool classified[PrimitiveEnd] = { false };
   if (surface && !patches)
   {

@@ -8,7 +8,7 @@
 
 namespace
 {
-using QuadricPrimitive = vtkWideFoVShaderBuilder::Primitive;
+using QuadricPrimitive = wfv::ShaderBuilder::Primitive;
 
 // What a pass may know of a mapper only from inside.
 class QuadricAccess : public vtkOpenGLPolyDataMapper

@@ -17,8 +17,8 @@ namespace wfv
 namespace quadric
 {
 // The kind of the draw that the mapper is preparing, or the one given.
-vtkWideFoVShaderBuilder::Primitive KindOf(
-  vtkOpenGLPolyDataMapper* mapper, vtkActor* actor, vtkWideFoVShaderBuilder::Primitive kind);
+wfv::ShaderBuilder::Primitive KindOf(
+  vtkOpenGLPolyDataMapper* mapper, vtkActor* actor, wfv::ShaderBuilder::Primitive kind);
 }
 }
 

@@ -20,7 +20,7 @@ namespace wfv
 {
 vtkWideFoVStage* ClusterDraw::GetStage(Kind kind, vtkWideFoVStage* stage)
 {
-  vtkWideFoVStages* const stages = stage->GetStages();
+  wfv::Stages* const stages = stage->GetStages();
   switch (kind)
   {
     case Projected:
@@ -206,7 +206,7 @@ void TakeTriangleNumbers(std::string& fragment)
 {
   if (stock::Replace(fragment, stock::Edit::PrimitiveNumber, "wfvNumber()", stock::Found::May) >= 0)
   {
-    vtkWideFoVShaderBuilder::Declare(fragment, triangle_number_glsl);
+    wfv::ShaderBuilder::Declare(fragment, triangle_number_glsl);
   }
 }
 }

@@ -112,7 +112,7 @@ bool ClusterDraw::IsWorthIt(vtkPolyData* data, bool strips)
 bool ClusterDraw::Prepare(vtkPolyData* data, vtkActor* actor, vtkWideFoVStage* stage)
 {
   this->Chosen = All;
-  vtkWideFoVStages* const stages = stage->GetStages();
+  wfv::Stages* const stages = stage->GetStages();
   ClassifierView view;
   if (!IsWorthIt(data, this->ForStrips) || !stages ||
     !stages->GetClassifierView(stage, actor, view))

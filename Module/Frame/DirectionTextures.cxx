@@ -8,7 +8,7 @@
 
 #include <utility>
 
-void vtkWideFoVDirectionTextures::Upload(vtkTextureObject* texture, vtkOpenGLRenderWindow* window,
+void wfv::DirectionTextures::Upload(vtkTextureObject* texture, vtkOpenGLRenderWindow* window,
   const std::vector<wfv::DirectionMap::Texel>& table, int width, int height)
 {
   texture->SetContext(window);
@@ -22,7 +22,7 @@ void vtkWideFoVDirectionTextures::Upload(vtkTextureObject* texture, vtkOpenGLRen
     VTK_FLOAT, const_cast<float*>(table.front().data()));
 }
 
-void vtkWideFoVDirectionTextures::Load(const wfv::DirectionMap* map, vtkOpenGLRenderWindow* window)
+void wfv::DirectionTextures::Load(const wfv::DirectionMap* map, vtkOpenGLRenderWindow* window)
 {
   const unsigned long serial = map ? map->GetSerial() : 0;
   if (!map || (serial == this->Serial && this->Directions->GetHandle() != 0))
@@ -36,7 +36,7 @@ void vtkWideFoVDirectionTextures::Load(const wfv::DirectionMap* map, vtkOpenGLRe
   Upload(this->Seeds, window, map->GetSeeds(), 12 * cells, cells);
 }
 
-void vtkWideFoVDirectionTextures::Bind(vtkShaderProgram* program)
+void wfv::DirectionTextures::Bind(vtkShaderProgram* program)
 {
   const std::pair<const char*, vtkTextureObject*> all[] = { { "wfvDirections", this->Directions },
     { "wfvCells", this->Cells }, { "wfvSeeds", this->Seeds } };
@@ -50,7 +50,7 @@ void vtkWideFoVDirectionTextures::Bind(vtkShaderProgram* program)
   }
 }
 
-void vtkWideFoVDirectionTextures::Unbind()
+void wfv::DirectionTextures::Unbind()
 {
   for (vtkTextureObject* texture : { this->Directions.Get(), this->Cells.Get(), this->Seeds.Get() })
   {
@@ -61,7 +61,7 @@ void vtkWideFoVDirectionTextures::Unbind()
   }
 }
 
-void vtkWideFoVDirectionTextures::ReleaseGraphicsResources(vtkWindow* window)
+void wfv::DirectionTextures::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Directions->ReleaseGraphicsResources(window);
   this->Cells->ReleaseGraphicsResources(window);

@@ -13,8 +13,11 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 class vtkWindow;
+VTK_ABI_NAMESPACE_END
 
-class vtkWideFoVDirectionTextures
+namespace wfv
+{
+class DirectionTextures
 {
 public:
   // Uploads the tables, unless they are there already.
@@ -37,6 +40,6 @@ private:
   vtkNew<vtkTextureObject> Cells;
   vtkNew<vtkTextureObject> Seeds;
 };
-VTK_ABI_NAMESPACE_END
+}
 
 #endif

@@ -143,7 +143,7 @@ bool FrameProps::GetSceneBounds(vtkRenderer* renderer, double bounds[6]) const
   return true;
 }
 
-void FrameProps::Choose(vtkWideFoVStages& stages, std::uint64_t view)
+void FrameProps::Choose(wfv::Stages& stages, std::uint64_t view)
 {
   for (Entry& entry : this->Entries)
   {

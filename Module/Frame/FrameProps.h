@@ -12,6 +12,11 @@
 #include <cstdint>
 #include <vector>
 
+namespace wfv
+{
+class Stages;
+}
+
 VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithm;
 class vtkDataObject;
@@ -19,7 +24,6 @@ class vtkMapper;
 class vtkProp;
 class vtkRenderer;
 class vtkWideFoVStage;
-class vtkWideFoVStages;
 VTK_ABI_NAMESPACE_END
 
 namespace wfv
@@ -36,7 +40,7 @@ public:
   bool GetSceneBounds(vtkRenderer* renderer, double bounds[6]) const;
 
   // For this view, by its number, what is not seen and what the others are drawn with.
-  void Choose(vtkWideFoVStages& stages, std::uint64_t view);
+  void Choose(wfv::Stages& stages, std::uint64_t view);
 
   int GetCount() const { return static_cast<int>(this->Entries.size()); }
   bool IsUnseen(int i) const { return this->Entries[i].Unseen; }

@@ -60,7 +60,7 @@ void vtkWideFoVHeadlights::Rewrite(const wfv::stock::Facts& facts, std::string& 
   }
   std::string head = fragment.substr(0, inside);
   std::string body = fragment.substr(inside);
-  vtkWideFoVShaderBuilder::Declare(head, headlight_fragment_glsl);
+  wfv::ShaderBuilder::Declare(head, headlight_fragment_glsl);
   stock::Replace(body, stock::Edit::HeadlightCosine,
     "max($1, dot(normalVCVSOutput, -normalize(vertexVC.xyz)))", facts.If(alone && !facts.Physical));
   stock::Replace(body, stock::Edit::LightDirection,

@@ -13,7 +13,7 @@ void Append(std::string& key, const Values&... values)
 }
 
 // All fields: the compiler counts them here.
-void AppendRequest(std::string& key, const vtkWideFoVShaderBuilder::Request& request)
+void AppendRequest(std::string& key, const wfv::ShaderBuilder::Request& request)
 {
   const auto& [projection, stereo, stage, kind, widePoints, wideLines, edges, edgeFlags, byRays,
     debugView, multisample, tilted, fades, surface, headlights, depthMapping, meetsChords,

@@ -11,12 +11,12 @@
 namespace wfv
 {
 // VTK has the text of every prop's shaders made anew, also where a thousand props are alike. What
-// vtkWideFoVShaderBuilder makes of a text takes half a millisecond, and depends on nothing but the
+// wfv::ShaderBuilder makes of a text takes half a millisecond, and depends on nothing but the
 // text and the request.
 class ShaderMemory
 {
 public:
-  using Request = vtkWideFoVShaderBuilder::Request;
+  using Request = wfv::ShaderBuilder::Request;
 
   struct Texts
   {

@@ -37,31 +37,31 @@ constexpr double CoarsePixels = 1024;
 constexpr double PixelSafety = 8;
 }
 
-vtkWideFoVStages::vtkWideFoVStages()
+wfv::Stages::Stages()
 {
-  this->Cut->SetVariant(vtkWideFoVShaderBuilder::Variant::Cut);
-  this->PreClip->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
-  this->PreClipOfFew->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
+  this->Cut->SetVariant(wfv::ShaderBuilder::Variant::Cut);
+  this->PreClip->SetVariant(wfv::ShaderBuilder::Variant::PreClip);
+  this->PreClipOfFew->SetVariant(wfv::ShaderBuilder::Variant::PreClip);
   this->PreClipOfFew->SetRuns(RunsOfFew);
-  this->PreClipAtChords->SetVariant(vtkWideFoVShaderBuilder::Variant::PreClip);
+  this->PreClipAtChords->SetVariant(wfv::ShaderBuilder::Variant::PreClip);
   this->PreClipAtChords->SetSeveralChords(true);
-  this->Exact->SetVariant(vtkWideFoVShaderBuilder::Variant::Exact);
-  this->ExactInSingle->SetVariant(vtkWideFoVShaderBuilder::Variant::Exact);
+  this->Exact->SetVariant(wfv::ShaderBuilder::Variant::Exact);
+  this->ExactInSingle->SetVariant(wfv::ShaderBuilder::Variant::Exact);
   this->ExactInSingle->SetRuns(RunsOfFew);
-  this->Tessellate->SetVariant(vtkWideFoVShaderBuilder::Variant::Tessellate);
+  this->Tessellate->SetVariant(wfv::ShaderBuilder::Variant::Tessellate);
 }
 
-std::array<vtkWideFoVStage*, 8> vtkWideFoVStages::GetAll()
+std::array<vtkWideFoVStage*, 8> wfv::Stages::GetAll()
 {
   return { this->Plain, this->Cut, this->PreClip, this->PreClipOfFew, this->PreClipAtChords,
     this->Exact, this->ExactInSingle, this->Tessellate };
 }
 
-bool vtkWideFoVStages::CanTessellate()
+bool wfv::Stages::CanTessellate()
 {
   if (this->Tessellates < 0)
   {
-    const std::string obstacle = vtkWideFoVTessellation::FindObstacle();
+    const std::string obstacle = wfv::Tessellation::FindObstacle();
     this->Tessellates = obstacle.empty();
     if (!obstacle.empty())
     {
@@ -72,7 +72,7 @@ bool vtkWideFoVStages::CanTessellate()
   return this->Tessellates > 0;
 }
 
-void vtkWideFoVStages::Begin(
+void wfv::Stages::Begin(
   vtkRenderer* renderer, vtkWideFoVCamera* camera, int technique, double tolerance)
 {
   const bool refused = technique == wfv::TechniqueTessellate && !this->CanTessellate();
@@ -111,7 +111,7 @@ void vtkWideFoVStages::Begin(
 }
 
 // How a stage draws triangles and lines, by the technique, its tolerance and the eyes.
-void vtkWideFoVStages::Instruct(vtkWideFoVStage* stage)
+void wfv::Stages::Instruct(vtkWideFoVStage* stage)
 {
   const bool automatic = this->Technique == wfv::TechniqueAuto;
   stage->SetClipless(this->Technique == wfv::TechniqueVertex);
@@ -121,7 +121,7 @@ void vtkWideFoVStages::Instruct(vtkWideFoVStage* stage)
   stage->SetExactLines(automatic && (!this->Stereo || this->Stereo->Straight));
 }
 
-void vtkWideFoVStages::SetDebugView(bool debugView)
+void wfv::Stages::SetDebugView(bool debugView)
 {
   for (vtkWideFoVStage* const stage : this->GetAll())
   {
@@ -129,7 +129,7 @@ void vtkWideFoVStages::SetDebugView(bool debugView)
   }
 }
 
-bool vtkWideFoVStages::IsFine(vtkProp* prop, const double bounds[6], wfv::PropFacts& facts)
+bool wfv::Stages::IsFine(vtkProp* prop, const double bounds[6], wfv::PropFacts& facts)
 {
   if (this->Technique == wfv::TechniquePreClip)
   {
@@ -141,19 +141,19 @@ bool vtkWideFoVStages::IsFine(vtkProp* prop, const double bounds[6], wfv::PropFa
   return error * this->HalfDiagonal <= this->Tolerance;
 }
 
-bool vtkWideFoVStages::IsExactTechnique(int technique, double tolerance)
+bool wfv::Stages::IsExactTechnique(int technique, double tolerance)
 {
   return technique == wfv::TechniqueExact ||
     (technique == wfv::TechniqueAuto && !AllowsChords(tolerance));
 }
 
-bool vtkWideFoVStages::IsExact() const
+bool wfv::Stages::IsExact() const
 {
   return IsExactTechnique(this->Technique, this->Tolerance);
 }
 
 // Few triangles that take up many pixels each: by the ball round the prop, as it is seen.
-bool vtkWideFoVStages::IsCoarse(const double* bounds, const wfv::PropFacts& facts) const
+bool wfv::Stages::IsCoarse(const double* bounds, const wfv::PropFacts& facts) const
 {
   if (facts.Few == 0 || !bounds || !vtkMath::AreBoundsInitialized(bounds))
   {
@@ -169,7 +169,7 @@ bool vtkWideFoVStages::IsCoarse(const double* bounds, const wfv::PropFacts& fact
 }
 
 // Asked of few triangles alone: of more it would take long.
-bool vtkWideFoVStages::IsFat(vtkProp* prop, const double* bounds, const wfv::PropFacts& facts) const
+bool wfv::Stages::IsFat(vtkProp* prop, const double* bounds, const wfv::PropFacts& facts) const
 {
   const bool asked = this->IsExact() && this->IsCoarse(bounds, facts);
   auto* const actor = asked ? vtkActor::SafeDownCast(prop) : nullptr;
@@ -180,14 +180,13 @@ bool vtkWideFoVStages::IsFat(vtkProp* prop, const double* bounds, const wfv::Pro
   return mesh && wfv::IsFat(mesh, toMap);
 }
 
-double vtkWideFoVStages::GetPointReach(const wfv::PropFacts& facts) const
+double wfv::Stages::GetPointReach(const wfv::PropFacts& facts) const
 {
   const double pixels = facts.PointSize;
   return pixels > 1 ? 0.5 * pixels * PixelSafety * this->PixelAngle : 0;
 }
 
-vtkWideFoVStage* vtkWideFoVStages::Choose(
-  vtkProp* prop, const double* bounds, wfv::PropFacts& facts)
+vtkWideFoVStage* wfv::Stages::Choose(vtkProp* prop, const double* bounds, wfv::PropFacts& facts)
 {
   FindFacts(prop, facts);
   if (!facts.Prepared)
@@ -218,7 +217,7 @@ vtkWideFoVStage* vtkWideFoVStages::Choose(
   return this->ChooseByBounds(prop, bounds, facts);
 }
 
-vtkWideFoVStage* vtkWideFoVStages::ChooseByBounds(
+vtkWideFoVStage* wfv::Stages::ChooseByBounds(
   vtkProp* prop, const double bounds[6], wfv::PropFacts& facts)
 {
   const bool torn = vtkWideFoVNeedsPreClip(
@@ -231,7 +230,7 @@ vtkWideFoVStage* vtkWideFoVStages::ChooseByBounds(
   return this->Plain;
 }
 
-vtkWideFoVStage* vtkWideFoVStages::FindAttached(vtkProp* prop)
+vtkWideFoVStage* wfv::Stages::FindAttached(vtkProp* prop)
 {
   vtkInformation* const info = prop->GetPropertyKeys();
   vtkInformationObjectBaseVectorKey* const key = vtkOpenGLRenderPass::RenderPasses();

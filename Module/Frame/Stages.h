@@ -25,12 +25,15 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
+VTK_ABI_NAMESPACE_END
 
+namespace wfv
+{
 // The variants and the choice between them.
-class vtkWideFoVStages
+class Stages
 {
 public:
-  vtkWideFoVStages();
+  Stages();
 
   // Pixels: under this a chord stands for no edge. The rasterizer snaps the ends of a chord by
   // up to 1/128 of a pixel, and the lens between the two is as thin as that; and who asks for
@@ -141,7 +144,7 @@ private:
 
   wfv::BufferScale Buffers;
   wfv::MeshScale Meshes;
-  vtkWideFoVDirectionTextures Textures;
+  wfv::DirectionTextures Textures;
   double Tolerance = 0.25;
   double PixelAngle = 0;   // radians, of a pixel at the most if all were alike
   double HalfDiagonal = 1; // of the picture, pixels
@@ -183,6 +186,6 @@ private:
   wfv::vec2 LimitsPixels{ 0 };
   double LimitsTolerance = 0;
 };
-VTK_ABI_NAMESPACE_END
+}
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWideFoVStages: what a view need not draw, and what clusters are classified by.
+// wfv::Stages: what a view need not draw, and what clusters are classified by.
 #include "Frame/Stages.h"
 
 #include "Compat/CompositeMapper.h"
@@ -72,7 +72,7 @@ vtkIdType CountFew(vtkActor* actor)
 }
 }
 
-void vtkWideFoVStages::SetPart(vtkRenderer* renderer, const float tile[4])
+void wfv::Stages::SetPart(vtkRenderer* renderer, const float tile[4])
 {
   int size[2];
   int origin[2];
@@ -86,7 +86,7 @@ void vtkWideFoVStages::SetPart(vtkRenderer* renderer, const float tile[4])
   }
 }
 
-void vtkWideFoVStages::SetEyes(vtkWideFoVCamera* camera, const wfv::StereoModel* stereo)
+void wfv::Stages::SetEyes(vtkWideFoVCamera* camera, const wfv::StereoModel* stereo)
 {
   this->Eye = wfv::FindWorldEye(this->WorldToView);
   // seen from a place so near the origin, a box is one that is so much larger, seen from it
@@ -107,7 +107,7 @@ void vtkWideFoVStages::SetEyes(vtkWideFoVCamera* camera, const wfv::StereoModel*
   }
 }
 
-void vtkWideFoVStages::GetToMap(vtkActor* actor, double matrix[16]) const
+void wfv::Stages::GetToMap(vtkActor* actor, double matrix[16]) const
 {
   const double c = this->View.tilt.x;
   const double s = this->View.tilt.y;
@@ -119,7 +119,7 @@ void vtkWideFoVStages::GetToMap(vtkActor* actor, double matrix[16]) const
   }
 }
 
-void vtkWideFoVStages::FindFacts(vtkProp* prop, wfv::PropFacts& facts)
+void wfv::Stages::FindFacts(vtkProp* prop, wfv::PropFacts& facts)
 {
   auto* const actor = vtkActor::SafeDownCast(prop);
   if (actor && !facts.Known)
@@ -135,7 +135,7 @@ void vtkWideFoVStages::FindFacts(vtkProp* prop, wfv::PropFacts& facts)
   facts.Known = true;
 }
 
-wfv::Box vtkWideFoVStages::GetBox(const double b[6]) const
+wfv::Box wfv::Stages::GetBox(const double b[6]) const
 {
   double m[16];
   this->GetToMap(nullptr, m);
@@ -150,7 +150,7 @@ wfv::Box vtkWideFoVStages::GetBox(const double b[6]) const
   return box;
 }
 
-wfv::Pictures vtkWideFoVStages::GetPictures(const double* b) const
+wfv::Pictures wfv::Stages::GetPictures(const double* b) const
 {
   const bool straight = !this->Stereo || this->Stereo->Straight;
   if (b && vtkMath::AreBoundsInitialized(b) && straight)
@@ -165,12 +165,12 @@ wfv::Pictures vtkWideFoVStages::GetPictures(const double* b) const
   return all;
 }
 
-wfv::vec2 vtkWideFoVStages::GetDistances(const double* b) const
+wfv::vec2 wfv::Stages::GetDistances(const double* b) const
 {
   return b && vtkMath::AreBoundsInitialized(b) ? wfv::Distances(this->GetBox(b)) : this->View.radii;
 }
 
-bool vtkWideFoVStages::IsUnseen(vtkProp* prop, const double* b, wfv::PropFacts& facts) const
+bool wfv::Stages::IsUnseen(vtkProp* prop, const double* b, wfv::PropFacts& facts) const
 {
   FindFacts(prop, facts);
   if (wfv::volume::IsFlatVolume(prop))
@@ -190,7 +190,7 @@ bool vtkWideFoVStages::IsUnseen(vtkProp* prop, const double* b, wfv::PropFacts& 
   return wfv::IsUnseen(*this->Projection, this->View, this->GetBox(b), window);
 }
 
-std::shared_ptr<const wfv::ChordLimits> vtkWideFoVStages::GetLimits(double tolerance)
+std::shared_ptr<const wfv::ChordLimits> wfv::Stages::GetLimits(double tolerance)
 {
   const wfv::WfvView& a = this->View;
   const wfv::WfvView& b = this->BendsView;
@@ -212,7 +212,7 @@ std::shared_ptr<const wfv::ChordLimits> vtkWideFoVStages::GetLimits(double toler
   return this->Limits;
 }
 
-bool vtkWideFoVStages::GetClassifierView(
+bool wfv::Stages::GetClassifierView(
   const vtkWideFoVStage* stage, vtkActor* actor, wfv::ClassifierView& view)
 {
   if (this->Technique == wfv::TechniqueVertex || wfv::HasOwnShaders(actor))
@@ -239,7 +239,7 @@ bool vtkWideFoVStages::GetClassifierView(
   return true;
 }
 
-void vtkWideFoVStages::Replace(vtkProp* prop, vtkWideFoVStage* from, vtkWideFoVStage* to)
+void wfv::Stages::Replace(vtkProp* prop, vtkWideFoVStage* from, vtkWideFoVStage* to)
 {
   vtkInformation* const info = prop->GetPropertyKeys();
   vtkInformationObjectBaseVectorKey* const key = vtkOpenGLRenderPass::RenderPasses();

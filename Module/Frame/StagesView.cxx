@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWideFoVStages: is the view still that of the last frame, and that of the other eye?
+// wfv::Stages: is the view still that of the last frame, and that of the other eye?
 #include "Frame/Stages.h"
 
 #include "Stereo/Stereo.h"
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <iterator>
 
-void vtkWideFoVStages::NumberView(const wfv::StereoModel* stereo)
+void wfv::Stages::NumberView(const wfv::StereoModel* stereo)
 {
   const wfv::WfvView& v = this->View;
   // everything that IsUnseen and Choose go by, but the prop; the same for two eyes that are as far

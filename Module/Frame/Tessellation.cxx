@@ -14,7 +14,7 @@
 
 namespace
 {
-using Request = vtkWideFoVShaderBuilder::Request;
+using Request = wfv::ShaderBuilder::Request;
 
 // As in tess_control.glsl.
 constexpr int MaxLevel = 64;
@@ -53,7 +53,7 @@ std::vector<Varying> FindInputs(const std::string& geometry)
 
 std::string Head(const Request& request)
 {
-  return tess_head_glsl + vtkWideFoVShaderBuilder::MakeViewSource(request) + preclip_glsl;
+  return tess_head_glsl + wfv::ShaderBuilder::MakeViewSource(request) + preclip_glsl;
 }
 
 // The map's own functions are protected in vtkShaderProgram.
@@ -105,7 +105,7 @@ bool Link(vtkShaderProgram* program)
 }
 }
 
-std::string vtkWideFoVTessellation::FindObstacle()
+std::string wfv::Tessellation::FindObstacle()
 {
   if (!wfv::HasExtension("GL_ARB_tessellation_shader"))
   {
@@ -118,8 +118,7 @@ std::string vtkWideFoVTessellation::FindObstacle()
     : "this OpenGL cuts an edge in " + std::to_string(level) + " at most, not in 64";
 }
 
-std::string vtkWideFoVTessellation::ControlSource(
-  const Request& request, const std::string& geometry)
+std::string wfv::Tessellation::ControlSource(const Request& request, const std::string& geometry)
 {
   // first: strict compilers size the outputs by it
   std::string declarations = "layout(vertices = 3) out;\n";
@@ -133,8 +132,7 @@ std::string vtkWideFoVTessellation::ControlSource(
   return Head(request) + declarations + "void wfvPass()\n{\n" + body + "}\n" + tess_control_glsl;
 }
 
-std::string vtkWideFoVTessellation::EvaluationSource(
-  const Request& request, const std::string& geometry)
+std::string wfv::Tessellation::EvaluationSource(const Request& request, const std::string& geometry)
 {
   std::string declarations = "vec3 wfvWeights = vec3(0.0); // of the three corners at this place\n";
   std::string body;
@@ -154,14 +152,14 @@ std::string vtkWideFoVTessellation::EvaluationSource(
     tess_evaluation_glsl;
 }
 
-bool vtkWideFoVTessellation::IsIn(vtkShaderProgram* program)
+bool wfv::Tessellation::IsIn(vtkShaderProgram* program)
 {
   GLint attached = 0;
   glGetProgramiv(static_cast<GLuint>(program->GetHandle()), GL_ATTACHED_SHADERS, &attached);
   return attached > StockStages;
 }
 
-std::string vtkWideFoVTessellation::AddTo(vtkShaderProgram* program, const Request& request)
+std::string wfv::Tessellation::AddTo(vtkShaderProgram* program, const Request& request)
 {
   const std::string geometry = program->GetGeometryShader()->GetSource();
   std::string log;
@@ -191,7 +189,7 @@ std::string vtkWideFoVTessellation::AddTo(vtkShaderProgram* program, const Reque
   return log;
 }
 
-void vtkWideFoVTessellation::Draw(
+void wfv::Tessellation::Draw(
   vtkShaderProgram* program, unsigned int vertices, int indices, int offset)
 {
   const bool small = wfv::NeedsSmallPatchDraws();

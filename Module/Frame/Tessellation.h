@@ -14,8 +14,11 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkShaderProgram;
+VTK_ABI_NAMESPACE_END
 
-class WFV_EXPORT vtkWideFoVTessellation
+namespace wfv
+{
+class WFV_EXPORT Tessellation
 {
 public:
   // Empty, or why the current OpenGL context cannot: one sentence.
@@ -24,22 +27,21 @@ public:
   // The two stages between the vertex stage and this finished geometry stage, whose inputs
   // they take over, name by name.
   static std::string ControlSource(
-    const vtkWideFoVShaderBuilder::Request& request, const std::string& geometry);
+    const wfv::ShaderBuilder::Request& request, const std::string& geometry);
   static std::string EvaluationSource(
-    const vtkWideFoVShaderBuilder::Request& request, const std::string& geometry);
+    const wfv::ShaderBuilder::Request& request, const std::string& geometry);
 
   // Whether the program has the stages: it draws patches then, and nothing else.
   static bool IsIn(vtkShaderProgram* program);
 
   // Adds them to a linked program of a Tessellate variant, which is bound. Its attributes
   // have new places then. Empty, or what OpenGL said; the program is as before then.
-  static std::string AddTo(
-    vtkShaderProgram* program, const vtkWideFoVShaderBuilder::Request& request);
+  static std::string AddTo(vtkShaderProgram* program, const wfv::ShaderBuilder::Request& request);
 
   // Draws triangles as patches from the bound index buffer. vertices: how many there are;
   // offset: what VTK adds to the number of a primitive.
   static void Draw(vtkShaderProgram* program, unsigned int vertices, int indices, int offset);
 };
-VTK_ABI_NAMESPACE_END
+}
 
 #endif

@@ -288,7 +288,7 @@ void vtkWideFoVCompositeHelper::DrawClusters(
     vtkWideFoVStage* const other = ClusterDraw::GetStage(kind, stage);
     vtkOpenGLHelper& helper = byStage ? own : surfaces.Helpers[kind];
     helper.IBO->IndexCount = own.IBO->IndexCount; // the others have none of their own
-    vtkWideFoVStages::Replace(actor, stage, other);
+    wfv::Stages::Replace(actor, stage, other);
     this->UpdateShaders(helper, renderer, actor);
     if (helper.Program)
     {
@@ -296,7 +296,7 @@ void vtkWideFoVCompositeHelper::DrawClusters(
       this->OverideColorUsed = helper.Program->IsUniformUsed("OverridesColor");
       this->DrawKind(kind, primitive, actor);
     }
-    vtkWideFoVStages::Replace(actor, other, stage);
+    wfv::Stages::Replace(actor, other, stage);
   }
 }
 
@@ -310,7 +310,7 @@ void vtkWideFoVCompositeHelper::RenderPieceDraw(vtkRenderer* renderer, vtkActor*
   this->DrawingVertices = this->DrawingSelection = false;
   this->PrimitiveIDOffset = 0;
   this->Forget();
-  vtkWideFoVStage* const stage = vtkWideFoVStages::FindAttached(actor);
+  vtkWideFoVStage* const stage = wfv::Stages::FindAttached(actor);
   vtkProperty* const property = actor->GetProperty();
   const bool edges = property->GetEdgeVisibility() && !this->CurrentSelector;
   const bool surface =

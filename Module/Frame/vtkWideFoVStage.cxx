@@ -51,9 +51,9 @@ class MapperAccess : public vtkOpenGLPolyDataMapper
 {
 public:
   static void Describe(vtkOpenGLPolyDataMapper* mapper, vtkRenderer* renderer, vtkActor* actor,
-    vtkWideFoVShaderBuilder::Request& request)
+    wfv::ShaderBuilder::Request& request)
   {
-    using Primitive = vtkWideFoVShaderBuilder::Primitive;
+    using Primitive = wfv::ShaderBuilder::Primitive;
     const vtkOpenGLHelper* buffer = mapper->*(&MapperAccess::LastBoundBO);
     const int type = buffer ? buffer->PrimitiveType : static_cast<int>(PrimitiveTris);
     const int representation = actor->GetProperty()->GetRepresentation();
@@ -78,7 +78,7 @@ public:
 private:
   // Of the mappers that take the property as it is; of composite ones each block may have colours
   // and an opacity of its own. What is selected has a colour of its own everywhere.
-  static vtkWideFoVShaderBuilder::Material DescribeMaterial(vtkOpenGLPolyDataMapper* mapper,
+  static wfv::ShaderBuilder::Material DescribeMaterial(vtkOpenGLPolyDataMapper* mapper,
     vtkRenderer* renderer, vtkActor* actor, const vtkOpenGLHelper* buffer)
   {
     static const std::set<std::string> simple{ "vtkOpenGLPolyDataMapper",
@@ -87,7 +87,7 @@ private:
     const bool known = simple.count(name) > 0 || wfv::DrawsBlocks(mapper);
     const bool surface = buffer && !(mapper->*(&MapperAccess::DrawingSelection)) &&
       (buffer->PrimitiveType == PrimitiveTris || buffer->PrimitiveType == PrimitiveTriStrips);
-    vtkWideFoVShaderBuilder::Material material;
+    wfv::ShaderBuilder::Material material;
     if (surface && !renderer->GetSelector() && known)
     {
       vtkProperty* property = actor->GetProperty();
@@ -166,31 +166,31 @@ bool WarnOfBodies()
 
 namespace
 {
-bool IsProjected(vtkWideFoVShaderBuilder::Variant variant)
+bool IsProjected(wfv::ShaderBuilder::Variant variant)
 {
-  using Variant = vtkWideFoVShaderBuilder::Variant;
+  using Variant = wfv::ShaderBuilder::Variant;
   return variant == Variant::Plain || variant == Variant::Cut;
 }
 }
 
-void vtkWideFoVStage::FinishTriangles(vtkWideFoVShaderBuilder::Request& request) const
+void vtkWideFoVStage::FinishTriangles(wfv::ShaderBuilder::Request& request) const
 {
   request.Stereo = this->Stereo;
   request.Headlights = this->Headlights;
   request.Lights = &this->Lights.GetConstants();
   request.Fades = this->Fades;
   const bool straight = !this->Stereo || this->Stereo->Straight;
-  if (request.Kind == vtkWideFoVShaderBuilder::Primitive::Lines && !straight &&
-    request.Stage == vtkWideFoVShaderBuilder::Variant::Exact)
+  if (request.Kind == wfv::ShaderBuilder::Primitive::Lines && !straight &&
+    request.Stage == wfv::ShaderBuilder::Variant::Exact)
   {
-    request.Stage = vtkWideFoVShaderBuilder::Variant::PreClip; // strips know one depth alone
+    request.Stage = wfv::ShaderBuilder::Variant::PreClip; // strips know one depth alone
   }
   if (!straight && wfv::quadric::Draws(request.Kind))
   {
     static const bool said = WarnOfBodies();
     (void)said;
   }
-  if (request.Kind != vtkWideFoVShaderBuilder::Primitive::Triangles)
+  if (request.Kind != wfv::ShaderBuilder::Primitive::Triangles)
   {
     return;
   }
@@ -203,22 +203,22 @@ void vtkWideFoVStage::FinishTriangles(vtkWideFoVShaderBuilder::Request& request)
   if ((!straight || (this->Stereo && this->Stereo->OwnRays)) && !IsProjected(request.Stage))
   {
     // their edges are no great circles, which is what chords are chosen by
-    request.Stage = vtkWideFoVShaderBuilder::Variant::Exact;
+    request.Stage = wfv::ShaderBuilder::Variant::Exact;
   }
 }
 
 bool vtkWideFoVStage::HasWholeRays() const
 {
-  const bool exact = this->Variant == vtkWideFoVShaderBuilder::Variant::Exact;
+  const bool exact = this->Variant == wfv::ShaderBuilder::Variant::Exact;
   const bool moved = this->Stereo && (this->Stereo->OwnRays || !this->Stereo->Straight);
   return exact && !moved && !this->Multisample && this->Projection->Axis != wfv::Family::Planar;
 }
 
-vtkWideFoVShaderBuilder::Request vtkWideFoVStage::MakeRequest(
+wfv::ShaderBuilder::Request vtkWideFoVStage::MakeRequest(
   vtkAbstractMapper* mapper, vtkProp* prop) const
 {
-  using Variant = vtkWideFoVShaderBuilder::Variant;
-  vtkWideFoVShaderBuilder::Request request;
+  using Variant = wfv::ShaderBuilder::Variant;
+  wfv::ShaderBuilder::Request request;
   request.Projection = this->Projection;
   request.Stage = this->Variant;
   request.DebugView = this->DebugView;
@@ -236,7 +236,7 @@ vtkWideFoVShaderBuilder::Request vtkWideFoVStage::MakeRequest(
     request.Stage = Variant::PreClip;
   }
   this->FinishTriangles(request);
-  const bool lines = request.Kind == vtkWideFoVShaderBuilder::Primitive::Lines;
+  const bool lines = request.Kind == wfv::ShaderBuilder::Primitive::Lines;
   if (lines && polydata && this->ExactLines)
   {
     // few are exact, many are not, whatever the triangles of the prop are
@@ -245,7 +245,7 @@ vtkWideFoVShaderBuilder::Request vtkWideFoVStage::MakeRequest(
   }
   // only our own mapper draws patches; the pieces' edges must not show as the cell's
   const bool patches = wfv::IsOwnMapper(mapper) &&
-    request.Kind == vtkWideFoVShaderBuilder::Primitive::Triangles && !request.Edges;
+    request.Kind == wfv::ShaderBuilder::Primitive::Triangles && !request.Edges;
   if (request.Stage == Variant::Tessellate && !patches)
   {
     request.Stage = Variant::PreClip;
@@ -265,7 +265,7 @@ bool vtkWideFoVStage::PreReplaceShaderValues(std::string&, std::string& geometry
   {
     return true;
   }
-  vtkWideFoVShaderBuilder::Prepare(this->MakeRequest(mapper, prop), geometryShader, fragmentShader);
+  wfv::ShaderBuilder::Prepare(this->MakeRequest(mapper, prop), geometryShader, fragmentShader);
   return true;
 }
 
@@ -290,8 +290,8 @@ bool vtkWideFoVStage::PostReplaceShaderValues(std::string& vertexShader,
   {
     return true;
   }
-  vtkWideFoVShaderBuilder::Request request = this->MakeRequest(mapper, prop);
-  const bool triangles = request.Kind == vtkWideFoVShaderBuilder::Primitive::Triangles;
+  wfv::ShaderBuilder::Request request = this->MakeRequest(mapper, prop);
+  const bool triangles = request.Kind == wfv::ShaderBuilder::Primitive::Triangles;
   const bool classifies = triangles && (wfv::IsOwnMapper(mapper) || wfv::ClassifiesBlocks(mapper));
   request.MeetsChords = classifies && this->MeetsChords && !request.Edges && MayClassify(mapper);
   request.SeveralChords = request.MeetsChords && this->SeveralChords;
@@ -305,7 +305,7 @@ bool vtkWideFoVStage::PostReplaceShaderValues(std::string& vertexShader,
     {
       wfv::TakeTriangleNumbers(texts.Fragment);
     }
-    vtkWideFoVShaderBuilder::Finish(request, texts.Vertex, texts.Geometry, texts.Fragment);
+    wfv::ShaderBuilder::Finish(request, texts.Vertex, texts.Geometry, texts.Fragment);
     if (this->Stages)
     {
       this->Stages->Texts.Keep(texts);

@@ -18,13 +18,17 @@ namespace wfv
 struct ProgramUses;
 }
 
+namespace wfv
+{
+class DirectionTextures;
+class Stages;
+}
+
 VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLPolyDataMapper;
 class vtkRenderer;
 class vtkVolume;
 class vtkWideFoVCamera;
-class vtkWideFoVDirectionTextures;
-class vtkWideFoVStages;
 
 // One variant. Two objects, not one with a switch: a prop that changes its variant
 // changes its key, and VTK rebuilds the shaders of that prop alone.
@@ -34,9 +38,9 @@ public:
   static vtkWideFoVStage* New();
   vtkTypeMacro(vtkWideFoVStage, vtkOpenGLRenderPass);
 
-  void SetVariant(vtkWideFoVShaderBuilder::Variant variant) { this->Variant = variant; }
+  void SetVariant(wfv::ShaderBuilder::Variant variant) { this->Variant = variant; }
 
-  vtkWideFoVShaderBuilder::Variant GetVariant() const { return this->Variant; }
+  wfv::ShaderBuilder::Variant GetVariant() const { return this->Variant; }
 
   // What the next draws see. The projection's text changes the shaders; everything
   // else is uniforms.
@@ -115,11 +119,11 @@ public:
   void SetSeveralChords(bool several) { this->SeveralChords = several; }
 
   // The tables of a direction map; they outlive the frame.
-  void SetTextures(vtkWideFoVDirectionTextures* textures) { this->Textures = textures; }
+  void SetTextures(wfv::DirectionTextures* textures) { this->Textures = textures; }
 
   // Those that this is one of.
-  void SetStages(vtkWideFoVStages* stages) { this->Stages = stages; }
-  vtkWideFoVStages* GetStages() const { return this->Stages; }
+  void SetStages(wfv::Stages* stages) { this->Stages = stages; }
+  wfv::Stages* GetStages() const { return this->Stages; }
 
   // NDC of the tile = NDC of the picture * first two + last two.
   const float* GetTile() const { return this->Tile; }
@@ -130,7 +134,7 @@ public:
   void ResetNumberOfDraws() { this->NumberOfDraws = this->NumberOfTessellateDraws = 0; }
 
   // What the mapper's present primitives are drawn with.
-  vtkWideFoVShaderBuilder::Request MakeRequest(vtkAbstractMapper* mapper, vtkProp* prop) const;
+  wfv::ShaderBuilder::Request MakeRequest(vtkAbstractMapper* mapper, vtkProp* prop) const;
 
   bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
     std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
@@ -157,7 +161,7 @@ private:
 
   // Of volumes: what is asked of their text, the text (false: of something else), and where they
   // may be in the picture.
-  vtkWideFoVShaderBuilder::Request MakeVolumeRequest() const;
+  wfv::ShaderBuilder::Request MakeVolumeRequest() const;
   bool FinishVolume(vtkProp* prop, vtkAbstractMapper* mapper, std::string& vertex,
     std::string& geometry, std::string& fragment) const;
   void SetVolumeParameters(vtkShaderProgram* program, vtkVolume* volume) const;
@@ -167,7 +171,7 @@ private:
 
   // Sets the stereo model, and how triangles are covered, in a request whose primitives are known.
   bool HasWholeRays() const;
-  void FinishTriangles(vtkWideFoVShaderBuilder::Request& request) const;
+  void FinishTriangles(wfv::ShaderBuilder::Request& request) const;
 
   void NoteView(const wfv::View& view);
 
@@ -179,14 +183,14 @@ private:
   // How the bound framebuffer is sampled, for the coverage of the pre-clip.
   static void SetSampleParameters(vtkShaderProgram* program);
 
-  vtkWideFoVShaderBuilder::Variant Variant = vtkWideFoVShaderBuilder::Variant::Plain;
+  wfv::ShaderBuilder::Variant Variant = wfv::ShaderBuilder::Variant::Plain;
   vtkRenderer* Renderer = nullptr; // valid between SetView and the end of the frame
   const wfv::Projection* Projection = nullptr;
   const wfv::StereoModel* Stereo = nullptr;
   vtkTimeStamp SourceTime;
   wfv::WfvView View{};
-  vtkWideFoVDirectionTextures* Textures = nullptr;
-  vtkWideFoVStages* Stages = nullptr;
+  wfv::DirectionTextures* Textures = nullptr;
+  wfv::Stages* Stages = nullptr;
   float Viewport[4] = { 0, 0, 1, 1 };
   float Tile[4] = { 1, 1, 0, 0 };
   wfv::TilePixels Pixels;

@@ -149,15 +149,15 @@ bool vtkWideFoVStage::SetShaderParameters(
   }
   this->SetPropParameters(program, mapper, prop, known.Uses);
   this->NumberOfDraws++;
-  const bool tessellates = this->Variant == vtkWideFoVShaderBuilder::Variant::Tessellate;
-  this->NumberOfTessellateDraws += tessellates && vtkWideFoVTessellation::IsIn(program);
+  const bool tessellates = this->Variant == wfv::ShaderBuilder::Variant::Tessellate;
+  this->NumberOfTessellateDraws += tessellates && wfv::Tessellation::IsIn(program);
   return true;
 }
 
 void vtkWideFoVStage::SetPropParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper,
   vtkProp* prop, const wfv::ProgramUses& uses) const
 {
-  using Primitive = vtkWideFoVShaderBuilder::Primitive;
+  using Primitive = wfv::ShaderBuilder::Primitive;
   auto* polydata = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
   auto* actor = vtkActor::SafeDownCast(prop);
   if (!polydata || !actor)

@@ -11,9 +11,9 @@
 #include "vtkShaderProgram.h"
 #include "vtkVolume.h"
 
-vtkWideFoVShaderBuilder::Request vtkWideFoVStage::MakeVolumeRequest() const
+wfv::ShaderBuilder::Request vtkWideFoVStage::MakeVolumeRequest() const
 {
-  vtkWideFoVShaderBuilder::Request request;
+  wfv::ShaderBuilder::Request request;
   request.Projection = this->Projection;
   request.Stereo = this->Stereo;
   request.DepthMapping = this->View.depthMapping;

@@ -51,8 +51,8 @@ void FlattenArrays(const stock::Facts& facts, std::string& vertex, std::string& 
     const PackedArray p = PackArray(name, std::stoi(size), i);
     stock::Replace(fragment, stock::Edit::InputArray, p.Inputs + declaration, facts.If(true), name);
     vertex.replace(found.At, found.Length, p.Outputs + declaration);
-    vtkWideFoVShaderBuilder::WrapMain(vertex, "", p.Pack);
-    vtkWideFoVShaderBuilder::WrapMain(fragment, p.Unpack, "");
+    wfv::ShaderBuilder::WrapMain(vertex, "", p.Pack);
+    wfv::ShaderBuilder::WrapMain(fragment, p.Unpack, "");
     found = stock::Find(vertex, stock::Edit::OutputArray);
   }
 }

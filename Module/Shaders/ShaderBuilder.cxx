@@ -63,12 +63,12 @@ std::string LineOutputs(const std::vector<Varying>& varyings)
 // True where the geometry stage cuts triangles into smaller ones, which are projected.
 bool CutsTriangles(const Request& r)
 {
-  return r.Stage == vtkWideFoVShaderBuilder::Variant::Cut;
+  return r.Stage == wfv::ShaderBuilder::Variant::Cut;
 }
 
 bool CoversTriangles(const Request& r)
 {
-  return vtkWideFoVShaderBuilder::NeedsGeometryStage(r) && r.Kind == Primitive::Triangles &&
+  return wfv::ShaderBuilder::NeedsGeometryStage(r) && r.Kind == Primitive::Triangles &&
     !CutsTriangles(r);
 }
 
@@ -108,7 +108,7 @@ bool MovesVertices(const Request& r)
 // What follows from the ray and the distance, where triangles are covered whatever their edges.
 Known KnownOf(const Request& r)
 {
-  const bool exact = r.ByRays || r.Stage == vtkWideFoVShaderBuilder::Variant::Exact;
+  const bool exact = r.ByRays || r.Stage == wfv::ShaderBuilder::Variant::Exact;
   return exact ? Known{ { "vertexVCVSOutput", "vec4(wfvSurface, 1.0)" },
     { "wfvPositionVSOutput", "wfvSurface" } }
                : Known{};
@@ -172,7 +172,7 @@ std::string GeometrySource(
     (CutsTriangles(r) ? SamePlaces : "") + "#define WFV_TO_VIEW " + toView + "\n" + ViewSource(r) +
     (r.Kind == Primitive::Points || CutsTriangles(r) ? "" : preclip_glsl) +
     (r.DebugView ? debug_kinds_glsl : "") + PrimitiveSource(r, varyings);
-  if (r.Stage == vtkWideFoVShaderBuilder::Variant::Tessellate)
+  if (r.Stage == wfv::ShaderBuilder::Variant::Tessellate)
   {
     ReplaceAll(source, "gl_PrimitiveIDIn", "wfvPrimitive[0]");
   }
@@ -184,23 +184,22 @@ void FinishVertices(const Request& r, const std::vector<Varying>& varyings, std:
   std::string& geometry)
 {
   // the pieces of a tessellation have no place in the buffer
-  const bool keepModel =
-    CoversTriangles(r) && r.Stage != vtkWideFoVShaderBuilder::Variant::Tessellate;
+  const bool keepModel = CoversTriangles(r) && r.Stage != wfv::ShaderBuilder::Variant::Tessellate;
   const std::string toView = TakeFromEye(r, vertex, keepModel);
-  if (vtkWideFoVShaderBuilder::NeedsGeometryStage(r))
+  if (wfv::ShaderBuilder::NeedsGeometryStage(r))
   {
     geometry = GeometrySource(r, varyings, keepModel ? toView : "");
   }
   else
   {
-    vtkWideFoVShaderBuilder::WrapMain(
+    wfv::ShaderBuilder::WrapMain(
       vertex, "", "  gl_Position = wfvProjectVertex(gl_Position.xyz);\n");
-    vtkWideFoVShaderBuilder::Declare(vertex, ViewSource(r));
+    wfv::ShaderBuilder::Declare(vertex, ViewSource(r));
   }
   // not of what asks for extensions itself, as volumes do: nothing may be declared before those
   if (r.Kind == Primitive::Triangles && vertex.find("#extension") == std::string::npos)
   {
-    vtkWideFoVShaderBuilder::Declare(vertex, SamePlaces);
+    wfv::ShaderBuilder::Declare(vertex, SamePlaces);
   }
 }
 
@@ -329,27 +328,27 @@ void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std:
   RewriteLights(r, fragment);
   if (!before.empty() || !after.empty())
   {
-    vtkWideFoVShaderBuilder::WrapMain(fragment, before, after);
+    wfv::ShaderBuilder::WrapMain(fragment, before, after);
   }
   if (!declarations.empty())
   {
-    vtkWideFoVShaderBuilder::Declare(fragment, Extensions(r) + ViewSource(r) + declarations);
+    wfv::ShaderBuilder::Declare(fragment, Extensions(r) + ViewSource(r) + declarations);
   }
 }
 }
 
-std::string vtkWideFoVShaderBuilder::MakeViewSource(const Request& r)
+std::string wfv::ShaderBuilder::MakeViewSource(const Request& r)
 {
   return ViewSource(r);
 }
 
-bool vtkWideFoVShaderBuilder::NeedsGeometryStage(const Request& r)
+bool wfv::ShaderBuilder::NeedsGeometryStage(const Request& r)
 {
   return wfv::quadric::Draws(r.Kind) || wfv::point::Draws(r) ||
     (r.Stage != Variant::Plain && r.Kind != Primitive::Points);
 }
 
-void vtkWideFoVShaderBuilder::WrapMain(
+void wfv::ShaderBuilder::WrapMain(
   std::string& source, const std::string& before, const std::string& after)
 {
   int depth = 0;
@@ -366,8 +365,7 @@ void vtkWideFoVShaderBuilder::WrapMain(
   source += "\nvoid main()\n{\n" + before + "  " + name + ";\n" + after + "}\n";
 }
 
-void vtkWideFoVShaderBuilder::Prepare(
-  const Request& r, std::string& geometry, std::string& fragment)
+void wfv::ShaderBuilder::Prepare(const Request& r, std::string& geometry, std::string& fragment)
 {
   if (r.DebugView)
   {
@@ -402,7 +400,7 @@ void vtkWideFoVShaderBuilder::Prepare(
   }
 }
 
-void vtkWideFoVShaderBuilder::Finish(
+void wfv::ShaderBuilder::Finish(
   const Request& r, std::string& vertex, std::string& geometry, std::string& fragment)
 {
   if (MovesVertices(r))

@@ -10,8 +10,9 @@
 
 #include <string>
 
-VTK_ABI_NAMESPACE_BEGIN
-class WFV_EXPORT vtkWideFoVShaderBuilder
+namespace wfv
+{
+class WFV_EXPORT ShaderBuilder
 {
 public:
   enum class Variant
@@ -20,7 +21,7 @@ public:
     Cut,       // a geometry stage does, and cuts triangles into smaller ones before
     PreClip,   // a geometry stage clips, then projects
     Exact,     // the same, every triangle by the ray of each pixel, lines as exact strips
-    Tessellate // triangles cut finer before the pre-clip (vtkWideFoVTessellation)
+    Tessellate // triangles cut finer before the pre-clip (wfv::Tessellation)
   };
 
   enum class Primitive
@@ -97,6 +98,6 @@ public:
   // Inserts text behind the head of a shader, where declarations may stand.
   static void Declare(std::string& source, const std::string& text);
 };
-VTK_ABI_NAMESPACE_END
+}
 
 #endif

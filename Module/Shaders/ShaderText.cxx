@@ -56,7 +56,7 @@ void ReplaceAll(std::string& text, const std::string& from, const std::string& t
   }
 }
 
-void FoldMaterial(const vtkWideFoVShaderBuilder::Material& surface, std::string& fragment)
+void FoldMaterial(const wfv::ShaderBuilder::Material& surface, std::string& fragment)
 {
   const auto fold = [&fragment](bool known, const std::string& name, const std::string& value) {
     if (known)
@@ -81,10 +81,9 @@ namespace
 {
 bool AllCovered(const Request& r)
 {
-  return r.Kind == vtkWideFoVShaderBuilder::Primitive::Triangles &&
-    r.Stage != vtkWideFoVShaderBuilder::Variant::Plain &&
-    r.Stage != vtkWideFoVShaderBuilder::Variant::Cut &&
-    (r.ByRays || r.Stage == vtkWideFoVShaderBuilder::Variant::Exact);
+  return r.Kind == wfv::ShaderBuilder::Primitive::Triangles &&
+    r.Stage != wfv::ShaderBuilder::Variant::Plain && r.Stage != wfv::ShaderBuilder::Variant::Cut &&
+    (r.ByRays || r.Stage == wfv::ShaderBuilder::Variant::Exact);
 }
 }
 
@@ -113,7 +112,7 @@ std::string ViewSource(const Request& r)
     Define("WFV_ROUND", r.Projection->Axis == wfv::Family::Azimuthal) +
     Define("WFV_STRAIGHT_SEAM", r.Projection->StraightSeam) +
     Define("WFV_FLAT_RIM", r.Projection->FlatRim) +
-    Define("WFV_EXACT", r.ByRays || r.Stage == vtkWideFoVShaderBuilder::Variant::Exact) +
+    Define("WFV_EXACT", r.ByRays || r.Stage == wfv::ShaderBuilder::Variant::Exact) +
     Define("WFV_BY_RAYS", r.ByRays) + Define("WFV_MEETS_CHORDS", r.MeetsChords && AllCovered(r)) +
     Define("WFV_SEVERAL_CHORDS", r.SeveralChords && AllCovered(r) && !OwnRays(r)) +
     Define("WFV_WHOLE", r.Whole) + Define("WFV_DEPTH_MAPPING(v)", r.DepthMapping) +
@@ -220,7 +219,7 @@ void RewriteLights(const Request& r, std::string& fragment)
   std::string head = fragment.substr(0, inside);
   std::string body = fragment.substr(inside);
   FoldLights(r.Lights ? *r.Lights : "", head);
-  vtkWideFoVShaderBuilder::Declare(head, light_fragment_glsl);
+  wfv::ShaderBuilder::Declare(head, light_fragment_glsl);
   ReplaceAll(head, "uniform int wfvHeadlights;",
     "const int wfvHeadlights = " + std::to_string(r.Headlights) + ";");
   stock::Replace(body, Edit::LightPlace, "$&\n  wfvFromEye = WFV_FROM_EYE;");
@@ -248,7 +247,7 @@ std::string TakeFromEye(const Request& r, std::string& vertex, bool keepModel)
   {
     return "";
   }
-  vtkWideFoVShaderBuilder::Declare(vertex, Define("WFV_MODEL", keepModel) + eye_vertex_glsl);
+  wfv::ShaderBuilder::Declare(vertex, Define("WFV_MODEL", keepModel) + eye_vertex_glsl);
   return matrix;
 }
 
@@ -265,7 +264,7 @@ std::string RewriteDepth(const Request& r, std::string& fragment)
 }
 }
 
-void vtkWideFoVShaderBuilder::Declare(std::string& source, const std::string& text)
+void wfv::ShaderBuilder::Declare(std::string& source, const std::string& text)
 {
   // what has any of VTK's tags has this one; what has none begins with the text
   const bool tags = source.find("//VTK::") != std::string::npos;

@@ -13,8 +13,8 @@ namespace wfv
 {
 namespace shader
 {
-using Request = vtkWideFoVShaderBuilder::Request;
-using Primitive = vtkWideFoVShaderBuilder::Primitive;
+using Request = wfv::ShaderBuilder::Request;
+using Primitive = wfv::ShaderBuilder::Primitive;
 
 // One output of the vertex stage.
 struct Varying
@@ -42,7 +42,7 @@ void RemoveInputs(const Request& r, std::string& fragment, const std::vector<Var
 
 // Turns what is known of the material from uniforms into constants, so that a compiler drops
 // what they multiply.
-void FoldMaterial(const vtkWideFoVShaderBuilder::Material& surface, std::string& fragment);
+void FoldMaterial(const wfv::ShaderBuilder::Material& surface, std::string& fragment);
 
 void ReplaceAll(std::string& text, const std::string& from, const std::string& to);
 

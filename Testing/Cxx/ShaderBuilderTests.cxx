@@ -9,7 +9,7 @@
 
 namespace
 {
-using Builder = vtkWideFoVShaderBuilder;
+using Builder = wfv::ShaderBuilder;
 
 const char* const Vertex = "//VTK::System::Dec\n"
                            "in vec4 vertexMC;\n"

@@ -30,14 +30,14 @@ void Finish(const stock::Facts& facts, bool wide, std::string& vertex, std::stri
 {
   if (facts.Imposters && !wide)
   {
-    vtkWideFoVShaderBuilder::Declare(geometry, data_geometry_glsl);
+    wfv::ShaderBuilder::Declare(geometry, data_geometry_glsl);
   }
   else
   {
-    vtkWideFoVShaderBuilder::WrapMain(vertex, "", "  wfvKeepPosition();\n");
-    vtkWideFoVShaderBuilder::Declare(vertex, data_vertex_glsl);
+    wfv::ShaderBuilder::WrapMain(vertex, "", "  wfvKeepPosition();\n");
+    wfv::ShaderBuilder::Declare(vertex, data_vertex_glsl);
   }
-  vtkWideFoVShaderBuilder::Declare(
+  wfv::ShaderBuilder::Declare(
     fragment, (wide ? "" : std::string(data_perspective_glsl)) + data_fragment_glsl);
   const bool lit = facts.Light != stock::Lit::No && (facts.Normals || !facts.Wireframe);
   const bool has = stock::Look(fragment, Edit::DataNormal, facts.If(lit)).Number >= 0;

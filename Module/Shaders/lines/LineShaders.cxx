@@ -61,7 +61,7 @@ void RewriteNormal(const Request& r, const std::vector<Varying>& varyings, std::
 
 bool Draws(const Request& r)
 {
-  return r.Kind == Primitive::Lines && r.Stage == vtkWideFoVShaderBuilder::Variant::Exact &&
+  return r.Kind == Primitive::Lines && r.Stage == wfv::ShaderBuilder::Variant::Exact &&
     r.Projection->Axis != Family::Planar;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What vtkWideFoVShaderBuilder adds for lines of the technique exact: strips of constant
+// What wfv::ShaderBuilder adds for lines of the technique exact: strips of constant
 // width along great circles. Text in, text out.
 #ifndef WideFoVLineShaders_h
 #define WideFoVLineShaders_h

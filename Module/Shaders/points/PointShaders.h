@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What vtkWideFoVShaderBuilder adds for points wider than a pixel behind the pre-clip, and for all
+// What wfv::ShaderBuilder adds for points wider than a pixel behind the pre-clip, and for all
 // of them on a direction map: squares that may show on both sides of a seam. Text in, text out.
 #ifndef WideFoVPointShaders_h
 #define WideFoVPointShaders_h

@@ -190,8 +190,7 @@ std::string LookForShape(const Request& r, std::string& vertex)
     return "triangleScale"; // which is in the radius
   }
   stock::Replace(vertex, Edit::SplatRadius, "$&\n  radiusVCVSOutput = boundScale * radius;");
-  vtkWideFoVShaderBuilder::Declare(
-    vertex, "uniform float boundScale;\nout float radiusVCVSOutput;\n");
+  wfv::ShaderBuilder::Declare(vertex, "uniform float boundScale;\nout float radiusVCVSOutput;\n");
   return "boundScale";
 }
 
@@ -225,10 +224,10 @@ void FinishFragment(
   RewriteLights(r, fragment);
   const bool round = r.Projection->Axis == Family::Azimuthal;
   const std::string before = Before(r, fragment);
-  vtkWideFoVShaderBuilder::WrapMain(fragment, before,
+  wfv::ShaderBuilder::WrapMain(fragment, before,
     std::string("  if (wfvHide) { discard; }\n") +
       (round ? "  if (wfvOutsideDomain()) { discard; }\n" : ""));
-  vtkWideFoVShaderBuilder::Declare(fragment,
+  wfv::ShaderBuilder::Declare(fragment,
     "#extension GL_ARB_sample_shading : enable\n" + ViewSource(r) +
       Define("WFV_OTHER_IS_PLACE", IsSegment(r)) + "#define WFV_SPLAT_SCALE " + scale + "\n" +
       ray_fragment_glsl + quadric_fragment_glsl + MeetSource(r.Kind) + CornerInputs(r, varyings) +

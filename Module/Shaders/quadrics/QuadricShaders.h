@@ -14,13 +14,13 @@ namespace wfv
 namespace quadric
 {
 // True for the kinds that this part draws.
-bool Draws(vtkWideFoVShaderBuilder::Primitive kind);
+bool Draws(wfv::ShaderBuilder::Primitive kind);
 
-// As vtkWideFoVShaderBuilder::Prepare and ::Finish, for those kinds.
+// As wfv::ShaderBuilder::Prepare and ::Finish, for those kinds.
 void Prepare(
-  const vtkWideFoVShaderBuilder::Request& request, std::string& geometry, std::string& fragment);
-void Finish(const vtkWideFoVShaderBuilder::Request& request, std::string& vertex,
-  std::string& geometry, std::string& fragment);
+  const wfv::ShaderBuilder::Request& request, std::string& geometry, std::string& fragment);
+void Finish(const wfv::ShaderBuilder::Request& request, std::string& vertex, std::string& geometry,
+  std::string& fragment);
 }
 }
 

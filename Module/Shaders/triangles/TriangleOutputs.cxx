@@ -23,7 +23,7 @@ constexpr int ShapeVertices = 4;
 // Of one vertex, what preclip_emit.glsl writes beside the copies of the corners.
 int OwnComponents(const Request& r)
 {
-  const bool exact = r.ByRays || r.Stage == vtkWideFoVShaderBuilder::Variant::Exact;
+  const bool exact = r.ByRays || r.Stage == wfv::ShaderBuilder::Variant::Exact;
   const bool rays = OwnRays(r);
   const int edges = r.Whole ? 3 * 3 * 2 : 3 * 3; // doubles count twice
   const int plane = 3 + (rays || Warped(r) ? 3 : 5);

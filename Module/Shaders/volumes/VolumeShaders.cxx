@@ -97,11 +97,11 @@ void Finish(const Request& r, const Facts& facts, std::string& geometry, std::st
   const int matrices = CountMatrices(fragment);
   const bool eyes = r.Stereo && r.Stereo->Straight;
   // declared first, for what it replaces is called all over the text; the rest has VTK's uniforms
-  vtkWideFoVShaderBuilder::Declare(fragment,
+  wfv::ShaderBuilder::Declare(fragment,
     ViewSource(r) + Define("WFV_CURVES", Curves(r)) + ray_fragment_glsl + volume_fragment_glsl);
   fragment += "\n" + Define("WFV_MATRICES", matrices) + Define("WFV_VOLUME_EYES", eyes) +
     volume_ray_glsl + lights + march;
-  vtkWideFoVShaderBuilder::WrapMain(
+  wfv::ShaderBuilder::WrapMain(
     fragment, "  if (wfvMeetVolume())\n  {\n", "  }\n  else\n  {\n    discard;\n  }\n");
   geometry = "//VTK::System::Dec\n" + ViewSource(r) + volume_geometry_glsl;
 }
@@ -113,7 +113,7 @@ void FinishFlat(std::string& fragment)
     return;
   }
   stock::Replace(fragment, Edit::VolumeToEye, "(-computeRayDirection())", Found::May);
-  vtkWideFoVShaderBuilder::Declare(fragment, "vec3 computeRayDirection();\n");
+  wfv::ShaderBuilder::Declare(fragment, "vec3 computeRayDirection();\n");
   fragment += std::string("\n") + volume_flat_glsl;
 }
 }

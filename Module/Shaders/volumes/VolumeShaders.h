@@ -23,7 +23,7 @@ struct Facts
 WFV_EXPORT void FinishFlat(std::string& fragment);
 
 // After the mapper has replaced its tags.
-WFV_EXPORT void Finish(const vtkWideFoVShaderBuilder::Request& request, const Facts& facts,
+WFV_EXPORT void Finish(const wfv::ShaderBuilder::Request& request, const Facts& facts,
   std::string& geometry, std::string& fragment);
 }
 }
