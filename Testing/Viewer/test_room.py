@@ -15,6 +15,7 @@ import unittest
 import numpy
 
 import targets
+from desktop import wait_for
 from test_viewer import IDLE_TIME, NEAR, PROGRAMS, UPRIGHT, Flight, ViewerTest, read_png
 
 # Three walls of a CAVE two units wide, the head's rest in its middle.
@@ -36,11 +37,18 @@ PIXEL = 0.01
 # Share of the pixels of a window that a move of the head changes at least.
 MOVED = 0.01
 
+# Way of the eye, in a room two units wide, that changes so many.
+FLOWN = 0.2
+
 # At rest, moved, moved and turned. The second one lasts three times as long.
 SIX = "0 0 0 0 0 0 0 1\n0.2 0.4 0.2 -0.3 0 0 0 1\n0.8 -0.3 0 0.5 0 0.38268 0 0.92388\n"
 
 # Turned to the left by 30 and by 60 degrees.
 THREE = "0 0 0.258819 0 0.965926\n0.1 0 0.5 0 0.866025\n"
+
+
+def distance(place, other):
+    return numpy.linalg.norm(numpy.subtract(place, other))
 
 
 class RoomTest(ViewerTest):
@@ -132,7 +140,7 @@ class Screens(RoomTest):
             eye = viewer.state()["eye"]
             self.desktop.point(i * SIDE + 100, 100)
             self.desktop.hold("w")
-            time.sleep(0.1)
+            wait_for("a flight", lambda v=viewer, e=eye: distance(v.state()["eye"], e) > FLOWN)
             viewer.after(lambda: self.desktop.let_go("w"), lambda s: s["event"] == "release")
             self.assertNotEqual(viewer.state()["eye"], eye)
             after = self.check_screens(viewer)
