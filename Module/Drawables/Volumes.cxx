@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawables/Volumes.h"
 
+#include "Compat/SmartMapper.h"
+
+#include "vtkAbstractVolumeMapper.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkRenderer.h"
+#include "vtkSetGet.h"
 #include "vtkShaderProgram.h"
 #include "vtkShaderProperty.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <mutex>
+#include <set>
+#include <string>
 
 namespace wfv
 {
@@ -88,6 +95,44 @@ int FindDirectional(vtkRenderer* renderer)
   }
   return found;
 }
+
+// Those that draw by GPU ray casting, unless told otherwise.
+bool IsByGpu(vtkAbstractVolumeMapper* mapper)
+{
+  if (mapper->IsA("vtkSmartVolumeMapper"))
+  {
+    return wfv::MayDrawByGpu(mapper);
+  }
+  return mapper->IsA("vtkGPUVolumeRayCastMapper") || mapper->IsA("vtkMultiBlockVolumeMapper");
+}
+
+// True once for each name.
+bool IsNews(const std::string& name)
+{
+  static std::mutex lock;
+  static std::set<std::string> said;
+  const std::lock_guard<std::mutex> guard(lock);
+  return said.insert(name).second;
+}
+}
+
+bool IsFlatVolume(vtkProp* prop)
+{
+  auto* const volume = vtkVolume::SafeDownCast(prop);
+  vtkAbstractVolumeMapper* const mapper = volume ? volume->GetMapper() : nullptr;
+  if (!mapper || IsByGpu(mapper))
+  {
+    return false;
+  }
+  const std::string name = mapper->GetClassName();
+  if (IsNews(name))
+  {
+    vtkGenericWarningMacro(
+      << "a volume is left out: its mapper, a " << name
+      << ", makes the rays of a flat picture. Use vtkGPUVolumeRayCastMapper or "
+         "vtkSmartVolumeMapper, of an image that the data are resampled to.");
+  }
+  return true;
 }
 
 Facts Describe(vtkRenderer* renderer, vtkVolume* volume)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a program that draws a volume is told, and what is known of its text.
+// Volumes: which can be drawn in a wide view, what is known of their text, and what their programs
+// are told.
 #ifndef WideFoVVolumes_h
 #define WideFoVVolumes_h
 
@@ -8,6 +9,7 @@
 #include "vtkWideFoVAbi.h"
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkProp;
 class vtkRenderer;
 class vtkShaderProgram;
 class vtkVolume;
@@ -17,6 +19,10 @@ namespace wfv
 {
 namespace volume
 {
+// True of a volume whose mapper makes the rays of a flat picture itself, on the processor or of
+// tetrahedra. Warns once of each kind of mapper.
+bool IsFlatVolume(vtkProp* prop);
+
 // Of the text that VTK's GPU ray casting writes for the volume.
 Facts Describe(vtkRenderer* renderer, vtkVolume* volume);
 

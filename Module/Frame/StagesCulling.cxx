@@ -3,7 +3,7 @@
 #include "Frame/Stages.h"
 
 #include "Compat/CompositeMapper.h"
-#include "Drawables/VolumeMappers.h"
+#include "Drawables/Volumes.h"
 #include "Frame/ClusterDraw.h"
 #include "Frame/Technique.h"
 #include "vtkWideFoVCamera.h"
