@@ -15,13 +15,9 @@
 
 namespace wfv
 {
-struct ProgramUses;
-}
-
-namespace wfv
-{
 class DirectionTextures;
 class Stages;
+struct ProgramUses;
 }
 
 VTK_ABI_NAMESPACE_BEGIN

@@ -18,13 +18,13 @@ struct Facts
   int Directional = 0; // which of the lights without a position are at the eye, a bit each
 };
 
+// After the mapper has replaced its tags.
+WFV_EXPORT void Finish(const ShaderBuilder::Request& request, const Facts& facts,
+  std::string& geometry, std::string& fragment);
+
 // The same of a flat picture that stock VTK draws of an eye beside the camera's position: a volume
 // is left as it is where its text is not known.
 WFV_EXPORT void FinishFlat(std::string& fragment);
-
-// After the mapper has replaced its tags.
-WFV_EXPORT void Finish(const wfv::ShaderBuilder::Request& request, const Facts& facts,
-  std::string& geometry, std::string& fragment);
 }
 }
 
