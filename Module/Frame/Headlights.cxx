@@ -4,8 +4,8 @@
 #include "Camera/Tile.h"
 #include "Camera/vtkWideFoVCamera.h"
 #include "Compat/StockText.h"
+#include "Drawables/Volumes.h"
 #include "Shaders/ShaderBuilder.h"
-#include "Shaders/volumes/VolumeShaders.h"
 #include "WideFoVGlsl.h"
 
 #include "vtkLight.h"
@@ -71,14 +71,17 @@ void vtkWideFoVHeadlights::Rewrite(const wfv::stock::Facts& facts, std::string& 
 bool vtkWideFoVHeadlights::PostReplaceShaderValues(
   std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop)
 {
-  if (vtkVolume::SafeDownCast(prop))
-  {
-    wfv::volume::FinishFlat(fragmentShader);
-    return true;
-  }
   std::string fragment = fragmentShader;
-  Rewrite(wfv::stock::Describe(mapper, prop), fragment);
-  const char* const instead = "headlights shine along the view axis";
+  const char* instead = "headlights shine along the view axis";
+  if (auto* const volume = vtkVolume::SafeDownCast(prop))
+  {
+    wfv::volume::FinishFlat(wfv::volume::Describe(this->Renderer, volume), fragment);
+    instead = "rays of volumes begin at the camera's position";
+  }
+  else
+  {
+    Rewrite(wfv::stock::Describe(mapper, prop), fragment);
+  }
   if (!wfv::stock::ReportMissing(this, mapper, fragment, instead))
   {
     fragmentShader = fragment;

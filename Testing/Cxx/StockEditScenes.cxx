@@ -327,6 +327,8 @@ std::vector<Scene> VolumesByRays()
     { "volume, as an image", FillImageOfVolume },
     { "volume, warped", FillWarpedVolume },
     { "volume, depth pass", FillVolumeOfDepthPass },
+    { "volume, screen",
+      [](Window& t) { AddVolume(t, true), FillFlat(t, vtkNew<vtkWideFoVScreenCamera>()); }, true },
   };
 }
 

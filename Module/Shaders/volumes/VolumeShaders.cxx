@@ -40,18 +40,25 @@ void TakeInputs(Found found, std::string& fragment)
   }
 }
 
+// By one headlight alone, which has variables of its own, or by others: how VTK counts them depends
+// on those that it had before.
+Found IfShaded(const Facts& facts, const std::string& fragment, const char* variable)
+{
+  return facts.Known && facts.Shaded && Has(fragment, variable) ? Found::Must : Found::May;
+}
+
+Found IfByHeadlight(const Facts& facts, const std::string& fragment)
+{
+  return IfShaded(facts, fragment, "vec3 g_ldir[");
+}
+
 // Lights at the eye, which VTK takes for parallel to the view axis. 9.1 has all lights in the
 // renderer's order; since 9.2 those with a position come first. Returns what the text then calls.
 std::string RewriteLights(const Request& r, const Facts& facts, std::string& fragment)
 {
-  // by one headlight alone, which has variables of its own, or by others: how VTK counts them
-  // depends on those that it had before
-  const auto found = [&](const char* variable) {
-    return facts.Known && facts.Shaded && Has(fragment, variable) ? Found::Must : Found::May;
-  };
-  stock::Replace(fragment, Edit::VolumeToEye, "wfvToEye($1)", found("vec3 g_ldir["));
+  stock::Replace(fragment, Edit::VolumeToEye, "wfvToEye($1)", IfByHeadlight(facts, fragment));
   const int wording = stock::Replace(fragment, Edit::VolumeLight,
-    "wfvVolumeLight($1, in_lightDirection[$1])", found("g_fragWorldPos /="));
+    "wfvVolumeLight($1, in_lightDirection[$1])", IfShaded(facts, fragment, "g_fragWorldPos /="));
   if (wording < 0)
   {
     return "";
@@ -106,13 +113,15 @@ void Finish(const Request& r, const Facts& facts, std::string& geometry, std::st
   geometry = "//VTK::System::Dec\n" + ViewSource(r) + volume_geometry_glsl;
 }
 
-void FinishFlat(std::string& fragment)
+void FinishFlat(const Facts& facts, std::string& fragment)
 {
-  if (stock::Replace(fragment, Edit::VolumeRay, "vec3 wfvStockRayDirection()", Found::May) < 0)
+  const Found must = facts.Known ? Found::Must : Found::May;
+  if (stock::Replace(fragment, Edit::VolumeRay, "vec3 wfvStockRayDirection()", must) < 0)
   {
     return;
   }
-  stock::Replace(fragment, Edit::VolumeToEye, "(-computeRayDirection())", Found::May);
+  stock::Replace(
+    fragment, Edit::VolumeToEye, "(-computeRayDirection())", IfByHeadlight(facts, fragment));
   wfv::ShaderBuilder::Declare(fragment, "vec3 computeRayDirection();\n");
   fragment += std::string("\n") + volume_flat_glsl;
 }

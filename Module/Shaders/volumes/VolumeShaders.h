@@ -22,9 +22,8 @@ struct Facts
 WFV_EXPORT void Finish(const ShaderBuilder::Request& request, const Facts& facts,
   std::string& geometry, std::string& fragment);
 
-// The same of a flat picture that stock VTK draws of an eye beside the camera's position: a volume
-// is left as it is where its text is not known.
-WFV_EXPORT void FinishFlat(std::string& fragment);
+// The same of a flat picture that stock VTK draws, of an eye beside the camera's position.
+WFV_EXPORT void FinishFlat(const Facts& facts, std::string& fragment);
 }
 }
 
