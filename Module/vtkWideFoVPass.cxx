@@ -227,7 +227,7 @@ void vtkWideFoVPass::FindRelaxation(const vtkRenderState* s)
     in.Rate.Stand();
     return;
   }
-  const bool small = wfv::SmallFrame::IsPossible(s);
+  const bool small = in.Small.IsPossible(s);
   const bool samples = window->GetMultiSamples() > 1;
   this->Relaxation = in.Rate.Move(
     renderer->GetLastRenderTimeInSeconds(), share, this->FindRelaxations(small, samples));
