@@ -88,6 +88,23 @@ vtkRenderPass* vtkWideFoVPass::GetDelegatePass()
   return this->Internal->Delegate;
 }
 
+void vtkWideFoVPass::SetRelaxationRange(int least, int most)
+{
+  const int low = std::clamp<int>(least, NOT_RELAXED, QUARTER_SIZE);
+  const int high = std::clamp<int>(most, low, QUARTER_SIZE);
+  if (this->RelaxationRange[0] != low || this->RelaxationRange[1] != high)
+  {
+    this->RelaxationRange[0] = low;
+    this->RelaxationRange[1] = high;
+    this->Modified();
+  }
+}
+
+void vtkWideFoVPass::SetRelaxationRange(const int range[2])
+{
+  this->SetRelaxationRange(range[0], range[1]);
+}
+
 void vtkWideFoVPass::DrawDelegate(const vtkRenderState* s)
 {
   if (this->Internal->Delegate)
@@ -210,7 +227,7 @@ void vtkWideFoVPass::FindRelaxation(const vtkRenderState* s)
     in.Rate.Stand();
     return;
   }
-  const bool small = wfv::SmallFrame::IsPossible(s);
+  const bool small = in.Small.IsPossible(s);
   const bool samples = window->GetMultiSamples() > 1;
   this->Relaxation = in.Rate.Move(
     renderer->GetLastRenderTimeInSeconds(), share, this->FindRelaxations(small, samples));

@@ -135,9 +135,10 @@ public:
   ///@{
   /**
    * The least and the most that frames are relaxed which have to hurry (default 0, 4). Alike they
-   * fix it, whatever frames take.
+   * fix it, whatever frames take. Both are clamped to the Relaxations, the most to the least.
    */
-  vtkSetVector2Macro(RelaxationRange, int);
+  void SetRelaxationRange(int least, int most);
+  void SetRelaxationRange(const int range[2]);
   vtkGetVector2Macro(RelaxationRange, int);
   ///@}
 

@@ -4,6 +4,7 @@
 #include "Compat/Gl.h"
 #include "Frame/ClusterDraw.h"
 #include "Frame/PropKeys.h"
+#include "Frame/RefusedShaders.h"
 #include "Frame/Stages.h"
 #include "Frame/Tessellation.h"
 #include "vtkWideFoVCamera.h"
@@ -104,7 +105,7 @@ void vtkWideFoVPolyDataMapper::SetCustomUniforms(vtkOpenGLHelper& cellBO, vtkAct
       const std::string log = wfv::Tessellation::AddTo(cellBO.Program, request);
       if (!log.empty())
       {
-        vtkErrorMacro(<< "the tessellation stages were refused: " << log);
+        wfv::ReportRefused(this, "tessellation shaders", log, "its triangles are drawn whole");
       }
       stage->GetStages()->Programs.Forget(cellBO.Program);
       // its attributes have new places

@@ -19,6 +19,7 @@ const std::vector<SceneDefinition>& SceneDefinitions()
     { "flow", "stream tubes of a vortical flow all round the eye", MakeFlow },
     { "flow-large", "the same flow with over 1,000,000 triangles", MakeFlowLarge },
     { "vector-cloud", "arrows on a regular grid round the eye", MakeVectorCloud },
+    { "balls", "127 props of 8,064 triangles each, evenly round the eye", MakeBalls },
     { "sphere", "327,680 triangles round the eye, every edge under a degree", MakeSphere },
   };
   return all;

@@ -32,6 +32,8 @@ Scene MakeGlobe();       // latitude-longitude sphere in colours, seen from its 
 Scene MakeAtrium();      // 225,839 triangles: a hall with columns, arches and drapes
 Scene MakeFlow();        // stream tubes of a vortical flow all round the eye
 Scene MakeFlowLarge();   // the same with over 1,000,000 triangles
+Scene MakeBalls();       // 127 balls of 8,064 triangles each all round, a prop a ball
+Scene MakeBallsApart();  // as many, none of which meets the seam or a pole; for the benchmark
 Scene MakeVectorCloud(); // arrows on a regular grid round the eye
 Scene MakeWinds();       // NOAA relief seen from the centre of the Earth, with winds
 

@@ -290,7 +290,6 @@ public:
    * drew with it is not in stereo mode.
    */
   int GetCurrentEye();
-  bool HasMirroredEyes(); ///< the two differ by their side alone
 
   /// How far the eyes of the stereo model are from the camera's position, scene units: 0 where
   /// they are there.

@@ -268,22 +268,6 @@ const wfv::StereoModel* vtkWideFoVCamera::GetFittingModel()
   return fits && options.Model->Name != "mono" ? options.Model : nullptr;
 }
 
-bool vtkWideFoVCamera::HasMirroredEyes()
-{
-  const wfv::StereoModel* const model = this->GetFittingModel();
-  if (!model)
-  {
-    return false;
-  }
-  wfv::StereoOptions options = this->Internal->Options.Stereo;
-  const wfv::WfvView view{};
-  options.Eye = wfv::Eye::Left;
-  const wfv::vec4 left = model->Parameters(options, view);
-  options.Eye = wfv::Eye::Right;
-  const wfv::vec4 right = model->Parameters(options, view);
-  return left == wfv::vec4(-right.x, right.y, right.z, right.w) && right.x >= 0;
-}
-
 void vtkWideFoVCamera::GetOffAxisEye(double tx, double& position, double& shift)
 {
   const wfv::StereoOptions& options = this->Internal->Options.Stereo;

@@ -7,6 +7,7 @@
 #include "Camera/Tile.h"
 #include "Projections/DirectionMap.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
@@ -15,6 +16,8 @@
 #include "vtkNew.h"
 #include "vtkPerspectiveTransform.h"
 #include "vtkPointData.h"
+#include "vtkProp.h"
+#include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
@@ -157,6 +160,41 @@ bool vtkWideFoVCamera::NDCToRay(
   return ray.Inside;
 }
 
+namespace
+{
+bool IsEndless(const double bounds[6])
+{
+  return !std::all_of(bounds, bounds + 6, [](double x) { return std::isfinite(x); });
+}
+
+// One prop with a point that is infinitely far would have all others at the near clip sphere.
+void LeaveOutEndless(vtkRenderer* renderer, double bounds[6])
+{
+  if (!IsEndless(bounds))
+  {
+    return;
+  }
+  vtkBoundingBox box;
+  vtkPropCollection* const props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator it;
+  props->InitTraversal(it);
+  while (vtkProp* const prop = props->GetNextProp(it))
+  {
+    const double* const own =
+      prop->GetVisibility() && prop->GetUseBounds() ? prop->GetBounds() : nullptr;
+    if (own && !IsEndless(own) && vtkMath::AreBoundsInitialized(own))
+    {
+      box.AddBounds(own);
+    }
+  }
+  vtkMath::UninitializeBounds(bounds);
+  if (box.IsValid())
+  {
+    box.GetBounds(bounds);
+  }
+}
+}
+
 void vtkWideFoVCamera::BeginFrame(vtkRenderer* renderer, const double* bounds)
 {
   this->Internal->InFrame = false;
@@ -191,6 +229,7 @@ void vtkWideFoVCamera::PrepareFrame(vtkRenderer* renderer)
     {
       renderer->ComputeVisiblePropBounds(bounds);
     }
+    LeaveOutEndless(renderer, bounds);
     wfv::InflateForQuadrics(renderer, this->Position, bounds);
     this->ResetClipRadii(bounds);
   }

@@ -129,7 +129,9 @@ void Clusters::CopyCorners(vtkPolyData* data)
 {
   vtkCellArray* const cells = this->GetCells(data);
   vtkPoints* const points = data->GetPoints();
-  this->Copy.reserve(3 * (cells->GetNumberOfConnectivityIds() - 2 * cells->GetNumberOfCells()));
+  // (cells of fewer than three corners have none)
+  this->Copy.reserve(std::max<vtkIdType>(
+    0, 3 * (cells->GetNumberOfConnectivityIds() - 2 * cells->GetNumberOfCells())));
   auto it = vtk::TakeSmartPointer(cells->NewIterator());
   for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
   {

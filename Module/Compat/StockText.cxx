@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Compat/StockText.h"
 
+#include "Compat/Reports.h"
 #include "WideFoVGlsl.h"
 
 #include "vtkActor.h"
@@ -15,8 +16,6 @@
 #include "vtkShaderProperty.h"
 #include "vtkVersion.h"
 
-#include <mutex>
-#include <set>
 #include <sstream>
 
 namespace wfv
@@ -61,25 +60,6 @@ bool IsForeign(vtkActor* actor)
   return code->HasVertexShaderCode() || code->HasFragmentShaderCode() ||
     code->HasGeometryShaderCode() || code->GetNumberOfShaderReplacements() > 0 ||
     (info && info->Has(vtkLightingMapPass::RENDER_NORMALS()));
-}
-
-std::mutex& Lock()
-{
-  static std::mutex lock;
-  return lock;
-}
-
-std::set<Edit>& Reported()
-{
-  static std::set<Edit> reported;
-  return reported;
-}
-
-// True once for each edit.
-bool IsNews(Edit edit)
-{
-  const std::lock_guard<std::mutex> guard(Lock());
-  return Reported().insert(edit).second;
 }
 
 std::string Version(int number)
@@ -133,7 +113,7 @@ bool ReportMissing(
   const std::vector<Edit> missing = Missing(texts);
   for (const Edit edit : missing)
   {
-    if (IsNews(edit))
+    if (IsNews(std::string("edit ") + Table()[static_cast<std::size_t>(edit)].Name))
     {
       const std::string words =
         Sentence(edit) + ": " + instead + " (first seen with a " + mapper->GetClassName() + ")";
@@ -149,21 +129,20 @@ void LeaveOutUnedited(vtkObject* object, vtkAbstractMapper* mapper, std::string&
   if (ReportMissing(
         object, mapper, vertex + geometry + fragment, "props that need this edit are not drawn"))
   {
-    vertex = nothing_vertex_glsl;
-    geometry.clear();
-    fragment = nothing_fragment_glsl;
+    LeaveOut(vertex, geometry, fragment);
   }
+}
+
+void LeaveOut(std::string& vertex, std::string& geometry, std::string& fragment)
+{
+  vertex = nothing_vertex_glsl;
+  geometry.clear();
+  fragment = nothing_fragment_glsl;
 }
 
 bool DrawsNothing(const std::string& fragment)
 {
   return fragment.find("wfvDrawsNothing") != std::string::npos;
-}
-
-void ForgetReports()
-{
-  const std::lock_guard<std::mutex> guard(Lock());
-  Reported().clear();
 }
 }
 }

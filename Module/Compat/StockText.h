@@ -21,6 +21,9 @@ Facts Describe(vtkAbstractMapper* mapper, vtkProp* prop);
 bool ReportMissing(
   vtkObject* object, vtkAbstractMapper* mapper, const std::string& texts, const char* instead);
 
+// Makes them draw nothing.
+void LeaveOut(std::string& vertex, std::string& geometry, std::string& fragment);
+
 // Where an edit found nothing in these: says so and makes them draw nothing. VTK's own text would
 // put it elsewhere in a wide picture.
 void LeaveOutUnedited(vtkObject* object, vtkAbstractMapper* mapper, std::string& vertex,
@@ -28,9 +31,6 @@ void LeaveOutUnedited(vtkObject* object, vtkAbstractMapper* mapper, std::string&
 
 // Of a fragment stage: whether that was done.
 bool DrawsNothing(const std::string& fragment);
-
-// As if nothing had been said yet: for tests.
-WFV_EXPORT void ForgetReports();
 }
 }
 

@@ -32,11 +32,11 @@ void AppendRequest(std::string& key, const wfv::ShaderBuilder::Request& request)
 namespace wfv
 {
 const ShaderMemory::Texts* ShaderMemory::Find(
-  const Request& request, bool numbered, const Texts& texts)
+  const Request& request, const Circumstances& circumstances, const Texts& texts)
 {
   this->Wanted.clear();
   AppendRequest(this->Wanted, request);
-  Append(this->Wanted, numbered);
+  Append(this->Wanted, circumstances.Numbered, circumstances.Others);
   for (const std::string* const text : { &texts.Vertex, &texts.Geometry, &texts.Fragment })
   {
     Append(this->Wanted, text->size());

@@ -25,9 +25,14 @@ public:
     std::string Fragment;
   };
 
-  // What became of these texts, or nullptr. numbered: they were told to ask for the numbers of
-  // triangles (TakeTriangleNumbers).
-  const Texts* Find(const Request& request, bool numbered, const Texts& texts);
+  struct Circumstances
+  {
+    bool Numbered; // they are told to ask for the numbers of triangles (TakeTriangleNumbers)
+    bool Others;   // edit them further (IsEditedFurther)
+  };
+
+  // What became of these texts, or nullptr.
+  const Texts* Find(const Request& request, const Circumstances& circumstances, const Texts& texts);
 
   // Of the texts that were looked for last.
   void Keep(const Texts& made);

@@ -42,13 +42,13 @@ SmallFrame::SmallFrame() = default;
 
 SmallFrame::~SmallFrame() = default;
 
-bool SmallFrame::IsPossible(const vtkRenderState* s)
+bool SmallFrame::IsPossible(const vtkRenderState* s) const
 {
   vtkRenderer* const renderer = s->GetRenderer();
   auto* const window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  return window && !s->GetFrameBuffer() && !renderer->GetSelector() && !ShowsTile(window) &&
-    !window->GetUseSRGBColorSpace() && window->GetErase() && renderer->GetErase() &&
-    !renderer->Transparent() && !renderer->GetPreserveDepthBuffer();
+  return window && !this->Fails && !s->GetFrameBuffer() && !renderer->GetSelector() &&
+    !ShowsTile(window) && !window->GetUseSRGBColorSpace() && window->GetErase() &&
+    renderer->GetErase() && !renderer->Transparent() && !renderer->GetPreserveDepthBuffer();
 }
 
 void SmallFrame::Shrink(vtkRenderer* renderer, int factor)
@@ -108,6 +108,19 @@ void SmallFrame::End()
   this->Enlarge();
 }
 
+void SmallFrame::ReadyProgram()
+{
+  if (!this->Quad)
+  {
+    this->Quad =
+      std::make_unique<vtkOpenGLQuadHelper>(this->Window, nullptr, enlarge_fragment_glsl, nullptr);
+  }
+  else
+  {
+    this->Window->GetShaderCache()->ReadyShaderProgram(this->Quad->Program);
+  }
+}
+
 void SmallFrame::Enlarge()
 {
   vtkOpenGLState* const state = this->Window->GetState();
@@ -121,20 +134,15 @@ void SmallFrame::Enlarge()
   state->vtkglDepthFunc(GL_ALWAYS);
   state->vtkglDepthMask(GL_TRUE);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  if (!this->Quad)
-  {
-    this->Quad =
-      std::make_unique<vtkOpenGLQuadHelper>(this->Window, nullptr, enlarge_fragment_glsl, nullptr);
-  }
-  else
-  {
-    this->Window->GetShaderCache()->ReadyShaderProgram(this->Quad->Program);
-  }
+  this->ReadyProgram();
   vtkTextureObject* const color = this->Framebuffer->GetColorAttachmentAsTextureObject(0);
   vtkTextureObject* const depth = this->Framebuffer->GetDepthAttachmentAsTextureObject();
   if (!this->Quad->Program || !color || !depth)
   {
-    vtkGenericWarningMacro(<< "A smaller picture could not be enlarged");
+    this->Fails = true;
+    vtkGenericWarningMacro(
+      << "A smaller picture could not be enlarged: frames stay as large as the "
+         "window, also while the view moves");
     return;
   }
   Filter(color, vtkTextureObject::Linear);

@@ -30,8 +30,8 @@ public:
   ~SmallFrame();
 
   // Not where pixels count (a selection, another pass's framebuffer), where the window shows a tile
-  // of a picture, and where the renderer draws over what is there already.
-  static bool IsPossible(const vtkRenderState* s);
+  // of a picture, where the renderer draws over what is there already, and once it has failed.
+  bool IsPossible(const vtkRenderState* s) const;
 
   // The viewport, so many times smaller on each side. After it everything is as in a window of that
   // size, but the framebuffer.
@@ -47,6 +47,7 @@ public:
 
 private:
   void Allocate();
+  void ReadyProgram();
   void Enlarge();
 
   vtkRenderer* Renderer = nullptr; // of this frame
@@ -56,6 +57,7 @@ private:
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   int Allocated[2] = { 0, 0 }; // of the framebuffer
   std::unique_ptr<vtkOpenGLQuadHelper> Quad;
+  bool Fails = false;
 };
 }
 

@@ -77,7 +77,7 @@ public:
   // buffer, too. bounds: the prop's, which have just been asked for; nullptr where it has none.
   vtkWideFoVStage* Choose(vtkProp* prop, const double* bounds, wfv::PropFacts& facts);
 
-  // True where nothing of the prop can be in the picture: it need not be drawn.
+  // True where nothing of the prop can be in the picture, or it cannot be drawn: it need not be.
   bool IsUnseen(vtkProp* prop, const double* bounds, wfv::PropFacts& facts) const;
 
   // What surely holds the picture of what has these bounds, for the eye that is drawn.

@@ -3,6 +3,8 @@
 #include "Frame/Stages.h"
 
 #include "Compat/CompositeMapper.h"
+#include "Compat/Reports.h"
+#include "Drawables/IndexLimit.h"
 #include "Drawables/Volumes.h"
 #include "Frame/ClusterDraw.h"
 #include "Frame/Technique.h"
@@ -22,6 +24,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <string>
 
 namespace
 {
@@ -69,6 +72,20 @@ vtkIdType CountFew(vtkActor* actor)
   const bool surface = actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
   const bool few = mesh && surface && !wfv::ClusterDraw::IsWorthIt(mesh);
   return few ? mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() : 0;
+}
+}
+
+namespace
+{
+// Says so where it is.
+bool IsUncountable(vtkActor* actor)
+{
+  const std::string excess = wfv::FindExcess(wfv::CountIndices(actor));
+  if (!excess.empty() && wfv::IsNews(excess))
+  {
+    vtkErrorWithObjectMacro(actor, << "a mesh is not drawn: " << excess);
+  }
+  return !excess.empty();
 }
 }
 
@@ -130,6 +147,7 @@ void wfv::Stages::FindFacts(vtkProp* prop, wfv::PropFacts& facts)
     const double width = std::max<double>(property->GetLineWidth(), facts.PointSize);
     facts.Reach = facts.Bounded && DrawsOutlines(actor) ? WidthMargin * width : 0;
     facts.Few = CountFew(actor);
+    facts.Uncountable = IsUncountable(actor);
   }
   facts.Bounded = facts.Bounded || vtkVolume::SafeDownCast(prop);
   facts.Known = true;
@@ -173,7 +191,7 @@ wfv::vec2 wfv::Stages::GetDistances(const double* b) const
 bool wfv::Stages::IsUnseen(vtkProp* prop, const double* b, wfv::PropFacts& facts) const
 {
   FindFacts(prop, facts);
-  if (wfv::volume::IsFlatVolume(prop))
+  if (facts.Uncountable || wfv::volume::IsFlatVolume(prop))
   {
     return true;
   }

@@ -3,6 +3,7 @@
 
 #include "Compat/Driver.h"
 #include "Compat/Gl.h"
+#include "Frame/RefusedShaders.h"
 #include "WideFoVGlsl.h"
 
 #include "vtkShader.h"
@@ -65,31 +66,6 @@ public:
     (program->*(&ProgramAccess::ClearMaps))();
   }
 };
-
-std::string Log(GLuint shader)
-{
-  char text[1024] = "";
-  glGetShaderInfoLog(shader, sizeof(text), nullptr, text);
-  return text;
-}
-
-// 0 and the log where it does not compile.
-GLuint Compile(GLenum type, const std::string& source, std::string& log)
-{
-  const GLuint shader = glCreateShader(type);
-  const char* text = source.c_str();
-  glShaderSource(shader, 1, &text, nullptr);
-  glCompileShader(shader);
-  GLint done = 0;
-  glGetShaderiv(shader, GL_COMPILE_STATUS, &done);
-  if (!done)
-  {
-    log = Log(shader);
-    glDeleteShader(shader);
-    return 0;
-  }
-  return shader;
-}
 
 // True where it links; its uniforms and attributes have new places then.
 bool Link(vtkShaderProgram* program)
@@ -163,9 +139,11 @@ std::string wfv::Tessellation::AddTo(vtkShaderProgram* program, const Request& r
 {
   const std::string geometry = program->GetGeometryShader()->GetSource();
   std::string log;
-  const GLuint control = Compile(GL_TESS_CONTROL_SHADER, ControlSource(request, geometry), log);
-  const GLuint evaluation =
-    control ? Compile(GL_TESS_EVALUATION_SHADER, EvaluationSource(request, geometry), log) : 0;
+  const GLuint control =
+    wfv::CompileShader(GL_TESS_CONTROL_SHADER, ControlSource(request, geometry), log);
+  const GLuint evaluation = control
+    ? wfv::CompileShader(GL_TESS_EVALUATION_SHADER, EvaluationSource(request, geometry), log)
+    : 0;
   if (!evaluation)
   {
     glDeleteShader(control); // 0 is ignored

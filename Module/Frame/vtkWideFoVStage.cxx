@@ -13,6 +13,7 @@
 #include "Frame/DirectionTextures.h"
 #include "Frame/Eye.h"
 #include "Frame/Headlights.h"
+#include "Frame/RefusedShaders.h"
 #include "Frame/Stages.h"
 #include "Frame/Tessellation.h"
 #include "Projections/Bounds/Bend.h"
@@ -41,6 +42,7 @@
 #include <cstring>
 #include <iterator>
 #include <string>
+#include <utility>
 
 vtkStandardNewMacro(vtkWideFoVStage);
 
@@ -295,27 +297,63 @@ bool vtkWideFoVStage::PostReplaceShaderValues(std::string& vertexShader,
   const bool classifies = triangles && (wfv::IsOwnMapper(mapper) || wfv::ClassifiesBlocks(mapper));
   request.MeetsChords = classifies && this->MeetsChords && !request.Edges && MayClassify(mapper);
   request.SeveralChords = request.MeetsChords && this->SeveralChords;
-  using Texts = wfv::ShaderMemory::Texts;
+  const bool others = wfv::IsEditedFurther(this, prop);
   Texts texts{ vertexShader, geometryShader, fragmentShader };
   const Texts* const before =
-    this->Stages ? this->Stages->Texts.Find(request, classifies, texts) : nullptr;
-  if (!before)
+    this->Stages ? this->Stages->Texts.Find(request, { classifies, others }, texts) : nullptr;
+  if (before)
   {
-    if (classifies)
-    {
-      wfv::TakeTriangleNumbers(texts.Fragment);
-    }
-    wfv::ShaderBuilder::Finish(request, texts.Vertex, texts.Geometry, texts.Fragment);
-    if (this->Stages)
-    {
-      this->Stages->Texts.Keep(texts);
-    }
+    texts = *before;
   }
-  const Texts& made = before ? *before : texts;
-  vertexShader = made.Vertex;
-  geometryShader = made.Geometry;
-  fragmentShader = made.Fragment;
-  vtkObject* const reports = this->Renderer ? static_cast<vtkObject*>(this->Renderer) : this;
-  wfv::stock::LeaveOutUnedited(reports, mapper, vertexShader, geometryShader, fragmentShader);
+  else
+  {
+    this->FinishTexts(request, classifies, mapper, texts);
+    this->Keep(texts);
+  }
+  // of what others edit nothing is known
+  if ((!before || others) && this->LeaveOutRefused(mapper, prop, texts) && !others)
+  {
+    this->Keep(texts);
+  }
+  vertexShader = std::move(texts.Vertex);
+  geometryShader = std::move(texts.Geometry);
+  fragmentShader = std::move(texts.Fragment);
   return true;
+}
+
+void vtkWideFoVStage::FinishTexts(const wfv::ShaderBuilder::Request& request, bool classifies,
+  vtkAbstractMapper* mapper, Texts& texts)
+{
+  if (classifies)
+  {
+    wfv::TakeTriangleNumbers(texts.Fragment);
+  }
+  wfv::ShaderBuilder::Finish(request, texts.Vertex, texts.Geometry, texts.Fragment);
+  wfv::stock::LeaveOutUnedited(
+    this->GetReporter(), mapper, texts.Vertex, texts.Geometry, texts.Fragment);
+}
+
+void vtkWideFoVStage::Keep(const Texts& texts)
+{
+  if (this->Stages)
+  {
+    this->Stages->Texts.Keep(texts);
+  }
+}
+
+bool vtkWideFoVStage::LeaveOutRefused(vtkAbstractMapper* mapper, vtkProp* prop, Texts& texts)
+{
+  vtkRenderWindow* const window = this->Renderer ? this->Renderer->GetRenderWindow() : nullptr;
+  const bool refused = window && !wfv::stock::DrawsNothing(texts.Fragment) &&
+    wfv::IsRefused(this->GetReporter(), window, this, mapper, prop, texts);
+  if (refused)
+  {
+    wfv::stock::LeaveOut(texts.Vertex, texts.Geometry, texts.Fragment);
+  }
+  return refused;
+}
+
+vtkObject* vtkWideFoVStage::GetReporter()
+{
+  return this->Renderer ? static_cast<vtkObject*>(this->Renderer) : this;
 }

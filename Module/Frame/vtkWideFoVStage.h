@@ -6,6 +6,7 @@
 #define vtkWideFoVStage_h
 
 #include "Camera/Tile.h"
+#include "Frame/ShaderMemory.h"
 #include "Frame/SteadyLights.h"
 #include "Shaders/ShaderBuilder.h"
 #include "vtkWideFoVAbi.h"
@@ -170,6 +171,14 @@ private:
   void FinishTriangles(wfv::ShaderBuilder::Request& request) const;
 
   void NoteView(const wfv::View& view);
+
+  // Texts that VTK has made, to the end; what cannot be drawn with then draws nothing.
+  using Texts = wfv::ShaderMemory::Texts;
+  void FinishTexts(const wfv::ShaderBuilder::Request& request, bool classifies,
+    vtkAbstractMapper* mapper, Texts& texts);
+  void Keep(const Texts& texts); // of those that were asked for last
+  bool LeaveOutRefused(vtkAbstractMapper* mapper, vtkProp* prop, Texts& texts); // whether it did
+  vtkObject* GetReporter();                                                     // of errors
 
   // Looks whether the bound framebuffer has several samples a pixel: before a frame, and for each
   // draw, where one of them has.

@@ -40,10 +40,8 @@ public:
   // Cells along a face of the cube on the finest level: a power of two.
   int GetCells() const { return this->Cells; }
 
-  // Radians: the longest step between neighbours that hang together; 0 where none do.
-  double GetLongestStep() const { return this->LongestStep; }
-
-  // Width, height, cells and longest step, as wfv::WfvView has them.
+  // Width, height, cells and the longest step between neighbours that hang together (radians; 0
+  // where none do), as wfv::WfvView has them.
   vec4 GetSizes() const { return { this->Width, this->Height, this->Cells, this->LongestStep }; }
 
   // The tables, rows from the bottom: width x height; 12 cells wide, two rectangles a cell,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BenchScenes.h"
 
-#include "BallScenes.h"
 #include "MessageCatcher.h"
 #include "Messages.h"
 #include "Pipeline.h"
@@ -19,7 +18,6 @@ namespace bench
 namespace
 {
 const char* const Office = "office";
-const char* const Balls = "balls";
 const char* const BallsApart = "balls-apart";
 
 // As Examples/render-pictures.sh shows it: arrows and stream tubes, seen from between the
@@ -56,7 +54,7 @@ std::vector<std::string> BenchSceneNames()
 std::vector<std::string> AllSceneNames()
 {
   std::vector<std::string> names = BenchSceneNames();
-  names.insert(names.end(), { Balls, BallsApart });
+  names.insert(names.end(), { "balls", BallsApart });
   return names;
 }
 
@@ -70,9 +68,9 @@ BenchScene LoadBenchScene(const std::string& name, const std::string& dataFolder
     SetOfficeCamera(scene.Camera);
     scene.Scene = widefov::ReadScene({ dataFolder + "/office.binary.vtk" });
   }
-  else if (name == Balls || name == BallsApart)
+  else if (name == BallsApart)
   {
-    scene.Scene = MakeBallScene(name == BallsApart);
+    scene.Scene = widefov::MakeBallsApart();
   }
   else
   {

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Small runs of widefov-bench of views that move: records, ratios, and what the page says of them.
+"""Small runs of widefov-bench and widefov-viewer of views that move: records, ratios, and what the page says of them.
 
-    check_moving.py WIDEFOV-BENCH
+    check_moving.py WIDEFOV-BENCH WIDEFOV-VIEWER
 """
 
+import json
 import os
 import shutil
 import subprocess
@@ -24,6 +25,7 @@ RUNS = [("film", 4), ("first", 1), ("turn", 1)]
 # What the page says of these runs.
 NEEDED = ("| film | 4 |", "| turning | 1 |", "| first picture | 1 |", "| room | first picture |")
 NEEDED += ("\n4 samples:\n\n", "A trial.", "256x128, medians of 2 frames")
+NEEDED += ("Dragging in `widefov-viewer`, 256x128, default options, medians of 8 frames",)
 NEEDED += ("[moving-film-4.json](moving-film-4.json)", "`auto` / cubemap-ss")
 
 
@@ -60,6 +62,21 @@ def moving_complaints(bench, mode, samples):
             yield "no 'time %s%s'" % (ratio, end)
 
 
+def drag_complaints(program, folder):
+    """A short drag of the room, 16 frames in all."""
+    path = os.path.join(folder, "dragging.json")
+    command = [sys.executable, "-B", os.path.join(HERE, "dragging.py"), program, "--output", path]
+    subprocess.run(command + ["--scenes", "room", "--size", "256x128", "--frames", "4"], check=True)
+    with open(path, encoding="utf-8") as stream:
+        document = json.load(stream)
+    (record,) = document["records"]
+    if record["scene"] != "room" or document["size"] != [256, 128] or document["frames"] != 8:
+        yield "dragging: %s" % document
+    ms = record["ms"]
+    if not min(ms.values()) > 0 or record["ratio"] != ms["wide"] / ms["perspective"]:
+        yield "dragging: %s" % record
+
+
 def row_of(bench):
     """The page's ratios of the film with four samples, by those of the program."""
     ratios = ["auto_0.25 / vertex", "auto_0.25 / cubemap_82", "auto_0.25 / perspective"]
@@ -72,6 +89,7 @@ def page_complaints(folder, film):
     page = os.path.join(folder, "page.md")
     shutil.copy(PAGE, page)
     files = [os.path.join(folder, "moving-%s-%d.json" % row) for row in RUNS]
+    files.append(os.path.join(folder, "dragging.json"))
     command = [sys.executable, "-B", os.path.join(HERE, "moving.py"), page] + files + ["--trial"]
     subprocess.run(command, check=True)
     with open(page, encoding="utf-8") as stream:
@@ -87,6 +105,7 @@ def main():
         for mode, samples in RUNS:
             bench = benches[mode] = moving_run(sys.argv[1], folder, mode, samples)
             found += list(moving_complaints(bench, mode, samples))
+        found += list(drag_complaints(sys.argv[2], folder))
         found += list(page_complaints(folder, benches["film"]))
     print("\n".join(found) if found else "moving: nothing to complain about")
     sys.exit(1 if found else 0)

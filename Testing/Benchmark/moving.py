@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Writes what views that move cost to the benchmark page.
 
-    moving.py PAGE.md BENCH.json... [--trial]
+    moving.py PAGE.md BENCH.json... [DRAGGING.json] [--trial]
 
-Every file is of one mode (first, turn or film) and one number of samples. Replaces what stands
+Every file of widefov-bench is of one mode (first, turn or film) and one number of samples; that of
+dragging.py is told by its times of "wide". Replaces what stands
 between <!-- begin moving --> and <!-- end moving --> in the page. --trial says on the page that the
 machine was not quiet.
 """
@@ -28,12 +29,16 @@ RATIOS = [
 TIMED = ["auto", "vertex", "cubemap", "perspective", "stereo-omnidirectional", "cubemap-ss"]
 
 
+def read(path):
+    with open(path, encoding="utf-8") as stream:
+        return json.load(stream)
+
+
 class Timings:
     """One file: what every scene and method took."""
 
     def __init__(self, path):
-        with open(path, encoding="utf-8") as stream:
-            self.bench = json.load(stream)
+        self.bench = read(path)
         self.name = os.path.basename(path)
         records = self.bench["records"]
         self.mode = records[0]["mode"]
@@ -110,6 +115,23 @@ def machine_text(measured):
     return text % values + "\n\n"
 
 
+def dragging_text(dragged):
+    """What the viewer's user sees, beside the same in perspective."""
+    if not dragged:
+        return ""
+    rows = []
+    for r in dragged["records"]:
+        ms = r["ms"]
+        rows.append([r["scene"], number(ms["wide"]), number(ms["perspective"]), number(r["ratio"])])
+    text = "\nDragging in `widefov-viewer`, %dx%d, default options, medians of %d frames ([%s](%s)):\n\n"
+    text %= (*dragged["size"], dragged["frames"], dragged["name"], dragged["name"])
+    return text + table(["scene", "ms", "perspective, ms", "ratio"], rows)
+
+
+def is_of_dragging(path):
+    return "wide" in read(path)["records"][0]["ms"]
+
+
 def moving_text(measured):
     text = machine_text(measured) + overview(measured)
     for samples in sorted({t.samples for t in measured}):
@@ -123,11 +145,13 @@ def main():
         sys.exit(__doc__.strip().split("\n\n")[1].strip())
     with open(arguments[0], encoding="utf-8") as stream:
         page = stream.read()
-    measured = [Timings(path) for path in arguments[1:]]
+    drags = [path for path in arguments[1:] if is_of_dragging(path)]
+    measured = [Timings(path) for path in arguments[1:] if path not in drags]
     order = list(MODES)
     measured.sort(key=lambda t: (t.samples, order.index(t.mode)))
     trial = TRIAL if "--trial" in sys.argv else ""
-    page = replaced(page, "moving", trial + moving_text(measured))
+    dragged = dict(read(drags[0]), name=os.path.basename(drags[0])) if drags else None
+    page = replaced(page, "moving", trial + moving_text(measured) + dragging_text(dragged))
     with open(arguments[0], "w", encoding="utf-8") as stream:
         stream.write(page)
 

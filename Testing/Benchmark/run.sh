@@ -9,8 +9,9 @@
 # OPTION: [--trial] [--data FOLDER] [--scenes A,B,..] [--page FOLDER]
 #
 # --moving  what the page leads with, first pictures, turning and films, and nothing else: with one
-#           and with four samples at 2048x1024, nine frames a run, about an hour on two cores;
-#           without it the views that stand, and what goes with them
+#           and with four samples at 2048x1024, nine frames a run, about an hour on two cores; and
+#           dragging in the viewer, at 1024x512. Without it the views that stand, and what goes with
+#           them
 # --size    of moving views, pixels
 # --frames  of moving views, a run
 # --quick   every scene at 1024x512 with few parameters, about eight minutes on two cores
@@ -95,7 +96,9 @@ bash Utilities/install-packages.sh build examples test
 step=building
 [ -f build/build.ninja ] || cmake --preset default
 cmake -DWIDEFOV_BUILD_TESTING=ON -DWIDEFOV_BUILD_EXAMPLES=ON build > /dev/null
-cmake --build build --target widefov-bench
+targets=(widefov-bench)
+[ -z "$moving" ] || targets+=(widefov-viewer)
+cmake --build build --target "${targets[@]}"
 
 step=measuring
 mkdir -p output "$page"
@@ -120,6 +123,13 @@ measure_moving() { # one run for each mode and number of samples
       files+=("moving-$mode-$n.json")
     done
   done
+  step=dragging
+  local drags=(--frames "${frames:-15}")
+  [ -z "$size" ] || drags+=(--size "$size")
+  [ "${#scenes[@]}" -eq 0 ] || drags+=("${scenes[@]}")
+  /usr/bin/python3 -B Testing/Benchmark/dragging.py build/bin/widefov-viewer \
+    --output output/dragging.json "${drags[@]}"
+  files+=(dragging.json)
   step=writing
   publish "${files[@]}"
   have_page

@@ -2,8 +2,8 @@
 // The edits of VTK's shader text (Module/Compat/StockEdits.cxx): on the VTK that runs
 // each finds what it looks for, and where one does not, that is said, and nothing half edited is
 // drawn.
+#include "Compat/Reports.h"
 #include "Compat/StockEdits.h"
-#include "Compat/StockText.h"
 #include "Overheard.h"
 #include "StockEditScenes.h"
 
@@ -37,7 +37,7 @@ using stock::Edit;
 // What VTK says meanwhile, of edits that nothing was said of before.
 struct OverheardAnew : Overheard
 {
-  OverheardAnew() { stock::ForgetReports(); }
+  OverheardAnew() { wfv::ForgetReports(); }
 };
 
 // Of the edits that are called with a name: any.

@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <functional>
+#include <vector>
 
 namespace
 {
@@ -62,6 +63,23 @@ TEST(UpdateRate, StandingStillIsAsWithout)
   EXPECT_EQ(test.Pass()->GetRelaxation(), 0);
   EXPECT_EQ(test.Pass()->GetNumberOfPreClipDraws(), preClip);
   EXPECT_TRUE(Same(TestPixels(test.Window), without));
+}
+
+TEST(UpdateRate, TheRangeIsClamped)
+{
+  const auto clamped = [](int least, int most) {
+    vtkNew<vtkWideFoVPass> pass;
+    pass->SetRelaxationRange(least, most);
+    return std::vector<int>(pass->GetRelaxationRange(), pass->GetRelaxationRange() + 2);
+  };
+  EXPECT_EQ(clamped(1, 3), (std::vector<int>{ 1, 3 }));
+  EXPECT_EQ(clamped(-7, 99), (std::vector<int>{ 0, 4 }));
+  EXPECT_EQ(clamped(99, -7), (std::vector<int>{ 4, 4 }));
+  EXPECT_EQ(clamped(3, 1), (std::vector<int>{ 3, 3 }));
+  vtkNew<vtkWideFoVPass> pass;
+  const vtkMTimeType before = pass->GetMTime();
+  pass->SetRelaxationRange(-1, 5);
+  EXPECT_EQ(pass->GetMTime(), before); // as it was
 }
 
 TEST(UpdateRate, WithTimeToSpareNothingIsRelaxed)

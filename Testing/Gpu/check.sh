@@ -47,7 +47,7 @@ test_limit=100 stress_limit=90 picture_limit=60 bench_limit=45
 primitives=50000
 stress_projections=equirectangular,hammer,azimuthal-equidistant
 picture_size=2048x1024
-scenes=(cornell room atrium globe winds flow flow-large vector-cloud sphere office)
+scenes=(cornell room atrium globe winds flow flow-large vector-cloud balls sphere office)
 bench_scenes=cornell,room,atrium,office,flow-large,globe,vector-cloud,winds,balls
 bench_sizes=(2048x1024 4096x2048)
 bench_samples=(0 4 8) # 0 is one sample
@@ -57,7 +57,7 @@ if [ "$small" = yes ]; then
   primitives=100
   stress_projections=equirectangular
   picture_size=256x128
-  scenes=(cornell room atrium globe sphere)
+  scenes=(cornell room atrium globe balls sphere)
   bench_scenes=cornell,room
   bench_sizes=(256x128 512x256)
   bench_samples=(0 4)

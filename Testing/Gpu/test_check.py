@@ -12,6 +12,7 @@ fits no test, and where the time is over.
 
 import json
 import os
+import re
 import struct
 import subprocess
 import sys
@@ -19,7 +20,7 @@ import tempfile
 import zlib
 
 PICTURES = {"gl": (64, 32)}
-PICTURES.update(dict.fromkeys(["cornell", "room", "atrium", "globe", "sphere"], (256, 128)))
+PICTURES.update(dict.fromkeys(["cornell", "room", "atrium", "globe", "balls", "sphere"], (256, 128)))
 TESTS = [
     "CompareExact", "Watertight", "CompareLines", "ComparePoints", "CompareQuadrics", "CompareStereo",
 ]
@@ -69,6 +70,17 @@ def check_pictures(folder):
             folder, "pictures", name + ".json")
         assert stats["size"] == list(size) and stats["ms"]["median"] > 0, stats
         assert all(stats["gl"][key] for key in ("vendor", "renderer", "version")), stats["gl"]
+
+
+def check_scenes(script):
+    """What is timed is to be seen, too, in both sizes."""
+    with open(script, encoding="utf-8") as stream:
+        text = stream.read()
+    drawn = [names.split() for names in re.findall(r"^ *scenes=\(([a-z -]+)\)", text, re.M)]
+    timed = [names.split(",") for names in re.findall(r"^ *bench_scenes=([a-z,-]+)", text, re.M)]
+    assert len(drawn) == len(timed) == 2, (drawn, timed)
+    for pictures, scenes in zip(drawn, timed):
+        assert not set(scenes) - set(pictures), f"no picture of {set(scenes) - set(pictures)}"
 
 
 def check_tests(folder):
@@ -144,6 +156,7 @@ def check_failures(script, programs, scratch):
 
 def main():
     script, programs = sys.argv[1:3]
+    check_scenes(script)
     with tempfile.TemporaryDirectory() as scratch:
         check_failures(script, programs, scratch)
         results = os.path.join(scratch, "results")

@@ -37,8 +37,8 @@ public:
   }
   const Cell& OfCell(std::size_t cell, int level) const { return this->Tables[level][cell]; }
 
-  // Cells of the finest level, which a direction is in one of; and of each those round it, and
-  // itself.
+  // Cells of the finest level, which a direction is in one of, some cell also where it is no number
+  // or has no length; and of each those round it, and itself.
   static constexpr int Cells = 32; // along a face of the cube
   static constexpr std::size_t NumberOfCells = 6 * Cells * Cells;
   static std::size_t CellOf(const vec3& direction)
@@ -47,14 +47,20 @@ public:
     const int axis = a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
     const int face = direction[axis] < 0 ? axis : axis + 3;
     const double scale = 0.5 * Cells / a[axis];
-    const int i = std::min(Cells - 1, int(0.5 * Cells + direction[(axis + 1) % 3] * scale));
-    const int j = std::min(Cells - 1, int(0.5 * Cells + direction[(axis + 2) % 3] * scale));
+    const int i = IndexOf(0.5 * Cells + direction[(axis + 1) % 3] * scale);
+    const int j = IndexOf(0.5 * Cells + direction[(axis + 2) % 3] * scale);
     return static_cast<std::size_t>((face * Cells + i) * Cells + j);
   }
   using Around = std::array<std::size_t, 9>;
   static const std::vector<Around>& GetNeighbours();
 
 private:
+  // (of NaN the greater of 0 and it is 0)
+  static int IndexOf(double place)
+  {
+    return static_cast<int>(std::min(Cells - 1.0, std::max(0.0, place)));
+  }
+
   std::vector<Cell> Tables[Levels];
 };
 }

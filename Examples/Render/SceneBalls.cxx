@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "BallScenes.h"
+// A million small triangles all round.
+#include "Scenes.h"
 
 #include <vtkMath.h>
 #include <vtkNew.h>
@@ -7,9 +8,7 @@
 
 #include <cmath>
 
-namespace wfv
-{
-namespace bench
+namespace widefov
 {
 namespace
 {
@@ -17,7 +16,7 @@ constexpr int BallCount = 127;
 constexpr double Radius = 0.15; // seen from a distance of 1
 
 // Even in height and turned by the golden angle: evenly over the sphere.
-widefov::Vector3 Spiral(int i, int count)
+Vector3 Spiral(int i, int count)
 {
   const double height = 1 - (2 * i + 1.0) / count;
   const double turn = i * vtkMath::Pi() * (3 - std::sqrt(5.0));
@@ -26,13 +25,13 @@ widefov::Vector3 Spiral(int i, int count)
 }
 
 // Whether a ball there keeps away from the half plane behind the eye, and so from the poles.
-bool KeepsAway(const widefov::Vector3& at)
+bool KeepsAway(const Vector3& at)
 {
   const double level = at[2] > 0 ? std::abs(at[0]) : std::hypot(at[0], at[2]);
   return level > 1.2 * Radius;
 }
 
-widefov::SceneProp MakeBall(const widefov::Vector3& at)
+SceneProp MakeBall(const Vector3& at)
 {
   vtkNew<vtkSphereSource> ball;
   ball->SetThetaResolution(64);
@@ -40,25 +39,23 @@ widefov::SceneProp MakeBall(const widefov::Vector3& at)
   ball->SetRadius(Radius);
   ball->SetCenter(at[0], at[1], at[2]);
   ball->Update();
-  widefov::SceneProp prop;
+  SceneProp prop;
   prop.Surface = ball->GetOutput();
   prop.Source = prop.Surface;
   prop.Label = "a ball";
   prop.Color = { { 0.6 + 0.4 * at[0], 0.6 + 0.4 * at[1], 0.6 + 0.4 * at[2] } };
   return prop;
 }
-}
-
-widefov::Scene MakeBallScene(bool apart)
+Scene MakeBallScene(bool apart)
 {
-  widefov::Scene scene;
-  scene.Eye = widefov::Vector3{ { 0, 0, 0 } };
+  Scene scene;
+  scene.Eye = Vector3{ { 0, 0, 0 } };
   for (int count = BallCount; static_cast<int>(scene.Props.size()) < BallCount; count++)
   {
     scene.Props.clear();
     for (int i = 0; i < count; i++)
     {
-      const widefov::Vector3 at = Spiral(i, count);
+      const Vector3 at = Spiral(i, count);
       if (!apart || KeepsAway(at))
       {
         scene.Props.push_back(MakeBall(at));
@@ -67,5 +64,15 @@ widefov::Scene MakeBallScene(bool apart)
   }
   return scene;
 }
+}
+
+Scene MakeBalls()
+{
+  return MakeBallScene(false);
+}
+
+Scene MakeBallsApart()
+{
+  return MakeBallScene(true);
 }
 }
