@@ -272,6 +272,7 @@ void vtkWideFoVDataPass::Internals::Prepare(vtkRenderer* renderer)
   {
     wide->PrepareFrame(renderer);
     wide->GetPerspectiveEye(renderer->GetTiledAspectRatio(), this->Eye);
+    wide->ExpectStage(); // the matrices are read here, and nothing is drawn by them
   }
   vtkMatrix4x4* toView;
   vtkMatrix4x4* toClip;

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVPass.h"
 
+#include "Camera/ActiveCamera.h"
 #include "Compat/VersionCheck.h"
-#include "Frame/BlockClusters.h"
+#include "Frame/PartActor.h"
 #include "Frame/Technique.h"
 #include "vtkWideFoVCamera.h"
 #include "vtkWideFoVPassInternals.h"
+#include "vtkWideFoVRenderer.h"
 #include "vtkWideFoVScreenCamera.h"
 
-#include "vtkActor.h"
 #include "vtkObjectFactory.h"
 #include "vtkProp.h"
 #include "vtkRenderState.h"
@@ -40,6 +41,7 @@ constexpr int Enlargements[wfv::FrameRate::Levels] = { 1, 1, 2, 3, 4 };
 vtkWideFoVPass::vtkWideFoVPass()
   : Internal(new Internals)
 {
+  wfv::MakePartsWide();
 }
 
 vtkWideFoVPass::~vtkWideFoVPass() = default;
@@ -105,68 +107,6 @@ void vtkWideFoVPass::SetRelaxationRange(const int range[2])
   this->SetRelaxationRange(range[0], range[1]);
 }
 
-void vtkWideFoVPass::DrawDelegate(const vtkRenderState* s)
-{
-  if (this->Internal->Delegate)
-  {
-    this->Internal->Delegate->Render(s);
-    this->NumberOfRenderedProps = this->Internal->Delegate->GetNumberOfRenderedProps();
-    return;
-  }
-  vtkRenderer* renderer = s->GetRenderer();
-  this->UpdateCamera(renderer);
-  this->UpdateLightGeometry(renderer);
-  this->UpdateLights(renderer);
-  this->UpdateGeometry(renderer, s->GetFrameBuffer());
-}
-
-int vtkWideFoVPass::Cull(vtkProp** props)
-{
-  Internals& in = *this->Internal;
-  int seen = 0;
-  in.Chosen.clear();
-  in.Texts.Clear();
-  in.Flat.clear();
-  for (int i = 0; i < in.Props.GetCount(); i++)
-  {
-    vtkProp* const prop = in.Props.GetProp(i);
-    auto* const flat = in.Enlargement > 0 ? vtkActor2D::SafeDownCast(prop) : nullptr;
-    if (flat)
-    {
-      in.Flat.push_back(flat);
-    }
-    else if (!in.Texts.Take(prop) && !in.Props.IsUnseen(i))
-    {
-      in.Chosen.push_back(in.Props.GetStage(i));
-      props[seen++] = prop;
-    }
-  }
-  return seen;
-}
-
-void vtkWideFoVPass::DrawProps(const vtkRenderState* s, vtkProp** props, int count)
-{
-  Internals& in = *this->Internal;
-  in.Keys.resize(std::max<std::size_t>(in.Keys.size(), count));
-  for (int i = 0; i < count; i++)
-  {
-    in.Keys[i].Attach(props[i], in.Chosen[i]);
-    if (auto* const actor = vtkActor::SafeDownCast(props[i]))
-    {
-      wfv::ClassifyBlocksOf(actor->GetMapper(), s->GetRenderer()->GetRenderWindow());
-    }
-  }
-  vtkRenderState seen(s->GetRenderer());
-  seen.SetFrameBuffer(s->GetFrameBuffer());
-  seen.SetRequiredKeys(s->GetRequiredKeys());
-  seen.SetPropArrayAndCount(props, count);
-  this->DrawDelegate(&seen);
-  for (int i = 0; i < count; i++)
-  {
-    in.Keys[i].Detach(props[i], in.Chosen[i]);
-  }
-}
-
 namespace
 {
 // The eyes that the window draws one after the other, each as a frame of the renderer.
@@ -174,17 +114,6 @@ int CountEyes(vtkRenderWindow* window)
 {
   const int type = window->GetStereoType();
   return window->GetStereoRender() && type != VTK_STEREO_LEFT && type != VTK_STEREO_RIGHT ? 2 : 1;
-}
-
-// In the order of VTK's renderers: what lies in the scene, what shines through, what lies upon it.
-void DrawOverlay(vtkActor2D* flat, vtkRenderer* renderer)
-{
-  flat->RenderOpaqueGeometry(renderer);
-  if (flat->HasTranslucentPolygonalGeometry())
-  {
-    flat->RenderTranslucentPolygonalGeometry(renderer);
-  }
-  flat->RenderOverlay(renderer);
 }
 }
 
@@ -244,10 +173,32 @@ bool vtkWideFoVPass::IsExactTechnique(int technique, double tolerance)
   return wfv::Stages::IsExactTechnique(technique, tolerance);
 }
 
+// A pass over the picture draws by a plain copy of the camera; the view is that of the frame's own.
 void vtkWideFoVPass::Render(const vtkRenderState* s)
+{
+  vtkRenderer* const renderer = s->GetRenderer();
+  auto* const wide = vtkWideFoVRenderer::SafeDownCast(renderer);
+  vtkCamera* const camera = wide ? wide->GetFrameCamera() : nullptr;
+  this->Internal->OfCopy = camera && renderer->GetActiveCamera() != camera;
+  if (this->Internal->OfCopy)
+  {
+    const wfv::ActiveCamera active(renderer, camera);
+    this->RenderActive(s);
+    return;
+  }
+  this->RenderActive(s);
+}
+
+void vtkWideFoVPass::RenderActive(const vtkRenderState* s)
 {
   Internals& in = *this->Internal;
   vtkRenderer* renderer = s->GetRenderer();
+  if (wfv::FindFrame(renderer))
+  {
+    this->DrawDelegate(
+      s); // within a pass of another kind, by which a wide one draws: once is enough
+    return;
+  }
   auto* camera = vtkWideFoVCamera::SafeDownCast(renderer->GetActiveCamera());
   this->ResetCounts(s->GetPropArrayCount());
   if (vtkWideFoVScreenCamera::SafeDownCast(camera))
@@ -303,19 +254,18 @@ void vtkWideFoVPass::RenderWide(const vtkRenderState* s, vtkWideFoVCamera* camer
     in.Small.Shrink(renderer, in.Enlargement);
   }
   in.Props.Gather(renderer, props, count);
-  double bounds[6];
-  camera->BeginFrame(renderer, in.Props.GetSceneBounds(renderer, bounds) ? bounds : nullptr);
+  this->BeginFrame(s, camera);
   in.Stages.SetCulling(this->Culling != 0);
   in.Stages.SetEnlargement(std::max(1, in.Enlargement));
   in.Stages.Begin(renderer, camera, this->Technique, this->FindTolerance());
   in.Stages.SetDebugView(this->DebugView != 0);
   in.Props.Choose(in.Stages, in.Stages.GetViewNumber());
   const int seen = this->Cull(props);
-  this->NumberOfDrawnProps = seen + static_cast<int>(in.Flat.size());
+  this->NumberOfDrawnProps = seen + static_cast<int>(in.Flat.size() + in.Labels.size());
   this->NumberOfCulledProps = count - this->NumberOfDrawnProps;
   wfv::RendererAccess::SetCount(renderer, props, seen);
   this->DrawSeen(s, seen);
-  in.Texts.Draw(renderer, camera, in.Stages.Plain->GetTile());
+  this->DrawLabels(renderer);
   wfv::RendererAccess::SetCount(renderer, props, count);
   for (int i = 0; i < count; i++)
   {
@@ -326,28 +276,6 @@ void vtkWideFoVPass::RenderWide(const vtkRenderState* s, vtkWideFoVCamera* camer
   if (this->KeepUpdateRate)
   {
     renderer->GetRenderWindow()->WaitForCompletion(); // the renderer takes the time
-  }
-}
-
-void vtkWideFoVPass::DrawSeen(const vtkRenderState* s, int seen)
-{
-  Internals& in = *this->Internal;
-  if (in.Enlargement > 0)
-  {
-    // the programs are those for the samples of the window; depth is ordered in this framebuffer
-    in.Small.Begin();
-    in.Stages.Fine.Begin(s->GetRenderer());
-  }
-  this->Draws = true;
-  this->DrawProps(s, s->GetPropArray(), seen);
-  this->Draws = false;
-  if (in.Enlargement > 0)
-  {
-    in.Small.End();
-    for (vtkActor2D* const flat : in.Flat)
-    {
-      DrawOverlay(flat, s->GetRenderer());
-    }
   }
 }
 

@@ -251,7 +251,8 @@ protected:
   int NumberOfMadePrograms = 0;
   double ShaderTime = 0;
   double ClusterTime = 0;
-  bool Draws = false; // a wide frame, just now
+  bool Draws = false;      // a wide frame, just now
+  bool InDelegate = false; // that is what draws it
 
 private:
   vtkWideFoVPass(const vtkWideFoVPass&) = delete;
@@ -268,6 +269,19 @@ private:
 
   // With any other, which stock VTK draws; camera may be nullptr.
   void DrawFlat(const vtkRenderState* s, vtkWideFoVCamera* camera);
+
+  // With the renderer's active camera.
+  void RenderActive(const vtkRenderState* s);
+
+  // The size of what is drawn to, where that is not the window; sets the border of the picture in
+  // it.
+  bool FindFramebuffer(const vtkRenderState* s, int size[2]);
+
+  // Tells the camera of the frame, once its props are known.
+  void BeginFrame(const vtkRenderState* s, vtkWideFoVCamera* camera);
+
+  // What is drawn upon all others: labels that are placed in the picture, texts that stand in it.
+  void DrawLabels(vtkRenderer* renderer);
 
   // With a camera that is wide.
   void RenderWide(const vtkRenderState* s, vtkWideFoVCamera* camera);

@@ -4,10 +4,12 @@
 #define vtkWideFoVPassInternals_h
 
 #include "Drawables/Billboards.h"
+#include "Drawables/FlatHabits.h"
 #include "Frame/FrameProps.h"
 #include "Frame/FrameRate.h"
 #include "Frame/Headlights.h"
 #include "Frame/PropKeys.h"
+#include "Frame/PropParts.h"
 #include "Frame/SmallFrame.h"
 #include "Frame/Stages.h"
 #include "vtkWideFoVPass.h"
@@ -28,10 +30,15 @@ struct vtkWideFoVPass::Internals
   wfv::Billboards Texts;                   // that stand in the scene
   std::vector<vtkWideFoVStage*> Chosen;    // one a prop that is seen, kept for its memory
   std::vector<wfv::PropKeys> Keys;         // the same, as many as there ever were
+  wfv::PropParts Parts;                    // of those that are made of several
+  wfv::FlatHabits Habits;                  // of those that are drawn
   wfv::FrameRate Rate;
   wfv::SmallFrame Small;
-  int Enlargement = 0;           // of this frame; 0: drawn where it is shown
-  std::vector<vtkActor2D*> Flat; // of a frame that is enlarged: drawn upon it
+  vtkWideFoVCamera* Camera = nullptr; // of this frame
+  bool OfCopy = false;                // the renderer's camera was a copy of it
+  int Enlargement = 0;                // of this frame; 0: drawn where it is shown
+  std::vector<vtkActor2D*> Flat;      // of a frame that is enlarged: drawn upon it
+  std::vector<vtkActor2D*> Labels;    // that leave out what is behind a flat picture
 };
 
 namespace wfv

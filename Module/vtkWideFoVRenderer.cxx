@@ -2,6 +2,7 @@
 #include "vtkWideFoVRenderer.h"
 
 #include "Camera/Tile.h"
+#include "PassChain.h"
 #include "vtkWideFoVCamera.h"
 #include "vtkWideFoVPass.h"
 
@@ -15,9 +16,10 @@ vtkStandardNewMacro(vtkWideFoVRenderer);
 
 vtkWideFoVRenderer::vtkWideFoVRenderer()
 {
-  vtkNew<vtkWideFoVPass> pass;
-  this->SetPass(pass);
+  this->SetPass(this->OwnPass);
 }
+
+vtkWideFoVRenderer::~vtkWideFoVRenderer() = default;
 
 void vtkWideFoVRenderer::PrintSelf(ostream& os, vtkIndent indent)
 {
@@ -145,4 +147,38 @@ void vtkWideFoVRenderer::ResetCameraClippingRange(const double bounds[6])
   {
     this->Superclass::ResetCameraClippingRange(bounds);
   }
+}
+
+namespace
+{
+// Once a process.
+void WarnOfFlatCamera(vtkRenderer* renderer)
+{
+  static bool said = false;
+  if (!said && !vtkWideFoVCamera::SafeDownCast(renderer->GetActiveCamera()))
+  {
+    said = true;
+    vtkWarningWithObjectMacro(renderer, << "the picture is flat, for the active camera is a "
+                                        << renderer->GetActiveCamera()->GetClassName()
+                                        << "; set a vtkWideFoVCamera");
+  }
+}
+}
+
+void vtkWideFoVRenderer::DeviceRender()
+{
+  vtkWideFoVCamera* const camera = this->GetWideCamera();
+  if (!camera || !this->Pass)
+  {
+    WarnOfFlatCamera(this);
+    this->Superclass::DeviceRender();
+    return;
+  }
+  wfv::PassChain chain;
+  vtkRenderPass* const before = this->Pass;
+  this->FrameCamera = camera;
+  this->Pass = chain.Begin(before, this->OwnPass);
+  this->Superclass::DeviceRender();
+  this->Pass = before;
+  this->FrameCamera = nullptr;
 }

@@ -14,11 +14,13 @@
 
 #include "vtkWideFoVAbi.h" // For VTK_ABI_NAMESPACE_BEGIN
 
+#include "vtkNew.h" // For OwnPass
 #include "vtkOpenGLRenderer.h"
 #include "vtkRenderingWideFoVModule.h" // For export macro
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkWideFoVCamera;
+class vtkWideFoVPass;
 
 class VTKRENDERINGWIDEFOV_EXPORT vtkWideFoVRenderer : public vtkOpenGLRenderer
 {
@@ -58,12 +60,29 @@ public:
   using Superclass::ResetCameraClippingRange;
   void ResetCameraClippingRange(const double bounds[6]) override;
 
+  /**
+   * Draws a frame. Where the active camera is wide, its pass may be any: passes over the picture
+   * (blur, tone mapping, supersampling, ..) draw the wide view, by the vtkWideFoVPass that is the
+   * innermost of them or by this renderer's own. Those that take depths for those of a perspective
+   * are left out with one warning.
+   */
+  void DeviceRender() override;
+
+  /**
+   * The wide camera of the frame that is drawn just now, else nullptr: passes over the picture put
+   * a copy that is flat in its place.
+   */
+  vtkWideFoVCamera* GetFrameCamera() { return this->FrameCamera; }
+
 protected:
   vtkWideFoVRenderer();
-  ~vtkWideFoVRenderer() override = default;
+  ~vtkWideFoVRenderer() override;
 
   vtkWideFoVCamera* GetWideCamera();
   bool HasOffAxisEye(); // of a perspective, with a place of its own
+
+  vtkWideFoVCamera* FrameCamera = nullptr;
+  vtkNew<vtkWideFoVPass> OwnPass; // that it is made with
 
 private:
   vtkWideFoVRenderer(const vtkWideFoVRenderer&) = delete;

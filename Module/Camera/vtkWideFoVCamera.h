@@ -331,6 +331,15 @@ public:
    */
   void GetPerspectiveEye(double aspect, float eye[3]);
   void SetDirectionMap(const std::shared_ptr<const wfv::DirectionMap>& map);
+
+  // Of stages: what asks for the matrices next has one. Whatever else asks for them would draw a
+  // flat picture into the view. It is given some by which nothing is seen, and counted: how many
+  // times, since the last call.
+  void ExpectStage();
+
+  // Whether the view plane has no normal: for labels that ask it what is behind it.
+  void SetNothingBehind(bool nothing);
+  int TakeFlatDraws();
   /**
    * The view as two functions, in view coordinates (see Projections/Projection.h). Valid until the
    * camera is changed or another aspect is asked for.
@@ -345,12 +354,20 @@ public:
 
   // Of the pass: the same, with the bounds of the visible props where they are known, else
   // nullptr; until the end of the frame PrepareFrame then has nothing to do.
-  void BeginFrame(vtkRenderer* renderer, const double* bounds);
+  // framebuffer: size of what is drawn to, where that is another than the renderer's part of the
+  // window, else nullptr.
+  void BeginFrame(vtkRenderer* renderer, const double* bounds, const int* framebuffer = nullptr);
   void EndFrame();
 
   /// As vtkCamera's, and the wide view with them where the source has one.
   void ShallowCopy(vtkCamera* source);
   void DeepCopy(vtkCamera* source);
+
+  /// While a wide frame is drawn, the angle by which VTK makes what is to be so many pixels large
+  /// as large as that in the middle of the picture; at all other times vtkCamera's own.
+  double GetViewAngle() override;
+  double* GetViewPlaneNormal() VTK_SIZEHINT(3) override;
+  using Superclass::GetViewPlaneNormal;
 
   // What the stock pipeline asks for.
   void Render(vtkRenderer* renderer) override;
@@ -395,6 +412,12 @@ protected:
 
   // One warning a process for each property of vtkCamera that is set and that no view has.
   void WarnOfWhatIsIgnored(vtkRenderer* renderer);
+
+  // The viewport of all that is drawn to; false where that is the renderer's part of the window.
+  bool TakeFramebuffer(vtkRenderer* renderer);
+
+  // One warning a process where this camera is that of a renderer whose props no pass gives stages.
+  void WarnOfFlatRenderer(vtkRenderer* renderer);
 
   // The field of view that SetViewAngle means, degrees.
   double GetFieldOfViewAngle();

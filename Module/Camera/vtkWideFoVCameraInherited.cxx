@@ -5,6 +5,7 @@
 #include "Camera/CameraInternals.h"
 
 #include "vtkMath.h"
+#include "vtkRenderPass.h"
 #include "vtkRenderer.h"
 #include "vtkWindow.h"
 
@@ -94,6 +95,29 @@ void vtkWideFoVCamera::SetViewAngle(double degrees)
   SetBothFields(this, *this->Definition, h * degrees / now, v * degrees / now);
 }
 
+double vtkWideFoVCamera::GetViewAngle()
+{
+  if (Internals::FramesInDrawing == 0 || !this->IsWide())
+  {
+    return this->ViewAngle;
+  }
+  // a perspective as high as the picture whose pixels in the middle are under the angle of this
+  // one's
+  const double half = 0.5 * vtkMath::RadiansFromDegrees(this->GetFieldOfViewAngle());
+  return vtkMath::DegreesFromRadians(2 * std::atan(half));
+}
+
+void vtkWideFoVCamera::SetNothingBehind(bool nothing)
+{
+  this->Internal->NothingBehind = nothing;
+}
+
+double* vtkWideFoVCamera::GetViewPlaneNormal()
+{
+  static double none[3] = { 0, 0, 0 };
+  return this->Internal->NothingBehind ? none : this->ViewPlaneNormal;
+}
+
 void vtkWideFoVCamera::Zoom(double factor)
 {
   if (factor > 0)
@@ -110,6 +134,22 @@ void vtkWideFoVCamera::SetEyeSeparation(double distance)
 double vtkWideFoVCamera::GetEyeSeparation()
 {
   return this->GetInterpupillaryDistance();
+}
+
+void vtkWideFoVCamera::WarnOfFlatRenderer(vtkRenderer* renderer)
+{
+  if (this->Internal->InFrame || renderer->GetSelector())
+  {
+    return; // a wide frame is drawn, and says itself what it leaves out
+  }
+  vtkRenderPass* const pass = renderer->GetPass();
+  const std::string name = pass ? pass->GetClassName() : "no pass";
+  if (Told().insert("flat " + name).second)
+  {
+    vtkWarningMacro(<< "what a renderer draws by " << name
+                    << " is left out, for it would be flat: draw it by a vtkWideFoVPass, or by "
+                       "mappers of the class vtkWideFoVPolyDataMapper");
+  }
 }
 
 void vtkWideFoVCamera::WarnOfWhatIsIgnored(vtkRenderer* renderer)

@@ -3,25 +3,27 @@
 #include "vtkWideFoVCamera.h"
 
 #include "Camera/CameraInternals.h"
-#include "Camera/QuadricBounds.h"
+#include "Camera/SceneBounds.h"
 #include "Camera/Tile.h"
 #include "Projections/DirectionMap.h"
 
-#include "vtkBoundingBox.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
 #include "vtkPerspectiveTransform.h"
 #include "vtkPointData.h"
-#include "vtkProp.h"
-#include "vtkPropCollection.h"
 #include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 const wfv::Projection& vtkWideFoVCamera::GetProjectionDefinition()
@@ -160,53 +162,26 @@ bool vtkWideFoVCamera::NDCToRay(
   return ray.Inside;
 }
 
-namespace
-{
-bool IsEndless(const double bounds[6])
-{
-  return !std::all_of(bounds, bounds + 6, [](double x) { return std::isfinite(x); });
-}
+thread_local int vtkWideFoVCamera::Internals::FramesInDrawing = 0;
 
-// One prop with a point that is infinitely far would have all others at the near clip sphere.
-void LeaveOutEndless(vtkRenderer* renderer, double bounds[6])
+void vtkWideFoVCamera::BeginFrame(
+  vtkRenderer* renderer, const double* bounds, const int* framebuffer)
 {
-  if (!IsEndless(bounds))
-  {
-    return;
-  }
-  vtkBoundingBox box;
-  vtkPropCollection* const props = renderer->GetViewProps();
-  vtkCollectionSimpleIterator it;
-  props->InitTraversal(it);
-  while (vtkProp* const prop = props->GetNextProp(it))
-  {
-    const double* const own =
-      prop->GetVisibility() && prop->GetUseBounds() ? prop->GetBounds() : nullptr;
-    if (own && !IsEndless(own) && vtkMath::AreBoundsInitialized(own))
-    {
-      box.AddBounds(own);
-    }
-  }
-  vtkMath::UninitializeBounds(bounds);
-  if (box.IsValid())
-  {
-    box.GetBounds(bounds);
-  }
-}
-}
-
-void vtkWideFoVCamera::BeginFrame(vtkRenderer* renderer, const double* bounds)
-{
+  this->Internal->Framebuffer = { framebuffer ? framebuffer[0] : 0,
+    framebuffer ? framebuffer[1] : 0 };
   this->Internal->InFrame = false;
   this->Internal->Bounds = bounds;
   this->PrepareFrame(renderer);
   this->Internal->Bounds = nullptr;
   this->Internal->InFrame = true;
+  Internals::FramesInDrawing++;
 }
 
 void vtkWideFoVCamera::EndFrame()
 {
+  Internals::FramesInDrawing -= this->Internal->InFrame ? 1 : 0;
   this->Internal->InFrame = false;
+  this->Internal->Framebuffer = { 0, 0 };
 }
 
 void vtkWideFoVCamera::PrepareFrame(vtkRenderer* renderer)
@@ -229,7 +204,7 @@ void vtkWideFoVCamera::PrepareFrame(vtkRenderer* renderer)
     {
       renderer->ComputeVisiblePropBounds(bounds);
     }
-    LeaveOutEndless(renderer, bounds);
+    wfv::LeaveOutEndless(renderer, bounds);
     wfv::InflateForQuadrics(renderer, this->Position, bounds);
     this->ResetClipRadii(bounds);
   }
@@ -259,12 +234,50 @@ void vtkWideFoVCamera::Render(vtkRenderer* renderer)
 {
   this->PrepareFrame(renderer);
   this->Superclass::Render(renderer);
+  // which cleared the renderer's part of the window
+  if (this->TakeFramebuffer(renderer) && renderer->GetRenderWindow()->GetErase() &&
+    renderer->GetErase())
+  {
+    renderer->Clear();
+  }
+}
+
+bool vtkWideFoVCamera::TakeFramebuffer(vtkRenderer* renderer)
+{
+  const std::array<int, 2>& size = this->Internal->Framebuffer;
+  auto* const window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (size[0] <= 0 || !window)
+  {
+    return false;
+  }
+  window->GetState()->vtkglViewport(0, 0, size[0], size[1]);
+  window->GetState()->vtkglScissor(0, 0, size[0], size[1]);
+  return true;
 }
 
 void vtkWideFoVCamera::UpdateViewport(vtkRenderer* renderer)
 {
   this->PrepareFrame(renderer);
   this->Superclass::UpdateViewport(renderer);
+  this->TakeFramebuffer(renderer);
+}
+
+namespace
+{
+// Normalized device coordinates: far beyond the window, and a float32.
+constexpr double Outside = 1e30;
+
+// Whether the program that is in use has a stage: some ask for the matrices twice.
+bool HasStage(vtkRenderer* renderer)
+{
+  auto* const window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  vtkShaderProgram* const program =
+    window ? window->GetShaderCache()->GetLastShaderBound() : nullptr;
+  const char* const names[] = { "wfvTile", "wfvViewport", "wfvPicture", "wfvView.radii" };
+  return program && std::any_of(std::begin(names), std::end(names), [program](const char* name) {
+    return program->IsUniformUsed(name);
+  });
+}
 }
 
 void vtkWideFoVCamera::GetKeyMatrices(vtkRenderer* renderer, vtkMatrix4x4*& wcvc,
@@ -279,6 +292,28 @@ void vtkWideFoVCamera::GetKeyMatrices(vtkRenderer* renderer, vtkMatrix4x4*& wcvc
   // pass adds do the rest.
   vcdc->Identity();
   wcdc->DeepCopy(wcvc);
+  Internals& in = *this->Internal;
+  if (!in.Staged && !HasStage(renderer))
+  {
+    in.FlatDraws++;
+    vcdc->SetElement(3, 0, Outside); // as OpenGL takes them, transposed
+    wcdc->SetElement(3, 0, Outside);
+    this->WarnOfFlatRenderer(renderer);
+  }
+  in.Staged = false;
+}
+
+void vtkWideFoVCamera::ExpectStage()
+{
+  this->Internal->Staged = true;
+}
+
+int vtkWideFoVCamera::TakeFlatDraws()
+{
+  const int taken = this->Internal->FlatDraws;
+  this->Internal->FlatDraws = 0;
+  this->Internal->Staged = false;
+  return taken;
 }
 
 namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawables/Billboards.h"
 
+#include "Camera/ActiveCamera.h"
 #include "Camera/Tile.h"
 #include "vtkWideFoVCamera.h"
 
@@ -16,18 +17,6 @@
 
 namespace
 {
-// A renderer that is told of another camera tells everybody else.
-class CameraAccess : public vtkRenderer
-{
-public:
-  static vtkCamera* Exchange(vtkRenderer* renderer, vtkCamera* camera)
-  {
-    vtkCamera* const before = renderer->*(&CameraAccess::ActiveCamera);
-    renderer->*(&CameraAccess::ActiveCamera) = camera;
-    return before;
-  }
-};
-
 // Where a text stands in the picture; false where that is not in it. The clip spheres are fitted to
 // the data; a text may stand before or beyond them.
 bool FindPlace(vtkWideFoVCamera* camera, double aspect, const double world[3], double ndc[3])
@@ -84,7 +73,11 @@ bool Billboards::Take(vtkProp* prop)
   auto* const actor = vtkBillboardTextActor3D::SafeDownCast(prop);
   if (actor)
   {
-    this->Actors.push_back(actor);
+    // what has no letters shows nothing, and ends the program where it is asked for its size
+    if (actor->GetInput() && *actor->GetInput())
+    {
+      this->Actors.push_back(actor);
+    }
   }
   return actor != nullptr;
 }
@@ -103,13 +96,12 @@ void Billboards::Draw(vtkRenderer* renderer, vtkWideFoVCamera* camera, const flo
     ndc[1] = tile[1] * ndc[1] + tile[3];
     vtkNew<vtkOpenGLCamera> flat;
     ShowAt(flat, camera, actor->GetPosition(), ndc);
-    vtkCamera* const before = CameraAccess::Exchange(renderer, flat);
+    const ActiveCamera active(renderer, flat);
     actor->RenderOpaqueGeometry(renderer);
     if (actor->HasTranslucentPolygonalGeometry())
     {
       actor->RenderTranslucentPolygonalGeometry(renderer);
     }
-    CameraAccess::Exchange(renderer, before);
   }
 }
 }

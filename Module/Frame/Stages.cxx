@@ -96,7 +96,7 @@ void wfv::Stages::Begin(
   }
   for (vtkWideFoVStage* const stage : this->GetAll())
   {
-    stage->SetView(renderer, camera, tolerance);
+    stage->SetView(renderer, camera, tolerance, this->Border);
     stage->SetTextures(&this->Textures);
     stage->SetStages(this);
     this->Instruct(stage);
@@ -106,6 +106,7 @@ void wfv::Stages::Begin(
   this->SetEyes(camera, stereo);
   this->Fine.Begin(renderer);
   this->Counts = wfv::FrameCounts();
+  this->DrawnKeys.clear();
   this->Programs.BeginFrame();
   this->NumberView(stereo);
 }

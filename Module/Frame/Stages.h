@@ -25,6 +25,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
+class vtkInformation;
 VTK_ABI_NAMESPACE_END
 
 namespace wfv
@@ -67,6 +68,10 @@ public:
   // to be made while a view moves, and none is dearer.
   void SetEnlargement(int times) { this->Enlargement = times; }
 
+  // Pixels round the picture on each side that are drawn too, from the next Begin on (0): passes
+  // over the picture look at its neighbours.
+  void SetBorder(int pixels) { this->Border = pixels; }
+
   // For all variants, from the next draw on.
   void SetDebugView(bool debugView);
 
@@ -102,6 +107,10 @@ public:
 
   // What of it has been drawn.
   wfv::FineDepth Fine;
+
+  // Of what it drew so far, the keys: many props are drawn by an actor in their place that has the
+  // same ones.
+  std::vector<const vtkInformation*> DrawnKeys;
 
   // What this frame did and left out.
   wfv::FrameCounts Counts;
@@ -149,6 +158,7 @@ private:
   double PixelAngle = 0;   // radians, of a pixel at the most if all were alike
   double HalfDiagonal = 1; // of the picture, pixels
   int Enlargement = 1;
+  int Border = 0;
   bool CanTessellate();
 
   int Technique = 0;

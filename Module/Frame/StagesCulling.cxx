@@ -96,7 +96,7 @@ void wfv::Stages::SetPart(vtkRenderer* renderer, const float tile[4])
   renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
   for (int i = 0; i < 2; i++)
   {
-    const double pixels = std::max(1, size[i]) * static_cast<double>(tile[i]);
+    const double pixels = (std::max(1, size[i]) + 2 * this->Border) * static_cast<double>(tile[i]);
     this->Pixels[i] = pixels;
     this->Part.Low[i] = (-1.0 - tile[i + 2]) / tile[i] - 2 * Margin / pixels;
     this->Part.High[i] = (1.0 - tile[i + 2]) / tile[i] + 2 * Margin / pixels;

@@ -123,16 +123,20 @@ void vtkWideFoVStage::NoteView(const wfv::View& view)
   }
 }
 
-void vtkWideFoVStage::SetView(vtkRenderer* renderer, vtkWideFoVCamera* camera, double tolerance)
+void vtkWideFoVStage::SetView(
+  vtkRenderer* renderer, vtkWideFoVCamera* camera, double tolerance, int border)
 {
   const wfv::View& view = camera->GetView(wfv::PictureAspect(renderer));
   this->NoteView(view);
   this->TakeSamples();
   this->Renderer = renderer;
+  this->Camera = camera;
   this->View = view.GetParameters();
   this->Tolerance = static_cast<float>(tolerance);
 
   this->Pixels = wfv::PixelsOfTile(renderer);
+  this->Pixels.Size += wfv::vec2(2.0 * border);
+  this->Pixels.Start -= wfv::vec2(border);
   for (int i = 0; i < 2; i++)
   {
     const double whole = this->Pixels.Whole[i];
@@ -150,8 +154,17 @@ void vtkWideFoVStage::SetView(vtkRenderer* renderer, vtkWideFoVCamera* camera, d
   }
 }
 
+void vtkWideFoVStage::Announce() const
+{
+  if (this->Camera)
+  {
+    this->Camera->ExpectStage();
+  }
+}
+
 vtkMTimeType vtkWideFoVStage::GetShaderStageMTime()
 {
+  this->Announce();
   this->NoteSamples();
   return this->SourceTime.GetMTime();
 }
@@ -259,6 +272,7 @@ bool vtkWideFoVStage::PreReplaceShaderValues(std::string&, std::string& geometry
   std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop)
 {
   this->NoteSamples(); // a mapper with passes that are new to it does not ask for the time
+  this->Announce();
   if (this->Stages)
   {
     this->Stages->Shaders.Begin();

@@ -40,8 +40,8 @@ public:
   wfv::ShaderBuilder::Variant GetVariant() const { return this->Variant; }
 
   // What the next draws see. The projection's text changes the shaders; everything
-  // else is uniforms.
-  void SetView(vtkRenderer* renderer, vtkWideFoVCamera* camera, double tolerance);
+  // else is uniforms. border: pixels on each side of what is drawn that are beyond the picture.
+  void SetView(vtkRenderer* renderer, vtkWideFoVCamera* camera, double tolerance, int border);
 
   // Never a pre-clip, not even for wide lines and surface edges: the technique "vertex".
   void SetClipless(bool clipless)
@@ -166,6 +166,9 @@ private:
   // What is the same for all props of a frame.
   void SetFrameParameters(vtkShaderProgram* program, const int viewport[4]);
 
+  // Says that a draw follows, which therefore may have the camera's matrices.
+  void Announce() const;
+
   // Sets the stereo model, and how triangles are covered, in a request whose primitives are known.
   bool HasWholeRays() const;
   void FinishTriangles(wfv::ShaderBuilder::Request& request) const;
@@ -189,7 +192,8 @@ private:
   static void SetSampleParameters(vtkShaderProgram* program);
 
   wfv::ShaderBuilder::Variant Variant = wfv::ShaderBuilder::Variant::Plain;
-  vtkRenderer* Renderer = nullptr; // valid between SetView and the end of the frame
+  vtkRenderer* Renderer = nullptr;    // valid between SetView and the end of the frame
+  vtkWideFoVCamera* Camera = nullptr; // the same
   const wfv::Projection* Projection = nullptr;
   const wfv::StereoModel* Stereo = nullptr;
   vtkTimeStamp SourceTime;

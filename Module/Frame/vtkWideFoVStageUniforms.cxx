@@ -157,6 +157,7 @@ bool vtkWideFoVStage::SetShaderParameters(
 void vtkWideFoVStage::SetPropParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper,
   vtkProp* prop, const wfv::ProgramUses& uses) const
 {
+  this->Stages->DrawnKeys.push_back(prop->GetPropertyKeys());
   using Primitive = wfv::ShaderBuilder::Primitive;
   auto* polydata = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
   auto* actor = vtkActor::SafeDownCast(prop);

@@ -201,7 +201,10 @@ const Users& FindUsers()
     const std::vector<int> before = TimesFound();
     BrokenPicture picture(scene);
     EXPECT_FALSE(IsBlack(picture.Draw())) << scene.Name;
-    EXPECT_EQ(vtk.All(), "") << scene.Name;
+    // a camera that is not wide says so, once a process
+    const int flat = vtk.Count("the picture is flat");
+    EXPECT_TRUE(flat == 0 || std::string(scene.Name) == "data, flat camera") << scene.Name;
+    EXPECT_EQ(vtk.Count("Warning:") + vtk.Count("ERROR:") - flat, 0) << scene.Name << vtk.All();
     const std::vector<int> after = TimesFound();
     for (const stock::Entry& entry : stock::Table())
     {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Camera/QuadricBounds.h"
+#include "Camera/SceneBounds.h"
 
 #include "Compat/Splats.h"
 
 #include "vtkActor.h"
-#include "vtkActorCollection.h"
+#include "vtkBillboardTextActor3D.h"
 #include "vtkBoundingBox.h"
 #include "vtkDataArray.h"
 #include "vtkMath.h"
@@ -89,27 +89,47 @@ double ReachOfPixels(vtkProperty* property, vtkRenderer* renderer)
   return std::max(tubes, spheres) * vtkMath::Pi() / std::max(1, std::min(size[0], size[1]));
 }
 
+// Of an actor without a mapper, such as axes, which is drawn by others that it keeps to itself: its
+// letters stand beside its bounds. Stock VTK adds as much to the clipping range of any scene.
+double ReachBesideBounds(vtkActor* actor)
+{
+  const double* const bounds = actor->GetBounds();
+  return bounds && vtkMath::AreBoundsInitialized(bounds)
+    ? 0.5 * vtkBoundingBox(bounds).GetDiagonalLength()
+    : 0;
+}
+
 double ReachOfActor(vtkActor* actor, vtkRenderer* renderer, double farthest)
 {
-  if (!actor->GetVisibility() || !actor->GetMapper())
+  if (!actor->GetVisibility())
   {
     return 0;
+  }
+  if (!actor->GetMapper())
+  {
+    return ReachBesideBounds(actor);
   }
   const double pixels = farthest * ReachOfPixels(actor->GetProperty(), renderer);
   return std::max(ReachOfMapper(actor->GetMapper()), pixels);
 }
 
-// Of the actors in something that is more than one.
+// Of the actors in something that is more than one. Such a collection may hold other props as well.
+// A text is a rectangle, and one of no letters ends the program where it is asked.
 double ReachOfParts(vtkProp* prop, vtkRenderer* renderer, double farthest)
 {
   double reach = 0;
-  vtkNew<vtkActorCollection> actors;
-  prop->GetActors(actors);
-  vtkCollectionSimpleIterator it;
-  actors->InitTraversal(it);
-  while (vtkActor* actor = actors->GetNextActor(it))
+  if (vtkBillboardTextActor3D::SafeDownCast(prop))
   {
-    reach = std::max(reach, ReachOfActor(actor, renderer, farthest));
+    return reach;
+  }
+  vtkNew<vtkPropCollection> parts;
+  prop->GetActors(parts);
+  vtkCollectionSimpleIterator it;
+  parts->InitTraversal(it);
+  while (vtkObject* const part = parts->GetNextItemAsObject(it))
+  {
+    auto* const actor = vtkActor::SafeDownCast(part);
+    reach = std::max(reach, actor ? ReachOfActor(actor, renderer, farthest) : 0.0);
   }
   return reach;
 }
@@ -128,10 +148,41 @@ double Reach(vtkRenderer* renderer, double farthest)
   }
   return reach;
 }
+
+bool IsEndless(const double bounds[6])
+{
+  return !std::all_of(bounds, bounds + 6, [](double x) { return std::isfinite(x); });
+}
 }
 
 namespace wfv
 {
+void LeaveOutEndless(vtkRenderer* renderer, double bounds[6])
+{
+  if (!IsEndless(bounds))
+  {
+    return;
+  }
+  vtkBoundingBox box;
+  vtkPropCollection* const props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator it;
+  props->InitTraversal(it);
+  while (vtkProp* const prop = props->GetNextProp(it))
+  {
+    const double* const own =
+      prop->GetVisibility() && prop->GetUseBounds() ? prop->GetBounds() : nullptr;
+    if (own && !IsEndless(own) && vtkMath::AreBoundsInitialized(own))
+    {
+      box.AddBounds(own);
+    }
+  }
+  vtkMath::UninitializeBounds(bounds);
+  if (box.IsValid())
+  {
+    box.GetBounds(bounds);
+  }
+}
+
 void InflateForQuadrics(vtkRenderer* renderer, const double eye[3], double bounds[6])
 {
   if (!vtkMath::AreBoundsInitialized(bounds))

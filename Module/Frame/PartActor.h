@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Actors that another prop draws and keeps to itself, such as the lines of polar axes.
+#ifndef WideFoVPartActor_h
+#define WideFoVPartActor_h
+
+#include "vtkWideFoVAbi.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkObject;
+class vtkRenderer;
+VTK_ABI_NAMESPACE_END
+
+namespace wfv
+{
+class Stages;
+
+// While there is one, what draws itself in the renderer can find the stages of its wide frame.
+class FrameInDrawing
+{
+public:
+  FrameInDrawing(vtkRenderer* renderer, Stages& stages);
+  ~FrameInDrawing();
+  FrameInDrawing(const FrameInDrawing&) = delete;
+  FrameInDrawing& operator=(const FrameInDrawing&) = delete;
+
+private:
+  FrameInDrawing* Before;
+  vtkRenderer* Renderer;
+  Stages* Found;
+
+  friend Stages* FindFrame(vtkRenderer* renderer);
+};
+
+// The stages of the wide frame that is drawn in the renderer just now, else nullptr.
+Stages* FindFrame(vtkRenderer* renderer);
+
+// Nobody can ask such a prop for its actors. So the ones that VTK makes look for the frame
+// themselves: a factory makes them, under the name of VTK's own class. Loading this library
+// registers it; to call this again does nothing where it still is.
+void MakePartsWide();
+
+// True of an actor that was made so.
+bool FindsItsFrame(vtkObject* actor);
+}
+
+#endif

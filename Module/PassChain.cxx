@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PassChain.h"
+
+#include "vtkWideFoVDataPass.h"
+#include "vtkWideFoVPass.h"
+
+#include "vtkCameraPass.h"
+#include "vtkDepthImageProcessingPass.h"
+#include "vtkImageProcessingPass.h"
+#include "vtkRenderPassCollection.h"
+#include "vtkRenderStepsPass.h"
+#include "vtkSSAAPass.h"
+#include "vtkSequencePass.h"
+
+#include <mutex>
+#include <set>
+#include <string>
+
+namespace
+{
+// Of passes over the picture there are two kinds.
+bool IsOverPicture(vtkRenderPass* pass)
+{
+  return vtkImageProcessingPass::SafeDownCast(pass) || vtkSSAAPass::SafeDownCast(pass);
+}
+
+vtkRenderPass* GetDelegate(vtkRenderPass* pass)
+{
+  auto* const image = vtkImageProcessingPass::SafeDownCast(pass);
+  return image ? image->GetDelegatePass() : vtkSSAAPass::SafeDownCast(pass)->GetDelegatePass();
+}
+
+void SetDelegate(vtkRenderPass* pass, vtkRenderPass* inner)
+{
+  if (auto* const image = vtkImageProcessingPass::SafeDownCast(pass))
+  {
+    image->SetDelegatePass(inner);
+    return;
+  }
+  vtkSSAAPass::SafeDownCast(pass)->SetDelegatePass(inner);
+}
+
+// Of passes over the picture: those that make places of its depths.
+bool ReckonsInDepth(vtkRenderPass* pass)
+{
+  return vtkDepthImageProcessingPass::SafeDownCast(pass) || pass->IsA("vtkSSAOPass");
+}
+
+bool IsShadow(vtkRenderPass* pass)
+{
+  return pass->IsA("vtkShadowMapPass") || pass->IsA("vtkShadowMapBakerPass");
+}
+
+// Once a process for each class of pass.
+void WarnOnce(vtkRenderPass* pass, const char* why)
+{
+  static std::mutex lock;
+  static std::set<std::string> said;
+  const std::lock_guard<std::mutex> guard(lock);
+  const std::string name = pass->GetClassName();
+  if (said.insert(name).second)
+  {
+    vtkWarningWithObjectMacro(pass, << name << " is left out in a wide view: " << why);
+  }
+}
+
+bool IsWide(vtkRenderPass* pass)
+{
+  return vtkWideFoVPass::SafeDownCast(pass) != nullptr;
+}
+
+using Question = bool (*)(vtkRenderPass*);
+vtkRenderPass* Find(vtkRenderPass* pass, Question asked);
+
+vtkRenderPass* FindInSequence(vtkSequencePass* sequence, Question asked)
+{
+  vtkRenderPassCollection* const passes = sequence->GetPasses();
+  vtkCollectionSimpleIterator it;
+  if (passes)
+  {
+    passes->InitTraversal(it);
+  }
+  while (vtkRenderPass* const pass = passes ? passes->GetNextRenderPass(it) : nullptr)
+  {
+    if (vtkRenderPass* const found = Find(pass, asked))
+    {
+      return found;
+    }
+  }
+  return nullptr;
+}
+
+// The first one that it is true of: the pass, or one that it calls.
+vtkRenderPass* Find(vtkRenderPass* pass, Question asked)
+{
+  if (!pass || asked(pass))
+  {
+    return pass;
+  }
+  if (IsOverPicture(pass))
+  {
+    return Find(GetDelegate(pass), asked);
+  }
+  if (auto* const camera = vtkCameraPass::SafeDownCast(pass))
+  {
+    return Find(camera->GetDelegatePass(), asked);
+  }
+  if (auto* const data = vtkWideFoVDataPass::SafeDownCast(pass))
+  {
+    return Find(data->GetDelegatePass(), asked);
+  }
+  if (auto* const steps = vtkRenderStepsPass::SafeDownCast(pass))
+  {
+    vtkRenderPass* const found = Find(steps->GetOpaquePass(), asked);
+    return found ? found : Find(steps->GetPostProcessPass(), asked);
+  }
+  auto* const sequence = vtkSequencePass::SafeDownCast(pass);
+  return sequence ? FindInSequence(sequence, asked) : nullptr;
+}
+
+bool IsFlat(vtkRenderPass* pass)
+{
+  return IsShadow(pass) || vtkImageProcessingPass::SafeDownCast(pass);
+}
+}
+
+namespace wfv
+{
+vtkRenderPass* FindFlatPass(vtkRenderPass* pass)
+{
+  vtkRenderPass* const flat = Find(pass, IsFlat);
+  if (flat)
+  {
+    WarnOnce(flat,
+      IsShadow(flat) ? "its maps of shadows are looked up by a perspective"
+                     : "inside of a vtkWideFoVPass it draws by a camera that is flat; set it on a "
+                       "vtkWideFoVRenderer with the wide pass as its delegate");
+  }
+  return flat;
+}
+
+void PassChain::Link(vtkRenderPass* outer, vtkRenderPass* inner)
+{
+  if (!outer)
+  {
+    this->Outermost = inner;
+  }
+  else if (GetDelegate(outer) != inner)
+  {
+    this->Changes.push_back({ outer, GetDelegate(outer) });
+    SetDelegate(outer, inner);
+  }
+}
+
+vtkRenderPass* PassChain::Begin(vtkRenderPass* outermost, vtkWideFoVPass* wide)
+{
+  vtkRenderPass* kept = nullptr; // the innermost one so far
+  vtkRenderPass* pass = outermost;
+  while (pass && IsOverPicture(pass))
+  {
+    if (ReckonsInDepth(pass))
+    {
+      WarnOnce(pass, "it takes the depths of the picture for those of a perspective");
+    }
+    else
+    {
+      this->Link(kept, pass);
+      kept = pass;
+    }
+    pass = GetDelegate(pass);
+  }
+  if (!Find(pass, IsWide))
+  {
+    this->Wide = wide;
+    this->DelegateOfWide = wide->GetDelegatePass();
+    wide->SetDelegatePass(pass);
+    pass = wide;
+  }
+  this->Link(kept, pass);
+  return this->Outermost;
+}
+
+PassChain::~PassChain()
+{
+  for (const Change& change : this->Changes)
+  {
+    SetDelegate(change.Pass, change.Delegate);
+  }
+  if (this->Wide)
+  {
+    this->Wide->SetDelegatePass(this->DelegateOfWide);
+  }
+}
+}

@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""How to show what widgets of VTK draw: by their representations, and by themselves."""
+
+import vtk
+
+import materials
+import recipes
+
+
+def checkerboard(representation):
+    picture = vtk.vtkImageActor()
+    board = vtk.vtkImageCheckerboard()
+    board.SetInputData(0, materials.image())
+    board.SetInputData(1, materials.image())
+    picture.GetMapper().SetInputConnection(board.GetOutputPort())
+    representation.SetCheckerboard(board)
+    representation.SetImageActor(picture)
+
+
+def wipe(representation):
+    both = vtk.vtkImageRectilinearWipe()
+    both.SetInputData(0, materials.image())
+    both.SetInputData(1, materials.image())
+    picture = vtk.vtkImageActor()
+    picture.GetMapper().SetInputConnection(both.GetOutputPort())
+    representation.SetRectilinearWipe(both)
+    representation.SetImageActor(picture)
+
+
+def cursor(representation):
+    made = vtk.vtkResliceCursor()
+    made.SetImage(materials.image(16, 8))
+    made.SetCenter(0, 0, 0)
+    algorithm = representation.GetResliceCursorActor().GetCursorAlgorithm()
+    algorithm.SetResliceCursor(made)
+    algorithm.SetReslicePlaneNormal(2)
+
+
+def cloud(representation):
+    points = vtk.vtkPointSource()
+    points.Update()
+    actor = materials.actor_of(points)
+    representation.PlacePointCloud(actor)
+
+
+# What a representation needs before it can be placed.
+NEEDS = {
+    "vtkCheckerboardRepresentation": checkerboard,
+    "vtkRectilinearWipeRepresentation": wipe,
+    "vtkResliceCursorLineRepresentation": cursor,
+    "vtkResliceCursorThickLineRepresentation": cursor,
+    "vtkPointCloudRepresentation": cloud,
+    "vtkSeedRepresentation": lambda r: r.SetHandleRepresentation(
+        vtk.vtkPointHandleRepresentation3D()
+    ),
+    "vtkScalarBarRepresentation": lambda r: r.SetScalarBarActor(recipes.vtkScalarBarActor()),
+    "vtkTexturedButtonRepresentation2D": lambda r: textured_button(r),
+    "vtkTexturedButtonRepresentation": lambda r: textured_button(r, True),
+    "vtkProp3DButtonRepresentation": lambda r: prop_button(r),
+    "vtkCaptionRepresentation": lambda r: r.SetCaptionActor2D(recipes.vtkCaptionActor2D()),
+    "vtkTextRepresentation": lambda r: r.SetText("Ahoy"),
+    "vtkLogoRepresentation": lambda r: r.SetImage(materials.image()),
+    "vtkCameraRepresentation": lambda r: r.SetCamera(vtk.vtkCamera()),
+    "vtkBalloonRepresentation": lambda r: r.SetBalloonText("Ahoy"),
+    "vtkAngleRepresentation2D": lambda r: r.SetHandleRepresentation(
+        vtk.vtkPointHandleRepresentation2D()
+    ),
+    "vtkDistanceRepresentation2D": lambda r: r.SetHandleRepresentation(
+        vtk.vtkPointHandleRepresentation2D()
+    ),
+    "vtkDistanceRepresentation3D": lambda r: r.SetHandleRepresentation(
+        vtk.vtkPointHandleRepresentation3D()
+    ),
+    "vtkAngleRepresentation3D": lambda r: r.SetHandleRepresentation(
+        vtk.vtkPointHandleRepresentation3D()
+    ),
+    "vtkBiDimensionalRepresentation2D": lambda r: r.SetHandleRepresentation(
+        vtk.vtkPointHandleRepresentation2D()
+    ),
+}
+
+
+def textured_button(representation, placed=False):
+    representation.SetNumberOfStates(1)
+    representation.SetButtonTexture(0, materials.image())
+    if placed:
+        representation.SetButtonGeometry(materials.ball(0.5).GetOutput())
+
+
+def prop_button(representation):
+    representation.SetNumberOfStates(1)
+    representation.SetButtonProp(0, recipes.vtkActor())
+
+
+def representation(name, renderer):
+    """One of this class, placed in the renderer."""
+    made = getattr(vtk, name)()
+    made.SetRenderer(renderer)
+    NEEDS.get(name, lambda r: None)(made)
+    made.PlaceWidget(materials.BOUNDS)
+    made.SetVisibility(True)
+    made.BuildRepresentation()
+    renderer.AddViewProp(made)
+    return made
+
+
+# What a widget needs before it is switched on.
+SUBJECTS = {
+    "vtkCheckerboardWidget": ("vtkCheckerboardRepresentation",),
+    "vtkRectilinearWipeWidget": ("vtkRectilinearWipeRepresentation",),
+    "vtkResliceCursorWidget": ("vtkResliceCursorLineRepresentation",),
+    "vtkPointCloudWidget": ("vtkPointCloudRepresentation",),
+    "vtkSliderWidget": ("vtkSliderRepresentation3D",),
+    "vtkSeedWidget": ("vtkSeedRepresentation",),
+    "vtkScalarBarWidget": ("vtkScalarBarRepresentation",),
+    "vtkButtonWidget": ("vtkProp3DButtonRepresentation",),
+    "vtkHandleWidget": ("vtkPointHandleRepresentation3D",),
+    "vtkDistanceWidget": ("vtkDistanceRepresentation3D",),
+    "vtkAngleWidget": ("vtkAngleRepresentation3D",),
+}
+
+
+def widget(name, stage):
+    """One of this class, switched on in the stage's window."""
+    made = getattr(vtk, name)()
+    made.SetInteractor(stage.interactor)
+    if isinstance(made, vtk.vtk3DWidget):
+        made.SetProp3D(recipes.vtkActor())
+        image = vtk.vtkImagePlaneWidget, vtk.vtkImageTracerWidget
+        if isinstance(made, image):
+            made.SetInputData(materials.image(16, 8))
+        made.PlaceWidget(materials.BOUNDS)
+    elif name in SUBJECTS:
+        kind = SUBJECTS[name][0]
+        shown = getattr(vtk, kind)()
+        NEEDS.get(kind, lambda r: None)(shown)
+        made.SetRepresentation(shown)
+    elif hasattr(made, "CreateDefaultRepresentation"):
+        made.CreateDefaultRepresentation()
+    made.SetEnabled(True)
+    return made
