@@ -2,10 +2,12 @@
 #include "vtkWideFoVPass.h"
 
 #include "Compat/VersionCheck.h"
+#include "Drawables/Sky.h"
 #include "Frame/BlockClusters.h"
 #include "Frame/Technique.h"
 #include "vtkWideFoVCamera.h"
 #include "vtkWideFoVPassInternals.h"
+#include "vtkWideFoVRenderer.h"
 #include "vtkWideFoVScreenCamera.h"
 
 #include "vtkActor.h"
@@ -103,7 +105,7 @@ void vtkWideFoVPass::DrawDelegate(const vtkRenderState* s)
   this->UpdateGeometry(renderer, s->GetFrameBuffer());
 }
 
-int vtkWideFoVPass::Cull(vtkProp** props)
+int vtkWideFoVPass::Cull(vtkProp** props, bool selects)
 {
   Internals& in = *this->Internal;
   int seen = 0;
@@ -118,7 +120,7 @@ int vtkWideFoVPass::Cull(vtkProp** props)
     {
       in.Flat.push_back(flat);
     }
-    else if (!in.Texts.Take(prop) && !in.Props.IsUnseen(i))
+    else if (!in.Texts.Take(prop) && !in.Props.IsUnseen(i) && !wfv::sky::IsLeftOut(prop, selects))
     {
       in.Chosen.push_back(in.Props.GetStage(i));
       props[seen++] = prop;
@@ -134,6 +136,7 @@ void vtkWideFoVPass::DrawProps(const vtkRenderState* s, vtkProp** props, int cou
   for (int i = 0; i < count; i++)
   {
     in.Keys[i].Attach(props[i], in.Chosen[i]);
+    wfv::sky::HandKeysOn(props[i]);
     if (auto* const actor = vtkActor::SafeDownCast(props[i]))
     {
       wfv::ClassifyBlocksOf(actor->GetMapper(), s->GetRenderer()->GetRenderWindow());
@@ -293,10 +296,12 @@ void vtkWideFoVPass::RenderWide(const vtkRenderState* s, vtkWideFoVCamera* camer
   in.Stages.Begin(renderer, camera, this->Technique, this->FindTolerance());
   in.Stages.SetDebugView(this->DebugView != 0);
   in.Props.Choose(in.Stages, in.Stages.GetViewNumber());
-  const int seen = this->Cull(props);
+  const int seen = this->Cull(props, renderer->GetSelector() != nullptr);
   this->NumberOfDrawnProps = seen + static_cast<int>(in.Flat.size());
   this->NumberOfCulledProps = count - this->NumberOfDrawnProps;
   wfv::RendererAccess::SetCount(renderer, props, seen);
+  const vtkWideFoVRenderer::BackgroundDrawer backdrop(
+    renderer, [&in, renderer]() { in.Backdrop.Draw(renderer, in.Stages.Sky); });
   this->DrawSeen(s, seen);
   in.Texts.Draw(renderer, camera, in.Stages.Plain->GetTile());
   wfv::RendererAccess::SetCount(renderer, props, count);
@@ -373,6 +378,7 @@ void vtkWideFoVPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internal->Stages.ReleaseGraphicsResources(window);
   this->Internal->Small.ReleaseGraphicsResources(window);
+  this->Internal->Backdrop.ReleaseGraphicsResources();
   if (this->Internal->Delegate)
   {
     this->Internal->Delegate->ReleaseGraphicsResources(window);

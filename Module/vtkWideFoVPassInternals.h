@@ -4,6 +4,7 @@
 #define vtkWideFoVPassInternals_h
 
 #include "Drawables/Billboards.h"
+#include "Frame/Backdrop.h"
 #include "Frame/FrameProps.h"
 #include "Frame/FrameRate.h"
 #include "Frame/Headlights.h"
@@ -30,6 +31,7 @@ struct vtkWideFoVPass::Internals
   std::vector<wfv::PropKeys> Keys;         // the same, as many as there ever were
   wfv::FrameRate Rate;
   wfv::SmallFrame Small;
+  wfv::Backdrop Backdrop;
   int Enlargement = 0;           // of this frame; 0: drawn where it is shown
   std::vector<vtkActor2D*> Flat; // of a frame that is enlarged: drawn upon it
 };

@@ -17,6 +17,8 @@
 #include "vtkOpenGLRenderer.h"
 #include "vtkRenderingWideFoVModule.h" // For export macro
 
+#include <functional> // For std::function
+
 VTK_ABI_NAMESPACE_BEGIN
 class vtkWideFoVCamera;
 
@@ -52,11 +54,44 @@ public:
    */
   bool DisplayToRay(double x, double y, double origin[3], double direction[3]);
 
+  ///@{
+  /**
+   * A gradient background (GradientBackgroundOn) by direction instead of by the window's height
+   * (default off): Background at the horizon and below it, Background2 straight up, evenly by
+   * elevation between the two. Up is EnvironmentUp, a direction of the world, so that the horizon
+   * stays where it is as the view turns. Outside the map is Background. Where the view is not
+   * wide, and for a background with a texture, it changes nothing.
+   */
+  vtkSetMacro(GradientByDirection, bool);
+  vtkGetMacro(GradientByDirection, bool);
+  vtkBooleanMacro(GradientByDirection, bool);
+  ///@}
+
+  /**
+   * Clears, and draws the background.
+   */
+  void Clear() override;
+
   /**
    * Sets the clip spheres of a wide camera, the clipping range of any other.
    */
   using Superclass::ResetCameraClippingRange;
   void ResetCameraClippingRange(const double bounds[6]) override;
+
+#ifndef __VTK_WRAP__
+  // For vtkWideFoVPass: what draws the gradient by direction, as long as this lives.
+  class BackgroundDrawer
+  {
+  public:
+    BackgroundDrawer(vtkRenderer* renderer, std::function<void()> draw);
+    ~BackgroundDrawer();
+    BackgroundDrawer(const BackgroundDrawer&) = delete;
+    void operator=(const BackgroundDrawer&) = delete;
+
+  private:
+    vtkWideFoVRenderer* Renderer;
+  };
+#endif
 
 protected:
   vtkWideFoVRenderer();
@@ -65,9 +100,13 @@ protected:
   vtkWideFoVCamera* GetWideCamera();
   bool HasOffAxisEye(); // of a perspective, with a place of its own
 
+  bool GradientByDirection = false;
+
 private:
   vtkWideFoVRenderer(const vtkWideFoVRenderer&) = delete;
   void operator=(const vtkWideFoVRenderer&) = delete;
+
+  std::function<void()> DrawGradient;
 };
 VTK_ABI_NAMESPACE_END
 

@@ -147,6 +147,7 @@ bool vtkWideFoVStage::SetShaderParameters(
   {
     this->SetVolumeParameters(program, volume);
   }
+  this->SetSkyParameters(program, prop);
   this->SetPropParameters(program, mapper, prop, known.Uses);
   this->NumberOfDraws++;
   const bool tessellates = this->Variant == wfv::ShaderBuilder::Variant::Tessellate;
