@@ -229,9 +229,10 @@ void CheckDrawing(Options& o)
   const bool drawn = wide ||
     (o.ExactPerspective && wfv::FitsFrame(o.View) && o.Stereo == "mono" && o.Screens.empty());
   const bool stock = o.Technique == Technique::CubeMap || !drawn;
-  if (stock && (o.DebugView || o.Overlay || o.Depth != "linear"))
+  if (stock && (o.DebugView || o.Overlay || o.Zenith || o.Depth != "linear"))
   {
-    FailUsage("--debug-view, --overlay and --depth are for what this module draws, not for " +
+    FailUsage(
+      "--debug-view, --overlay, --zenith and --depth are for what this module draws, not for " +
       std::string(wide ? "--technique cubemap" : "a perspective that stock VTK draws") +
       "; leave them out");
   }
