@@ -27,7 +27,6 @@ class Stages;
 VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLPolyDataMapper;
 class vtkRenderer;
-class vtkVolume;
 class vtkWideFoVCamera;
 
 // One variant. Two objects, not one with a switch: a prop that changes its variant
@@ -168,7 +167,7 @@ private:
   // Of volumes: the text (false: of something else), and where they may be in the picture.
   bool FinishVolume(vtkProp* prop, vtkAbstractMapper* mapper, std::string& vertex,
     std::string& geometry, std::string& fragment) const;
-  void SetVolumeParameters(vtkShaderProgram* program, vtkVolume* volume) const;
+  void SetVolumeParameters(vtkShaderProgram* program, vtkProp* prop) const;
 
   // The text of the sky (false: of something else), and what its program is told.
   bool FinishSky(vtkAbstractMapper* mapper, vtkProp* prop, std::string& vertex,

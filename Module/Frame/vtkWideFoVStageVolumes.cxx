@@ -25,8 +25,13 @@ bool vtkWideFoVStage::FinishVolume(vtkProp* prop, vtkAbstractMapper* mapper, std
   return true;
 }
 
-void vtkWideFoVStage::SetVolumeParameters(vtkShaderProgram* program, vtkVolume* volume) const
+void vtkWideFoVStage::SetVolumeParameters(vtkShaderProgram* program, vtkProp* prop) const
 {
+  auto* const volume = vtkVolume::SafeDownCast(prop);
+  if (!volume)
+  {
+    return;
+  }
   const double* const bounds = volume->GetBounds();
   wfv::volume::SetCover(program, this->Stages->GetPictures(bounds), this->Pixels.Whole);
   if (program->IsUniformUsed("wfvReach"))
