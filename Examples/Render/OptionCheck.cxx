@@ -259,9 +259,9 @@ void CheckTechnique(Options& o)
   {
     FailUsage(cubemap + "always shows 180 degrees vertically; leave --vfov out");
   }
-  if (o.View.Lens != wfv::ViewOptions().Lens || o.HasClip || !o.Aov.empty())
+  if (o.View.Lens != wfv::ViewOptions().Lens || o.HasClip || !o.Aov.empty() || !o.Sky.empty())
   {
-    FailUsage(cubemap + "has no --lens, --clip or --aov; leave them out");
+    FailUsage(cubemap + "has no --lens, --clip, --aov or --sky; leave them out");
   }
 }
 }

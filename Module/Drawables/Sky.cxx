@@ -5,6 +5,7 @@
 #include "vtkInformationIntegerKey.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLActor.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLSkybox.h"
 #include "vtkOpenGLTexture.h"
 #include "vtkShaderProgram.h"
@@ -104,14 +105,15 @@ void SetWorld(vtkShaderProgram* program, const double worldToView[16])
 
 // Levels are named, which leaves anisotropic filters without a meaning; Mesa's llvmpipe (22.3) then
 // shows texels of elsewhere where one level ends and another begins.
-void SetTexture(vtkShaderProgram* program, vtkProp* drawer)
+void SetTexture(vtkShaderProgram* program, vtkProp* drawer, vtkWindow* window)
 {
   auto* const actor = vtkActor::SafeDownCast(drawer);
   vtkTexture* const texture = actor ? actor->GetTexture() : nullptr;
   program->SetUniformi("wfvSkyMeans", texture && texture->GetMipmap());
   auto* const loaded = vtkOpenGLTexture::SafeDownCast(texture);
   vtkTextureObject* const object = loaded ? loaded->GetTextureObject() : nullptr;
-  if (object && object->GetMaximumAnisotropicFiltering() > 1)
+  const bool known = object && object->GetContext() == window; // one may be another window's
+  if (known && object->GetMaximumAnisotropicFiltering() > 1)
   {
     object->SetMaximumAnisotropicFiltering(1);
     object->Activate(); // tells OpenGL

@@ -10,6 +10,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 class vtkProp;
 class vtkShaderProgram;
+class vtkWindow;
 VTK_ABI_NAMESPACE_END
 
 namespace wfv
@@ -30,7 +31,7 @@ Kind KindOf(vtkProp* drawer);
 
 // The uniforms of sky_fragment.glsl. worldToView: row-major.
 void SetWorld(vtkShaderProgram* program, const double worldToView[16]);
-void SetTexture(vtkShaderProgram* program, vtkProp* drawer);
+void SetTexture(vtkShaderProgram* program, vtkProp* drawer, vtkWindow* window);
 }
 }
 

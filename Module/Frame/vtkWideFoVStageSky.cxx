@@ -59,6 +59,6 @@ void vtkWideFoVStage::SetSkyParameters(vtkShaderProgram* program, vtkProp* prop)
   if (this->Variant == wfv::ShaderBuilder::Variant::Sky)
   {
     wfv::sky::SetWorld(program, this->Stages->GetWorldToView());
-    wfv::sky::SetTexture(program, prop);
+    wfv::sky::SetTexture(program, prop, this->Renderer->GetRenderWindow());
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Skies and what is before them: props, tiles, samples, techniques, maps without a formula,
 // gradients.
+#include "Overheard.h"
 #include "Projections/DirectionMap.h"
 #include "SkyScene.h"
 #include "Stereo/Stereo.h"
@@ -118,9 +119,12 @@ SkyTally CheckGradient(SkyWindow& window, const Shot& shot, const vec3& up)
 
 TEST(SkyTexture, WithoutOneTheBackgroundIsSeen)
 {
+  const Overheard vtk;
   SkyWindow window;
   const SkyPicture picture = window.Draw(WideSkyShot("equirectangular"));
   picture.ForEach([&](int x, int y) { ASSERT_EQ(picture.At(x, y), NoSky) << x << ", " << y; });
+  window.Draw(WideSkyShot("hammer"));
+  EXPECT_EQ(vtk.Count("vtkSkybox without a texture"), 1) << vtk.All();
 }
 
 // Whichever is added first, and with depth peeling.
@@ -229,6 +233,7 @@ TEST(SkyDirectionMap, IsSeenWhereTheMapHasDirections)
 // It turns with the world, not with the view.
 TEST(SkyGradient, IsByElevation)
 {
+  const Overheard vtk;
   SkyWindow window;
   window.Renderer->RemoveActor(window.Sky);
   EXPECT_FALSE(window.Renderer->GetGradientByDirection());
@@ -249,4 +254,5 @@ TEST(SkyGradient, IsByElevation)
     }
     up = glm::normalize(vec3(0.3, 0.2, 1));
   }
+  EXPECT_EQ(vtk.All(), "");
 }

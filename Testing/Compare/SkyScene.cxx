@@ -112,9 +112,14 @@ SkyPicture SkyWindow::Read()
 SkyPicture SkyWindow::Draw(const Shot& s)
 {
   this->Window->SetSize(s.Width, s.Height);
+  this->Camera->ClearLens();
   PlaceCamera(this->Camera, s);
   const std::array<double, 5>& lens = s.Options.Lens;
-  this->Camera->SetLens(lens[0], lens[1], lens[2], lens[3], lens[4]);
+  const bool lensed = lens != ViewOptions().Lens;
+  if (lensed && !this->Camera->SetLens(lens[0], lens[1], lens[2], lens[3], lens[4]))
+  {
+    return SkyPicture();
+  }
   this->Camera->SetExactPerspective(1);
   const Eye eye = s.Options.Stereo.Eye;
   this->Window->SetStereoType(eye == Eye::Left ? VTK_STEREO_LEFT : VTK_STEREO_RIGHT);

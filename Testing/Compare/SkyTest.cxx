@@ -72,10 +72,15 @@ protected:
     return shot;
   }
 
-  // Mono, and both eyes of each model that the projection has.
+  // Mono, and both eyes of each model that the projection has; through a lens where it takes one.
   std::vector<Shot> Shots()
   {
     std::vector<Shot> shots{ ObliqueShot(this->GetParam()) };
+    if (FindProjection(this->GetParam())->HasLens)
+    {
+      shots.front().Options.HorizontalFov = 200;
+      shots.front().Options.Lens = { { 0.7, 0.02, -0.05, 0, 0 } };
+    }
     const bool planar = FindProjection(this->GetParam())->Axis == Family::Planar;
     for (const char* model : { "omnidirectional", "warped" })
     {

@@ -18,10 +18,10 @@ FACES = {"ahead": ((0, 0, -1), (0, 1, 0)), "right": ((1, 0, 0), (0, 1, 0)),
          "up": ((0, 1, 0), (0, 0, 1)), "down": ((0, -1, 0), (0, 0, -1))}
 
 # Of 255: half a degree is the size of a pixel, and the colours change by 2 in a degree.
-LEVELS = 6
+LEVELS = 3
 
-# The same where ParaView's cube has its edges, which it filters in its own way.
-EDGE_LEVELS, EDGE_SHARE = 12, 0.02
+# Pixels round a pole that are not compared: there a Render View mixes the other pole in.
+POLE = 2
 
 
 def write_texture(path):
@@ -57,6 +57,8 @@ def compare(wide, face, ahead, up):
     for y in range(FACE):
         for x in range(FACE):
             a, b = ((2 * i + 1) / FACE - 1 for i in (x, y))
+            if ahead[1] and math.hypot(a, b) * FACE / 2 < POLE:
+                continue
             there = [ahead[i] + a * side[i] + b * up[i] for i in range(3)]
             i, j = (int(c) for c in places.place_of(there, (0, 0, 0), SIZE))
             seen = levels_of(wide[min(j, SIZE[1] - 1)][min(i, SIZE[0] - 1)])
@@ -73,10 +75,9 @@ def check_faces(options, view, texture):
         scene.place_eye(flat, (0, 0, 0), ahead, up)
         path = scene.save(flat, os.path.join(options.output, name + ".png"))
         off += compare(wide, pixels.read_rows(path), ahead, up)
-    many = sum(o > LEVELS for o in off) / len(off)
-    print("faces: %d pixels, at most %g levels off, %g of them more than %g" %
-          (len(off), max(off), many, LEVELS))
-    scene.require(many <= EDGE_SHARE and max(off) <= EDGE_LEVELS, "the sky is another one")
+    print("faces: %d pixels, at most %g levels off" % (len(off), max(off)))
+    scene.require(len(off) > 0.99 * 6 * FACE ** 2, "too few pixels")
+    scene.require(max(off) <= LEVELS, "the sky is another one")
 
 
 def check_outside(options, view):
@@ -99,8 +100,9 @@ def main(options):
     texture = simple.CreateTexture(path)
     view = show_sky(scene.make_view(SIZE), texture)
     scene.place_eye(view, (0, 0, 0), (0, 0, -1))
-    check_faces(options, view, texture)
     check_outside(options, view)
+    view.Projection = "equirectangular"
+    check_faces(options, view, texture)  # the last: a texture is that of one window
 
 
 scene.run(main)

@@ -5,10 +5,12 @@ uniform vec3 wfvHorizon;
 uniform vec3 wfvZenith;
 uniform vec3 wfvUp; // world, unit length
 
+in vec2 texCoord; // from 0 to 1; VTK complains of a quad whose fragment stage does not ask for it
+
 void main()
 {
   wfvPrepareSky();
-  if (wfvSkyHide)
+  if (wfvSkyHide || texCoord.x < -1.0)
   {
     discard;
   }
