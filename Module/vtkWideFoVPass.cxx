@@ -260,10 +260,12 @@ void vtkWideFoVPass::RenderWide(const vtkRenderState* s, vtkWideFoVCamera* camer
   in.Stages.Begin(renderer, camera, this->Technique, this->FindTolerance());
   in.Stages.SetDebugView(this->DebugView != 0);
   in.Props.Choose(in.Stages, in.Stages.GetViewNumber());
-  const int seen = this->Cull(props);
+  const int seen = this->Cull(props, renderer->GetSelector() != nullptr);
   this->NumberOfDrawnProps = seen + static_cast<int>(in.Flat.size() + in.Labels.size());
   this->NumberOfCulledProps = count - this->NumberOfDrawnProps;
   wfv::RendererAccess::SetCount(renderer, props, seen);
+  const vtkWideFoVRenderer::BackgroundDrawer backdrop(
+    renderer, [&in, renderer]() { in.Backdrop.Draw(renderer, in.Stages.Sky); });
   this->DrawSeen(s, seen);
   this->DrawLabels(renderer);
   wfv::RendererAccess::SetCount(renderer, props, count);
@@ -318,6 +320,7 @@ void vtkWideFoVPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internal->Stages.ReleaseGraphicsResources(window);
   this->Internal->Small.ReleaseGraphicsResources(window);
+  this->Internal->Backdrop.ReleaseGraphicsResources();
   if (this->Internal->Delegate)
   {
     this->Internal->Delegate->ReleaseGraphicsResources(window);

@@ -261,8 +261,9 @@ private:
   // Draws the props by the delegate, or as a renderer without passes does.
   void DrawDelegate(const vtkRenderState* s);
 
-  // Moves the props that are not seen behind the others; returns how many are left.
-  int Cull(vtkProp** props);
+  // Moves the props that are not seen behind the others; returns how many are left. selects: the
+  // frame is for picking.
+  int Cull(vtkProp** props, bool selects);
 
   // Draws these props, of those of the state, with the stages that they need.
   void DrawProps(const vtkRenderState* s, vtkProp** props, int count);

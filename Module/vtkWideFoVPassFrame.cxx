@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWideFoVPass: what a wide frame draws, and to where.
 #include "Camera/Tile.h"
+#include "Drawables/Sky.h"
 #include "Frame/BlockClusters.h"
 #include "Frame/FlatDraws.h"
 #include "Frame/PartActor.h"
@@ -48,7 +49,7 @@ bool LeavesOutWhatIsBehind(vtkProp* prop)
 }
 }
 
-int vtkWideFoVPass::Cull(vtkProp** props)
+int vtkWideFoVPass::Cull(vtkProp** props, bool selects)
 {
   Internals& in = *this->Internal;
   int seen = 0;
@@ -68,7 +69,7 @@ int vtkWideFoVPass::Cull(vtkProp** props)
     {
       in.Labels.push_back(static_cast<vtkActor2D*>(prop));
     }
-    else if (!in.Texts.Take(prop) && !in.Props.IsUnseen(i))
+    else if (!in.Texts.Take(prop) && !in.Props.IsUnseen(i) && !wfv::sky::IsLeftOut(prop, selects))
     {
       in.Chosen.push_back(in.Props.GetStage(i));
       props[seen++] = prop;
@@ -85,6 +86,7 @@ void vtkWideFoVPass::DrawProps(const vtkRenderState* s, vtkProp** props, int cou
   for (int i = 0; i < count; i++)
   {
     in.Keys[i].Attach(props[i], in.Chosen[i]);
+    wfv::sky::HandKeysOn(props[i]);
     if (auto* const actor = vtkActor::SafeDownCast(props[i]))
     {
       wfv::ClassifyBlocksOf(actor->GetMapper(), s->GetRenderer()->GetRenderWindow());

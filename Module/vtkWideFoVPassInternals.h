@@ -5,6 +5,7 @@
 
 #include "Drawables/Billboards.h"
 #include "Drawables/FlatHabits.h"
+#include "Frame/Backdrop.h"
 #include "Frame/FrameProps.h"
 #include "Frame/FrameRate.h"
 #include "Frame/Headlights.h"
@@ -34,6 +35,7 @@ struct vtkWideFoVPass::Internals
   wfv::FlatHabits Habits;                  // of those that are drawn
   wfv::FrameRate Rate;
   wfv::SmallFrame Small;
+  wfv::Backdrop Backdrop;
   vtkWideFoVCamera* Camera = nullptr; // of this frame
   bool OfCopy = false;                // the renderer's camera was a copy of it
   int Enlargement = 0;                // of this frame; 0: drawn where it is shown

@@ -12,6 +12,8 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 
+#include <utility>
+
 vtkStandardNewMacro(vtkWideFoVRenderer);
 
 vtkWideFoVRenderer::vtkWideFoVRenderer()
@@ -24,6 +26,40 @@ vtkWideFoVRenderer::~vtkWideFoVRenderer() = default;
 void vtkWideFoVRenderer::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "GradientByDirection: " << this->GradientByDirection << "\n";
+}
+
+vtkWideFoVRenderer::BackgroundDrawer::BackgroundDrawer(
+  vtkRenderer* renderer, std::function<void()> draw)
+  : Renderer(vtkWideFoVRenderer::SafeDownCast(renderer))
+{
+  if (this->Renderer)
+  {
+    this->Renderer->DrawGradient = std::move(draw);
+  }
+}
+
+vtkWideFoVRenderer::BackgroundDrawer::~BackgroundDrawer()
+{
+  if (this->Renderer)
+  {
+    this->Renderer->DrawGradient = nullptr;
+  }
+}
+
+void vtkWideFoVRenderer::Clear()
+{
+  const bool own = this->GradientByDirection && this->GradientBackground &&
+    !this->TexturedBackground && this->DrawGradient && !this->Transparent();
+  if (!own)
+  {
+    this->Superclass::Clear();
+    return;
+  }
+  this->GradientBackground = false;
+  this->Superclass::Clear();
+  this->GradientBackground = true;
+  this->DrawGradient();
 }
 
 vtkCamera* vtkWideFoVRenderer::MakeCamera()

@@ -18,6 +18,8 @@
 #include "vtkOpenGLRenderer.h"
 #include "vtkRenderingWideFoVModule.h" // For export macro
 
+#include <functional> // For std::function
+
 VTK_ABI_NAMESPACE_BEGIN
 class vtkWideFoVCamera;
 class vtkWideFoVPass;
@@ -54,6 +56,24 @@ public:
    */
   bool DisplayToRay(double x, double y, double origin[3], double direction[3]);
 
+  ///@{
+  /**
+   * A gradient background (GradientBackgroundOn) by direction instead of by the window's height
+   * (default off): Background at the horizon and below it, Background2 straight up, evenly by
+   * elevation between the two. Up is EnvironmentUp, a direction of the world, so that the horizon
+   * stays where it is as the view turns. Outside the map is Background. Where the view is not
+   * wide, and for a background with a texture, it changes nothing.
+   */
+  vtkSetMacro(GradientByDirection, bool);
+  vtkGetMacro(GradientByDirection, bool);
+  vtkBooleanMacro(GradientByDirection, bool);
+  ///@}
+
+  /**
+   * Clears, and draws the background.
+   */
+  void Clear() override;
+
   /**
    * Sets the clip spheres of a wide camera, the clipping range of any other.
    */
@@ -74,6 +94,21 @@ public:
    */
   vtkWideFoVCamera* GetFrameCamera() { return this->FrameCamera; }
 
+#ifndef __VTK_WRAP__
+  // For vtkWideFoVPass: what draws the gradient by direction, as long as this lives.
+  class BackgroundDrawer
+  {
+  public:
+    BackgroundDrawer(vtkRenderer* renderer, std::function<void()> draw);
+    ~BackgroundDrawer();
+    BackgroundDrawer(const BackgroundDrawer&) = delete;
+    void operator=(const BackgroundDrawer&) = delete;
+
+  private:
+    vtkWideFoVRenderer* Renderer;
+  };
+#endif
+
 protected:
   vtkWideFoVRenderer();
   ~vtkWideFoVRenderer() override;
@@ -83,10 +118,13 @@ protected:
 
   vtkWideFoVCamera* FrameCamera = nullptr;
   vtkNew<vtkWideFoVPass> OwnPass; // that it is made with
+  bool GradientByDirection = false;
 
 private:
   vtkWideFoVRenderer(const vtkWideFoVRenderer&) = delete;
   void operator=(const vtkWideFoVRenderer&) = delete;
+
+  std::function<void()> DrawGradient;
 };
 VTK_ABI_NAMESPACE_END
 

@@ -229,9 +229,10 @@ void CheckDrawing(Options& o)
   const bool drawn = wide ||
     (o.ExactPerspective && wfv::FitsFrame(o.View) && o.Stereo == "mono" && o.Screens.empty());
   const bool stock = o.Technique == Technique::CubeMap || !drawn;
-  if (stock && (o.DebugView || o.Overlay || o.Depth != "linear"))
+  if (stock && (o.DebugView || o.Overlay || o.Zenith || o.Depth != "linear"))
   {
-    FailUsage("--debug-view, --overlay and --depth are for what this module draws, not for " +
+    FailUsage(
+      "--debug-view, --overlay, --zenith and --depth are for what this module draws, not for " +
       std::string(wide ? "--technique cubemap" : "a perspective that stock VTK draws") +
       "; leave them out");
   }
@@ -258,9 +259,9 @@ void CheckTechnique(Options& o)
   {
     FailUsage(cubemap + "always shows 180 degrees vertically; leave --vfov out");
   }
-  if (o.View.Lens != wfv::ViewOptions().Lens || o.HasClip || !o.Aov.empty())
+  if (o.View.Lens != wfv::ViewOptions().Lens || o.HasClip || !o.Aov.empty() || !o.Sky.empty())
   {
-    FailUsage(cubemap + "has no --lens, --clip or --aov; leave them out");
+    FailUsage(cubemap + "has no --lens, --clip, --aov or --sky; leave them out");
   }
 }
 }

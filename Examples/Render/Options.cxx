@@ -12,6 +12,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+
 namespace widefov
 {
 namespace
@@ -72,6 +74,16 @@ void DeclareDrawing(CLI::App& app, Options& o)
   group.Flag("--debug-view", o.DebugView, "primitives coloured by what happened to them");
 }
 
+Vector3 ParseColor(const std::string& option, const std::string& value)
+{
+  const std::vector<double> rgb = ParseNumbers(option, value, 3, 3);
+  if (std::any_of(rgb.begin(), rgb.end(), [](double c) { return c < 0 || c > 1; }))
+  {
+    FailUsage(option + ": '" + value + "' is not three numbers in [0, 1]");
+  }
+  return { { rgb[0], rgb[1], rgb[2] } };
+}
+
 void DeclareData(CLI::App& app, Options& o)
 {
   Group group(app, "Data");
@@ -92,16 +104,15 @@ void DeclareData(CLI::App& app, Options& o)
   group.Flag("--scalar-bar", o.Look.ScalarBar, "draw the colour map's bar into the picture");
   group.Add("--background", "R,G,B", "0,0,0", "colour where there is nothing, 0 to 1",
     [&o](const std::string& option, const std::string& value) {
-      const std::vector<double> rgb = ParseNumbers(option, value, 3, 3);
-      for (std::size_t i = 0; i < 3; i++)
-      {
-        if (rgb[i] < 0 || rgb[i] > 1)
-        {
-          FailUsage(option + ": '" + value + "' is not three numbers in [0, 1]");
-        }
-        o.Background[i] = rgb[i];
-      }
+      o.Background = ParseColor(option, value);
     });
+  group.Add("--zenith", "R,G,B", "", "colour straight up; --background is that of the horizon",
+    [&o](const std::string& option, const std::string& value) {
+      o.Zenith = ParseColor(option, value);
+    });
+  group.Name("--sky", "FILE", o.Sky,
+    "picture of all directions, twice as wide as high: .hdr .exr "
+    ".jpg .png .tif");
   group.Name("--vectors", "NAME", o.Look.Vectors, "arrow glyphs of this vector array");
   group.Name("--streamlines", "NAME", o.Look.StreamLines, "stream tubes of this vector array");
 }

@@ -8,6 +8,9 @@
 #include "Projections/Projection.h"
 #include "ScreensFile.h"
 
+#include <vtkImageData.h>
+#include <vtkSmartPointer.h>
+
 #include <array>
 #include <optional>
 #include <string>
@@ -78,8 +81,11 @@ struct Options
   std::optional<HeadPose> Head;      // whom it is for
   std::optional<std::size_t> Number; // of the pose, where there are several
 
-  widefov::Look Look;                // colours, glyphs
-  Vector3 Background{ { 0, 0, 0 } }; // red, green, blue, 0 to 1
+  widefov::Look Look;                       // colours, glyphs
+  Vector3 Background{ { 0, 0, 0 } };        // red, green, blue, 0 to 1
+  std::optional<Vector3> Zenith;            // none: as the background
+  std::string Sky;                          // file of a picture of all directions
+  vtkSmartPointer<vtkImageData> SkyPicture; // LoadSky
 
   std::vector<std::string> Outputs;
   std::string Aov;

@@ -7,6 +7,7 @@
 #include "Messages.h"
 #include "Passes.h"
 #include "Progress.h"
+#include "SkyPicture.h"
 #include "StereoLayout.h"
 #include "StereoOptions.h"
 #include "StripFile.h"
@@ -60,7 +61,7 @@ void Fill(Stage& stage, const Scene& scene, const Options& o)
     SetUpWidePass(stage.WidePass, o);
     stage.Renderer->SetPass(stage.WidePass);
   }
-  stage.Renderer->SetBackground(o.Background.data());
+  SetBackground(stage.Renderer, o);
   for (const SceneProp& prop : scene.Props)
   {
     stage.Actors.push_back(MakeActor(prop, o.Look));

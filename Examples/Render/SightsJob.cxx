@@ -8,6 +8,7 @@
 #include "PictureFiles.h"
 #include "Progress.h"
 #include "RenderStats.h"
+#include "SkyPicture.h"
 #include "StereoLayout.h"
 #include "StereoOptions.h"
 
@@ -62,7 +63,7 @@ SightsStage::SightsStage(const Scene& scene, const Options& o)
   this->Window->SetMultiSamples(UsableSamples(o.Samples, this->Limits));
   SetUpWidePass(this->Pass, o);
   this->Renderer->SetPass(this->Pass);
-  this->Renderer->SetBackground(o.Background.data());
+  SetBackground(this->Renderer, o);
   for (const SceneProp& prop : scene.Props)
   {
     this->Renderer->AddActor(MakeActor(prop, o.Look));

@@ -12,6 +12,7 @@
 #include "Progress.h"
 #include "RenderJob.h"
 #include "SightsJob.h"
+#include "SkyPicture.h"
 #include "StereoLayout.h"
 #include "StereoOptions.h"
 
@@ -95,6 +96,7 @@ int Run(int argc, char** argv)
   }
   CheckOutputs(options);
   LoadDirectionMap(options);
+  LoadSky(options);
   CheckSights(options);
   const Stopwatch watch;
   const Scene scene = LoadScene(options);

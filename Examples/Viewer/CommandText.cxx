@@ -127,7 +127,9 @@ std::string DrawingText(const Options& o)
   text += o.HasClip ? " --clip " + Exactly(o.View.Radii[0]) + "," + Exactly(o.View.Radii[1]) : "";
   text += o.ExactPerspective ? " --exact-perspective" : "";
   text += o.DebugView ? " --debug-view" : "";
-  return text + StereoText(o) + " --background " + Exactly(o.Background);
+  text += StereoText(o) + " --background " + Exactly(o.Background);
+  text += o.Zenith ? " --zenith " + Exactly(*o.Zenith) : "";
+  return text + (o.Sky.empty() ? "" : " --sky " + Quoted(o.Sky));
 }
 }
 

@@ -6,6 +6,7 @@
 #include "Frame.h"
 #include "Messages.h"
 #include "Passes.h"
+#include "SkyPicture.h"
 #include "StereoLayout.h"
 #include "StereoOptions.h"
 
@@ -56,7 +57,7 @@ ViewerStage::ViewerStage(
   this->Window->SetTileViewport(double(tile.Column) / tile.Columns,
     double(tile.Rows - 1 - tile.Row) / tile.Rows, double(tile.Column + 1) / tile.Columns,
     double(tile.Rows - tile.Row) / tile.Rows);
-  this->Renderer->SetBackground(o.Background.data());
+  SetBackground(this->Renderer, o);
   for (const SceneProp& prop : scene.Props)
   {
     this->Actors.push_back(MakeActor(prop, o.Look));

@@ -9,6 +9,7 @@
 #include "Messages.h"
 #include "Program.h"
 #include "Room.h"
+#include "SkyPicture.h"
 #include "StateLog.h"
 #include "Viewer.h"
 #include "ViewerOptions.h"
@@ -45,6 +46,7 @@ int Run(int argc, char** argv)
     return ExitDone;
   }
   LoadDirectionMap(options.Picture);
+  LoadSky(options.Picture);
   Room room(options);
   options.Picture = room.GetGiven();
   const Scene scene = LoadScene(options.Picture);

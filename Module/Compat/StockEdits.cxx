@@ -146,6 +146,23 @@ const std::vector<Entry> AllEdits{
     { Literal(901, "g_rayOrigin = rayOrigin.xyz;") } },
   { Edit::VolumeImageDepth, "depth of an image", "volumes that render to an image", Optional,
     { Literal(901, "depthValue /= depthValue.w;") } },
+  // the sky
+  { Edit::SkyDirection, "direction of the sky", "skyboxes", Required,
+    { Literal(901, "normalize(TexCoords - cameraPos)") } },
+  // 9.1 leaves a cube's level to OpenGL
+  { Edit::SkyLookup, "texture of the sky", "skyboxes but floors", Required,
+    { Matching(901, R"(texture\w*\(actortexture,)") } },
+  { Edit::SkyHalf, "an eye's half of the sky", "skyboxes that are a sphere for each eye", Required,
+    { Literal(901, "0.25 + 0.5*leftEye") } },
+  { Edit::SkyFloorLookup, "texture of a floor", "floors", Required,
+    { Literal(901, "texture(actortexture, vec2(dot(floorRight,pos), dot(floorFront, pos)))"),
+      Literal(904,
+        "texture(actortexture, vec2(dot(floorRight,pos)/floorTCoordScale.x, "
+        "dot(floorFront, pos)/floorTCoordScale.y))") } },
+  { Edit::SkyFloorEye, "eye above a floor", "floors", Required,
+    { Literal(901, "p0 - cameraPos") } },
+  { Edit::SkyFloorDepth, "depth of a floor", "floors", Required,
+    { Literal(901, "gl_FragDepth = clamp(0.5 + 0.5*tpos.z/tpos.w,0.0,1.0);") } },
 };
 
 std::array<std::atomic<int>, static_cast<std::size_t>(Edit::Count)>& Counts()

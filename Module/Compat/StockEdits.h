@@ -70,6 +70,13 @@ enum class Edit
   VolumeClip,
   VolumeDepthPass,
   VolumeImageDepth,
+  // the sky
+  SkyDirection,
+  SkyLookup,
+  SkyHalf,
+  SkyFloorLookup,
+  SkyFloorEye,
+  SkyFloorDepth,
   Count
 };
 

@@ -4,6 +4,7 @@
 #include "Camera/Tile.h"
 #include "Drawables/Discontinuity.h"
 #include "Drawables/FatMesh.h"
+#include "Drawables/Sky.h"
 #include "Frame/Technique.h"
 #include "Frame/Tessellation.h"
 #include "vtkWideFoVCamera.h"
@@ -49,12 +50,13 @@ wfv::Stages::Stages()
   this->ExactInSingle->SetVariant(wfv::ShaderBuilder::Variant::Exact);
   this->ExactInSingle->SetRuns(RunsOfFew);
   this->Tessellate->SetVariant(wfv::ShaderBuilder::Variant::Tessellate);
+  this->Sky->SetVariant(wfv::ShaderBuilder::Variant::Sky);
 }
 
-std::array<vtkWideFoVStage*, 8> wfv::Stages::GetAll()
+std::array<vtkWideFoVStage*, 9> wfv::Stages::GetAll()
 {
   return { this->Plain, this->Cut, this->PreClip, this->PreClipOfFew, this->PreClipAtChords,
-    this->Exact, this->ExactInSingle, this->Tessellate };
+    this->Exact, this->ExactInSingle, this->Tessellate, this->Sky };
 }
 
 bool wfv::Stages::CanTessellate()
@@ -189,6 +191,10 @@ double wfv::Stages::GetPointReach(const wfv::PropFacts& facts) const
 
 vtkWideFoVStage* wfv::Stages::Choose(vtkProp* prop, const double* bounds, wfv::PropFacts& facts)
 {
+  if (wfv::sky::Is(prop))
+  {
+    return this->Sky;
+  }
   FindFacts(prop, facts);
   if (!facts.Prepared)
   {

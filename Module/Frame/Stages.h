@@ -92,6 +92,9 @@ public:
   // has these bounds; the clip radii where there are none.
   wfv::vec2 GetDistances(const double* bounds) const;
 
+  // From world to view coordinates, row-major.
+  const double* GetWorldToView() const { return this->WorldToView; }
+
   // Another one whenever what Choose and IsUnseen go by has changed, but the prop.
   std::uint64_t GetViewNumber() const { return this->ViewNumber; }
 
@@ -133,6 +136,7 @@ public:
   vtkNew<vtkWideFoVStage> Exact;
   vtkNew<vtkWideFoVStage> ExactInSingle; // in float32: of few triangles, all of them fat
   vtkNew<vtkWideFoVStage> Tessellate;    // other mappers than ours: the pre-clip
+  vtkNew<vtkWideFoVStage> Sky;
 
 private:
   // True where no edge of the prop bends by more than the tolerance, seen from here.
@@ -175,7 +179,7 @@ private:
   wfv::Window Part;      // of the picture, with a margin
   wfv::vec2 Pixels{ 1 }; // of the whole picture
   bool Culling = true;
-  std::array<vtkWideFoVStage*, 8> GetAll();
+  std::array<vtkWideFoVStage*, 9> GetAll();
   void Instruct(vtkWideFoVStage* stage);
   void SetEyes(vtkWideFoVCamera* camera, const wfv::StereoModel* stereo); // after SetPart
   double Reach = 0; // of the rays' beginnings from the middle between the eyes, scene units

@@ -277,7 +277,7 @@ bool vtkWideFoVStage::PreReplaceShaderValues(std::string&, std::string& geometry
   {
     this->Stages->Shaders.Begin();
   }
-  if (vtkVolume::SafeDownCast(prop))
+  if (vtkVolume::SafeDownCast(prop) || this->Variant == wfv::ShaderBuilder::Variant::Sky)
   {
     return true;
   }
@@ -302,7 +302,8 @@ bool vtkWideFoVStage::PostReplaceShaderValues(std::string& vertexShader,
   vtkProp* prop)
 {
   if (wfv::stock::DrawsNothing(fragmentShader) ||
-    this->FinishVolume(prop, mapper, vertexShader, geometryShader, fragmentShader))
+    this->FinishVolume(prop, mapper, vertexShader, geometryShader, fragmentShader) ||
+    this->FinishSky(mapper, prop, vertexShader, geometryShader, fragmentShader))
   {
     return true;
   }

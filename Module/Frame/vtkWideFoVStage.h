@@ -24,7 +24,6 @@ struct ProgramUses;
 VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLPolyDataMapper;
 class vtkRenderer;
-class vtkVolume;
 class vtkWideFoVCamera;
 
 // One variant. Two objects, not one with a switch: a prop that changes its variant
@@ -122,6 +121,12 @@ public:
   void SetStages(wfv::Stages* stages) { this->Stages = stages; }
   wfv::Stages* GetStages() const { return this->Stages; }
 
+  // Of what has no primitives but a ray for each pixel.
+  wfv::ShaderBuilder::Request MakeRayRequest() const;
+
+  // What such a program needs to know, whatever it draws.
+  void SetRayParameters(vtkShaderProgram* program);
+
   // NDC of the tile = NDC of the picture * first two + last two.
   const float* GetTile() const { return this->Tile; }
 
@@ -156,12 +161,15 @@ private:
   void SetPropParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
     const wfv::ProgramUses& uses) const;
 
-  // Of volumes: what is asked of their text, the text (false: of something else), and where they
-  // may be in the picture.
-  wfv::ShaderBuilder::Request MakeVolumeRequest() const;
+  // Of volumes: the text (false: of something else), and where they may be in the picture.
   bool FinishVolume(vtkProp* prop, vtkAbstractMapper* mapper, std::string& vertex,
     std::string& geometry, std::string& fragment) const;
-  void SetVolumeParameters(vtkShaderProgram* program, vtkVolume* volume) const;
+  void SetVolumeParameters(vtkShaderProgram* program, vtkProp* prop) const;
+
+  // The text of the sky (false: of something else), and what its program is told.
+  bool FinishSky(vtkAbstractMapper* mapper, vtkProp* prop, std::string& vertex,
+    std::string& geometry, std::string& fragment) const;
+  void SetSkyParameters(vtkShaderProgram* program, vtkProp* prop) const;
 
   // What is the same for all props of a frame.
   void SetFrameParameters(vtkShaderProgram* program, const int viewport[4]);

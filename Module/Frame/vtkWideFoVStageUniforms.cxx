@@ -18,7 +18,6 @@
 #include "vtkOpenGLState.h"
 #include "vtkProperty.h"
 #include "vtkShaderProgram.h"
-#include "vtkVolume.h"
 
 #include <algorithm>
 #include <cmath>
@@ -143,10 +142,8 @@ bool vtkWideFoVStage::SetShaderParameters(
   {
     this->Stages->Fine.SetParameters(program, prop, viewport);
   }
-  if (auto* const volume = vtkVolume::SafeDownCast(prop))
-  {
-    this->SetVolumeParameters(program, volume);
-  }
+  this->SetVolumeParameters(program, prop);
+  this->SetSkyParameters(program, prop);
   this->SetPropParameters(program, mapper, prop, known.Uses);
   this->NumberOfDraws++;
   const bool tessellates = this->Variant == wfv::ShaderBuilder::Variant::Tessellate;

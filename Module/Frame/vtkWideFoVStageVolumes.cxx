@@ -11,18 +11,6 @@
 #include "vtkShaderProgram.h"
 #include "vtkVolume.h"
 
-wfv::ShaderBuilder::Request vtkWideFoVStage::MakeVolumeRequest() const
-{
-  wfv::ShaderBuilder::Request request;
-  request.Projection = this->Projection;
-  request.Stereo = this->Stereo;
-  request.DepthMapping = this->View.depthMapping;
-  request.Tilted = this->Tilted;
-  request.Fades = this->Fades;
-  request.Headlights = this->Headlights;
-  return request;
-}
-
 bool vtkWideFoVStage::FinishVolume(vtkProp* prop, vtkAbstractMapper* mapper, std::string& vertex,
   std::string& geometry, std::string& fragment) const
 {
@@ -32,13 +20,18 @@ bool vtkWideFoVStage::FinishVolume(vtkProp* prop, vtkAbstractMapper* mapper, std
     return false;
   }
   wfv::volume::Finish(
-    this->MakeVolumeRequest(), wfv::volume::Describe(this->Renderer, volume), geometry, fragment);
+    this->MakeRayRequest(), wfv::volume::Describe(this->Renderer, volume), geometry, fragment);
   wfv::stock::LeaveOutUnedited(this->Renderer, mapper, vertex, geometry, fragment);
   return true;
 }
 
-void vtkWideFoVStage::SetVolumeParameters(vtkShaderProgram* program, vtkVolume* volume) const
+void vtkWideFoVStage::SetVolumeParameters(vtkShaderProgram* program, vtkProp* prop) const
 {
+  auto* const volume = vtkVolume::SafeDownCast(prop);
+  if (!volume)
+  {
+    return;
+  }
   const double* const bounds = volume->GetBounds();
   wfv::volume::SetCover(program, this->Stages->GetPictures(bounds), this->Pixels.Whole);
   if (program->IsUniformUsed("wfvReach"))

@@ -17,11 +17,12 @@ class WFV_EXPORT ShaderBuilder
 public:
   enum class Variant
   {
-    Plain,     // the vertex stage projects
-    Cut,       // a geometry stage does, and cuts triangles into smaller ones before
-    PreClip,   // a geometry stage clips, then projects
-    Exact,     // the same, every triangle by the ray of each pixel, lines as exact strips
-    Tessellate // triangles cut finer before the pre-clip (wfv::Tessellation)
+    Plain,      // the vertex stage projects
+    Cut,        // a geometry stage does, and cuts triangles into smaller ones before
+    PreClip,    // a geometry stage clips, then projects
+    Exact,      // the same, every triangle by the ray of each pixel, lines as exact strips
+    Tessellate, // triangles cut finer before the pre-clip (wfv::Tessellation)
+    Sky         // no primitives: the ray of each pixel (sky/SkyShaders.h)
   };
 
   enum class Primitive

@@ -35,6 +35,8 @@ COMMAND_LINE = [
     usage("good.vtk --frobnicate", "--frobnicate"),
     usage("good.vtk -z", "-z"),
     usage("good.vtk --hfov", "--hfov"),
+    usage("good.vtk --zenith 0,0,2", "--zenith"),
+    usage("good.vtk --zenith 0,0,1 --projection perspective --hfov 90 --vfov 60", "--zenith"),
     usage("--scene nowhere", "nowhere"),
     usage("good.vtk --projection bent", "bent"),
     usage("good.vtk --technique magic", "magic"),
@@ -185,6 +187,12 @@ DATA += [
     failed(MAP + "map-line.exr --size 64x1", "2 x 2"),
     failed(MAP + "map-cut.exr", "map-cut.exr"),
 ]
+SKY = "good.vtk --sky "
+DATA += [
+    failed(SKY + "missing.hdr", "missing.hdr is not there"),
+    failed(SKY + "good.vtk", "no picture"),
+    failed(SKY + "map-cut.exr", "map-cut.exr"),
+]
 DATA += [failed("empty." + ending, "empty." + ending) for ending in ENDINGS]
 DATA += [failed("noise." + ending, "noise." + ending) for ending in ENDINGS]
 
@@ -196,6 +204,8 @@ TOLERATED = [
     Case("only-zero-area.vtk", DONE, None),
     Case("no-cells.vtk", DONE, None),
     Case("good.vtk", DONE, None),
+    Case(SKY + "map-nan.exr", DONE, None),
+    Case(SKY + "map-infinite.exr", DONE, None),
     Case("good.ply", DONE, None),
     Case("little.ply", DONE, None),
     Case("big.ply", DONE, None),

@@ -23,6 +23,7 @@
 #include "vtkProperty.h"
 #include "vtkRTAnalyticSource.h"
 #include "vtkShaderProperty.h"
+#include "vtkSkybox.h"
 #include "vtkSphereSource.h"
 #include "vtkStripper.h"
 #include "vtkTexture.h"
@@ -262,6 +263,28 @@ void FillShifted(Window& test)
   Add(test, Ball());
 }
 
+void FillSky(Window& test, int projection)
+{
+  vtkNew<vtkImageCanvasSource2D> picture;
+  picture->SetScalarTypeToUnsignedChar();
+  picture->SetNumberOfScalarComponents(3);
+  picture->SetExtent(0, 7, 0, 7, 0, 0);
+  picture->SetDrawColor(200, 150, 100);
+  picture->FillBox(0, 7, 0, 7);
+  picture->Update();
+  vtkNew<vtkTexture> texture;
+  texture->SetCubeMap(projection == vtkSkybox::Cube);
+  for (int i = 0; i < (projection == vtkSkybox::Cube ? 6 : 1); i++)
+  {
+    texture->SetInputDataObject(i, picture->GetOutput());
+  }
+  vtkNew<vtkSkybox> sky;
+  sky->SetProjection(projection);
+  sky->SetFloorPlane(0, 1, 0, 1);
+  sky->SetTexture(texture);
+  test.Renderer->AddActor(sky);
+}
+
 void UseDataPass(Window& test)
 {
   vtkNew<vtkWideFoVDataPass> data;
@@ -384,6 +407,10 @@ std::vector<Scene> Others()
     { "glyphs", FillGlyphs },
     { "composite", FillComposite },
     { "peeled", FillPeeled },
+    { "sky, cube", [](Window& t) { FillSky(t, vtkSkybox::Cube); } },
+    { "sky, sphere", [](Window& t) { FillSky(t, vtkSkybox::Sphere); } },
+    { "sky, a sphere an eye", [](Window& t) { FillSky(t, vtkSkybox::StereoSphere); } },
+    { "sky, floor", [](Window& t) { FillSky(t, vtkSkybox::Floor); } },
     { "data", [](Window& t) { Add(t, Ball()), UseDataPass(t); } },
     { "data, flat camera", [](Window& t) { FillFlat(t, vtkNew<vtkCamera>()), UseDataPass(t); },
       true },

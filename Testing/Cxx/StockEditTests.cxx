@@ -291,6 +291,7 @@ const std::map<Edit, std::vector<const char*>>& Written()
     { Edit::LightDirection, { "lightDirectionVC0" } },
     { Edit::VolumeToEye, { "normalize(g_eyePosObjs[0].xyz - ip_vertexPos)" } },
     { Edit::VolumeLight, { "in_lightDirection[lightNum]", "in_lightDirection[dirNum]" } },
+    { Edit::SkyLookup, { "textureLod(actortexture," } },
     { Edit::LineNormal, { "normalize(cross(vec3(fdx.y, -fdx.x, 0.0), fdx))" } },
   };
   return written;
