@@ -138,6 +138,30 @@ def pixels_of(rays, gaze):
     return column.astype(int) % SIZE[0], numpy.clip(row.astype(int), 0, SIZE[1] - 1)
 
 
+def rays_of_picture(gaze):
+    """World directions of the wide picture's pixels."""
+    azimuth = ((numpy.arange(SIZE[0]) + 0.5) / SIZE[0] - 0.5) * 2 * math.pi
+    elevation = ((numpy.arange(SIZE[1]) + 0.5) / SIZE[1] - 0.5) * math.pi
+    a, e = numpy.meshgrid(azimuth, elevation)
+    rays = numpy.stack([numpy.cos(e) * numpy.sin(a), numpy.sin(e), -numpy.cos(e) * numpy.cos(a)], -1)
+    return rays @ frame_of(gaze, (0, 1, 0))
+
+
+def look_up(faces, rays):
+    """Whether faces have something in each of these directions, and its colour."""
+    seen = numpy.zeros(rays.shape[:-1], bool)
+    colours = numpy.zeros(rays.shape, int)
+    for (direction, up), picture in zip(FACES, faces):
+        x, y, z = numpy.moveaxis(rays @ frame_of(direction, up).T, -1, 0)
+        here = (-z >= abs(x)) & (-z >= abs(y))
+        column, row = (
+            numpy.clip(((v[here] / -z[here] + 1) / 2 * FACE).astype(int), 0, FACE - 1) for v in (x, y)
+        )
+        seen[here] = covered(picture)[row, column]
+        colours[here] = picture[row, column]
+    return seen, colours
+
+
 def grown(mask, pixels):
     """The mask and what is near it; left and right are neighbours."""
     wide = mask.copy()
@@ -157,30 +181,40 @@ def covered(picture):
     return (abs(picture - empty) > 2).any(-1)
 
 
-def stock_points(make):
-    """World directions, and colours, of what six stock faces show."""
+def stock_faces(make):
+    """What six stock faces show."""
     stage = stock_stage()
     stage.add(make())
-    rays, colours = [], []
+    pictures = []
     for direction, up in FACES:
         stage.look(direction, up)
         stage.renderer.ResetCameraClippingRange()
-        picture = stage.draw()
-        seen = covered(picture)
-        rays.append(rays_of_face(direction, up)[seen])
-        colours.append(picture[seen])
-    return numpy.concatenate(rays), numpy.concatenate(colours)
+        pictures.append(stage.draw())
+    return pictures
 
 
-def compare(picture, points, gaze):
+def reproject(faces, gaze):
+    """What faces show, in the wide picture's pixels: whether it covers them, and its colours. Each pixel
+    of a face is put where it is seen, so that no thin line gets lost; where pixels of a face are farther
+    apart than those of the picture, as at its poles, these look theirs up."""
+    reached = numpy.zeros(SIZE[::-1], bool)
+    seen = numpy.zeros(SIZE[::-1], bool)
+    shown = numpy.zeros(SIZE[::-1] + (3,), int)
+    for (direction, up), face in zip(FACES, faces):
+        column, row = pixels_of(rays_of_face(direction, up), gaze)
+        reached[row, column] = True
+        there = covered(face)
+        seen[row[there], column[there]] = True
+        shown[row[there], column[there]] = face[there]
+    between = ~reached
+    seen[between], shown[between] = look_up(faces, rays_of_picture(gaze)[between])
+    return seen, shown
+
+
+def compare(picture, faces, gaze):
     """Of the pixels that either covers: how many; the shares that one alone covers, and that have
     another colour."""
-    rays, colours = points
-    column, row = pixels_of(rays, gaze)
-    stock = numpy.zeros(picture.shape[:2], bool)
-    stock[row, column] = True
-    shown = numpy.zeros(picture.shape, int)
-    shown[row, column] = colours
+    stock, shown = reproject(faces, gaze)
     wide = covered(picture)
     either = max(1, int((wide | stock).sum()))
     missing = int((stock & ~grown(wide, APART)).sum())
@@ -219,7 +253,7 @@ def other_colours(picture, shown, both, least=40):
 def measure(make):
     """What the wide views show of a thing, beside the six faces, by the gaze; and what was said and what
     OpenGL noted."""
-    points = stock_points(make)
+    faces = stock_faces(make)
     heard = vtk.vtkStringOutputWindow()
     vtk.vtkOutputWindow.SetInstance(heard)
     stage = wide_stage()
@@ -228,13 +262,13 @@ def measure(make):
     for name, gaze in GAZES.items():
         stage.look(gaze, (0, 1, 0))
         stage.draw()  # some are where the last picture was
-        found[name] = compare(stage.draw(), points, gaze)
+        found[name] = compare(stage.draw(), faces, gaze)
     return {"views": found, "gl": gl_errors(), "said": heard.GetOutput()}
 
 
 def stock_pixels(make):
     """How many pixels six stock faces show of a thing."""
-    return int(len(stock_points(make)[0]))
+    return sum(int(covered(face).sum()) for face in stock_faces(make))
 
 
 def show(put):

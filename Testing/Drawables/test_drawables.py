@@ -43,13 +43,10 @@ def verdict(name, result, overlay):
     colour = max(view["colour"] for view in views)
     if worst <= SHARE and colour <= COLOURS:
         return "right", False
-    said = "left out" in result["said"]
-    if said and not any(view["wide"] for view in views):
+    if "left out" in result["said"] and not any(view["wide"] for view in views):
         return "left out, with a warning", False
     if name in OWN_SIZE and all(view["wide"] for view in views):
         return OWN_SIZE[name], False
-    if said:
-        return "drawn in part, with a warning", False
     return "differs: %.3g of what is covered, %.3g in colour" % (worst, colour), True
 
 
