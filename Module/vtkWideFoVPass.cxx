@@ -50,6 +50,7 @@ void vtkWideFoVPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Technique: " << this->Technique << "\n"
      << indent << "Tolerance: " << this->Tolerance << "\n"
      << indent << "DebugView: " << this->DebugView << "\n"
+     << indent << "ShaderFolder: " << this->ShaderFolder << "\n"
      << indent << "DelegatePass: " << this->Internal->Delegate.Get() << "\n"
      << indent << "NumberOfPlainDraws: " << this->NumberOfPlainDraws << "\n"
      << indent << "NumberOfPreClipDraws: " << this->NumberOfPreClipDraws << "\n"
@@ -289,6 +290,7 @@ void vtkWideFoVPass::RenderWide(const vtkRenderState* s, vtkWideFoVCamera* camer
   double bounds[6];
   camera->BeginFrame(renderer, in.Props.GetSceneBounds(renderer, bounds) ? bounds : nullptr);
   in.Stages.SetCulling(this->Culling != 0);
+  in.Stages.Folder.SetPath(this->ShaderFolder);
   in.Stages.SetEnlargement(std::max(1, in.Enlargement));
   in.Stages.Begin(renderer, camera, this->Technique, this->FindTolerance());
   in.Stages.SetDebugView(this->DebugView != 0);
@@ -305,10 +307,20 @@ void vtkWideFoVPass::RenderWide(const vtkRenderState* s, vtkWideFoVCamera* camer
     props[i] = in.Props.GetProp(i);
   }
   in.Stages.End();
+  this->WriteShaders();
   camera->EndFrame();
   if (this->KeepUpdateRate)
   {
     renderer->GetRenderWindow()->WaitForCompletion(); // the renderer takes the time
+  }
+}
+
+void vtkWideFoVPass::WriteShaders()
+{
+  const std::string wrong = this->Internal->Stages.Folder.Write();
+  if (!wrong.empty())
+  {
+    vtkErrorMacro(<< wrong);
   }
 }
 

@@ -83,13 +83,13 @@ const std::vector<Entry> AllEdits{
     { Literal(Unreleased, "if (normalVCVSOutput.z < 0)") } },
 
   // GLSL's own variables, which no VTK can rename: where there is none, nothing is to be edited
-  { Edit::FrontFacing, "gl_FrontFacing", "GLSL's own", Optional,
+  { Edit::FrontFacing, "side that is seen", "GLSL's own", Optional,
     { Literal(901, "gl_FrontFacing") } },
-  { Edit::FragmentDepth, "gl_FragCoord.z", "GLSL's own", Optional,
+  { Edit::FragmentDepth, "depth of a fragment", "GLSL's own", Optional,
     { Literal(901, "gl_FragCoord.z") } },
-  { Edit::PointCoordinate, "gl_PointCoord", "GLSL's own", Optional,
+  { Edit::PointCoordinate, "place in a point", "GLSL's own", Optional,
     { Literal(901, "gl_PointCoord") } },
-  { Edit::PrimitiveNumber, "gl_PrimitiveID", "GLSL's own", Optional,
+  { Edit::PrimitiveNumber, "number of a primitive", "GLSL's own", Optional,
     { Literal(901, "gl_PrimitiveID") } },
 
   // VTK's places for text
@@ -218,11 +218,13 @@ Span FindWording(
   return span;
 }
 
-// What comes in the place of what was found.
-std::string Replacement(const std::string& text, const Span& span, const std::string& by)
+// What comes in the place of what was found: with the edit's name, for who reads the program.
+std::string Replacement(
+  const std::string& text, const Span& span, const Entry& entry, const std::string& by)
 {
-  const std::string out = Put(by, "$&", text.substr(span.At, span.Length));
-  return span.Groups.empty() ? out : Put(out, "$1", span.Groups[0]);
+  const std::string put = Put(by, "$&", text.substr(span.At, span.Length));
+  const std::string out = span.Groups.empty() ? put : Put(put, "$1", span.Groups[0]);
+  return std::string("/* WideFoV: ") + entry.Name + (out.empty() ? " */" : " */ ") + out;
 }
 
 void Count(std::string& text, Edit edit, Found found, int number)
@@ -273,7 +275,7 @@ int Replace(
   const int number = span.Number;
   while (span.At != std::string::npos)
   {
-    const std::string put = Replacement(text, span, by);
+    const std::string put = Replacement(text, span, EntryOf(edit), by);
     text.replace(span.At, span.Length, put);
     span = FindWording(text, EntryOf(edit).Wordings[number], name, span.At + put.size());
   }

@@ -126,9 +126,10 @@ struct Facts
   Found If(bool has) const { return this->Known && has ? Found::Must : Found::May; }
 };
 
-// Replaces all that the edit looks for. In `by`, "$&" is what was found and "$1" the pattern's
-// first group. Returns the number of the wording, or -1 where none was found: then the text has a
-// mark, if it must be found and the edit is not optional.
+// Replaces all that the edit looks for, and puts the edit's name before it, as a comment. In `by`,
+// "$&" is what was found and "$1" the pattern's first group. Returns the number of the wording, or
+// -1 where none was found: then the text has a mark, if it must be found and the edit is not
+// optional.
 WFV_EXPORT int Replace(std::string& text, Edit edit, const std::string& by,
   Found found = Found::Must, const std::string& name = "");
 

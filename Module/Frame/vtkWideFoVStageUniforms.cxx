@@ -154,10 +154,23 @@ bool vtkWideFoVStage::SetShaderParameters(
   return true;
 }
 
+void vtkWideFoVStage::NoteProgram(
+  vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop) const
+{
+  if (this->Stages->Folder.IsOpen())
+  {
+    const std::string what = vtkVolume::SafeDownCast(prop)
+      ? "volume"
+      : wfv::ShaderFolder::NameOf(this->MakeRequest(mapper, prop));
+    this->Stages->Folder.Note(program, what, this->Renderer, mapper, prop);
+  }
+}
+
 void vtkWideFoVStage::SetPropParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper,
   vtkProp* prop, const wfv::ProgramUses& uses) const
 {
   using Primitive = wfv::ShaderBuilder::Primitive;
+  this->NoteProgram(program, mapper, prop);
   auto* polydata = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
   auto* actor = vtkActor::SafeDownCast(prop);
   if (!polydata || !actor)

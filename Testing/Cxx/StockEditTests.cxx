@@ -330,7 +330,7 @@ TEST(StockEdits, EveryWordingIsFoundAndReplaced)
       EXPECT_EQ(
         stock::Replace(text, entry.Which, "[$&]", stock::Found::Must, "n"), static_cast<int>(i))
         << entry.Name << ": " << entry.Wordings[i].Text;
-      EXPECT_EQ(text, "a([" + written + "])");
+      EXPECT_EQ(text, std::string("a(/* WideFoV: ") + entry.Name + " */ [" + written + "])");
     }
   }
 }
