@@ -39,9 +39,14 @@ class vtkImageData;
 class VTKRENDERINGWIDEFOV_EXPORT vtkWideFoVCamera : public vtkOpenGLCamera
 {
 public:
+  ///@{
+  /**
+   * Standard methods of a VTK class.
+   */
   static vtkWideFoVCamera* New();
   vtkAbstractTypeMacro(vtkWideFoVCamera, vtkOpenGLCamera);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
 
   ///@{
   /**
@@ -132,6 +137,7 @@ public:
   virtual void GetLens(double coefficients[5]);
   ///@}
 
+  ///@{
   /**
    * What the projection "direction-map" shows: the direction of each pixel, as a picture of at
    * least 2 x 2 pixels of three numbers (the active scalars; view coordinates: x right, y up, z
@@ -143,6 +149,7 @@ public:
    */
   virtual bool SetDirectionMap(vtkImageData* directions);
   virtual bool HasDirectionMap();
+  ///@}
 
   ///@{
   /**
@@ -244,11 +251,13 @@ public:
    */
   virtual void SetWarpedStereo(double iod, double distance, double offset);
   virtual void GetWarpedStereo(double values[3]);
-
-  // Where the viewer is to the right of and above the cube's axis (NDC, default 0, 0), for tracked
-  // heads. What is not finite is refused with an error.
-  virtual void SetWarpedViewer(double x, double y);
   ///@}
+
+  /**
+   * Where the viewer is to the right of and above the cube's axis (NDC, default 0, 0), for tracked
+   * heads. What is not finite is refused with an error.
+   */
+  virtual void SetWarpedViewer(double x, double y);
 
   ///@{
   /**
@@ -290,7 +299,9 @@ public:
    * drew with it is not in stereo mode.
    */
   int GetCurrentEye();
-  bool HasMirroredEyes(); ///< the two differ by their side alone
+
+  /// Whether the two eyes differ by their side alone.
+  bool HasMirroredEyes();
 
   /// How far the eyes of the stereo model are from the camera's position, scene units: 0 where
   /// they are there.
@@ -331,34 +342,51 @@ public:
    * wide projections, whose rays begin where NDCToRay says.
    */
   void GetPerspectiveEye(double aspect, float eye[3]);
+
+  /// The same as SetDirectionMap of a picture, with tables that several cameras may share.
   void SetDirectionMap(const std::shared_ptr<const wfv::DirectionMap>& map);
+
   /**
    * The view as two functions, in view coordinates (see Projections/Projection.h). Valid until the
    * camera is changed or another aspect is asked for.
    */
   const wfv::View& GetView(double aspect);
-  const wfv::Projection& GetProjectionDefinition(); // as it was set
+
+  /// The projection that was set, as the registry has it.
+  const wfv::Projection& GetProjectionDefinition();
 #endif
 
   /// Before a frame is drawn: updates the automatic clip spheres from the visible props.
   /// Render and the pass call it.
   virtual void PrepareFrame(vtkRenderer* renderer);
 
-  // Of the pass: the same, with the bounds of the visible props where they are known, else
-  // nullptr; until the end of the frame PrepareFrame then has nothing to do.
+  ///@{
+  /**
+   * Of the pass: the same, with the bounds of the visible props (xmin, xmax, .., zmax; world) where
+   * they are known, else nullptr; until the end of the frame PrepareFrame then has nothing to do.
+   */
   void BeginFrame(vtkRenderer* renderer, const double* bounds);
   void EndFrame();
+  ///@}
 
-  /// As vtkCamera's, and the wide view with them where the source has one.
+  ///@{
+  /**
+   * As vtkCamera's, and the wide view with them where the source has one.
+   */
   void ShallowCopy(vtkCamera* source);
   void DeepCopy(vtkCamera* source);
+  ///@}
 
-  // What the stock pipeline asks for.
+  ///@{
+  /**
+   * What the stock pipeline asks for. The projection matrix of a wide camera is the identity.
+   */
   void Render(vtkRenderer* renderer) override;
   void UpdateViewport(vtkRenderer* renderer) override;
   void GetKeyMatrices(vtkRenderer* renderer, vtkMatrix4x4*& wcvc, vtkMatrix3x3*& normals,
     vtkMatrix4x4*& vcdc, vtkMatrix4x4*& wcdc) override;
   void GetFrustumPlanes(double aspect, double planes[24]) override;
+  ///@}
 
 protected:
   vtkWideFoVCamera();

@@ -146,6 +146,22 @@ class ToolChecks(unittest.TestCase):
                 with Checkout({path: head + text}) as root:
                     self.assertEqual(run("check_tool.py", "shell", root)[0], expected)
 
+    @unittest.skipUnless(shutil.which("doxygen"), "no Doxygen")
+    def test_api(self):
+        rules = "Documentation/Doxyfile"
+        with open(os.path.join(ROOT, rules), encoding="utf-8") as stream:
+            files = {rules: stream.read()}
+        head = HEAD + "#ifndef A_h\n/**\n * @class vtkA\n * @brief a\n */\n"
+        text = "class vtkA\n{\npublic:\n%s  vtkSetMacro(Size, int);\n\nprotected:\n  int Size;\n};\n#endif\n"
+        for comment, expected in (("  /// Pixels.\n", 0), ("", 1)):
+            files["Module/vtkA.h"] = head + text % comment
+            with Checkout(files) as root:
+                for folder in ("Camera", "Projections"):
+                    os.makedirs(os.path.join(root, "Module", folder))
+                status, output = run("check_api.py", root)
+                self.assertEqual(status, expected, output)
+                self.assertEqual("SetSize" in output, expected == 1, output)
+
     def test_tolerances(self):
         row = "| `Limit` | `%s` | pixels | what | [Limit.h](../Module/Limit.h) |\n"
         source = HEAD + "constexpr double Limit = 0.25; // pixels\n"
