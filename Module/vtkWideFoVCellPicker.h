@@ -20,9 +20,14 @@ VTK_ABI_NAMESPACE_BEGIN
 class VTKRENDERINGWIDEFOV_EXPORT vtkWideFoVCellPicker : public vtkCellPicker
 {
 public:
+  ///@{
+  /**
+   * Standard methods of a VTK class.
+   */
   static vtkWideFoVCellPicker* New();
   vtkTypeMacro(vtkWideFoVCellPicker, vtkCellPicker);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
 
   /**
    * Pick at a display point (pixels). Returns nonzero where something was hit between

@@ -24,9 +24,14 @@ class vtkImageData;
 class VTKRENDERINGWIDEFOV_EXPORT vtkWideFoVDataPass : public vtkOpenGLRenderPass
 {
 public:
+  ///@{
+  /**
+   * Standard methods of a VTK class.
+   */
   static vtkWideFoVDataPass* New();
   vtkTypeMacro(vtkWideFoVDataPass, vtkOpenGLRenderPass);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
 
   ///@{
   /**
@@ -51,6 +56,10 @@ public:
    */
   vtkImageData* GetOutput();
 
+  ///@{
+  /**
+   * What the renderer and the mappers call.
+   */
   void Render(const vtkRenderState* s) override;
   bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
     std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
@@ -59,6 +68,7 @@ public:
   bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
     vtkOpenGLVertexArrayObject* vao = nullptr) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
+  ///@}
 
 protected:
   vtkWideFoVDataPass();

@@ -20,10 +20,19 @@ VTK_ABI_NAMESPACE_BEGIN
 class VTKRENDERINGWIDEFOV_EXPORT vtkWideFoVHardwareSelector : public vtkOpenGLHardwareSelector
 {
 public:
+  ///@{
+  /**
+   * Standard methods of a VTK class.
+   */
   static vtkWideFoVHardwareSelector* New();
   vtkTypeMacro(vtkWideFoVHardwareSelector, vtkOpenGLHardwareSelector);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
 
+  /**
+   * Draws what is selected, for the left eye where the window is in stereo mode. False where that
+   * fails, as of vtkHardwareSelector.
+   */
   bool CaptureBuffers() override;
 
 protected:

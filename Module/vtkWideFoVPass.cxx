@@ -52,6 +52,7 @@ void vtkWideFoVPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Technique: " << this->Technique << "\n"
      << indent << "Tolerance: " << this->Tolerance << "\n"
      << indent << "DebugView: " << this->DebugView << "\n"
+     << indent << "ShaderFolder: " << this->ShaderFolder << "\n"
      << indent << "DelegatePass: " << this->Internal->Delegate.Get() << "\n"
      << indent << "NumberOfPlainDraws: " << this->NumberOfPlainDraws << "\n"
      << indent << "NumberOfPreClipDraws: " << this->NumberOfPreClipDraws << "\n"
@@ -256,6 +257,7 @@ void vtkWideFoVPass::RenderWide(const vtkRenderState* s, vtkWideFoVCamera* camer
   in.Props.Gather(renderer, props, count);
   this->BeginFrame(s, camera);
   in.Stages.SetCulling(this->Culling != 0);
+  in.Stages.Folder.SetPath(this->ShaderFolder);
   in.Stages.SetEnlargement(std::max(1, in.Enlargement));
   in.Stages.Begin(renderer, camera, this->Technique, this->FindTolerance());
   in.Stages.SetDebugView(this->DebugView != 0);
@@ -274,10 +276,20 @@ void vtkWideFoVPass::RenderWide(const vtkRenderState* s, vtkWideFoVCamera* camer
     props[i] = in.Props.GetProp(i);
   }
   in.Stages.End();
+  this->WriteShaders();
   camera->EndFrame();
   if (this->KeepUpdateRate)
   {
     renderer->GetRenderWindow()->WaitForCompletion(); // the renderer takes the time
+  }
+}
+
+void vtkWideFoVPass::WriteShaders()
+{
+  const std::string wrong = this->Internal->Stages.Folder.Write();
+  if (!wrong.empty())
+  {
+    vtkErrorMacro(<< wrong);
   }
 }
 

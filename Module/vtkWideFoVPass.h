@@ -25,7 +25,7 @@
 
 #include <array>  // For std::array
 #include <memory> // For std::unique_ptr
-#include <string> // For GetStatistics
+#include <string> // For ShaderFolder
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkProp;
@@ -35,9 +35,14 @@ class vtkWideFoVCamera;
 class VTKRENDERINGWIDEFOV_EXPORT vtkWideFoVPass : public vtkOpenGLRenderPass
 {
 public:
+  ///@{
+  /**
+   * Standard methods of a VTK class.
+   */
   static vtkWideFoVPass* New();
   vtkTypeMacro(vtkWideFoVPass, vtkOpenGLRenderPass);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
 
   /**
    * What a primitive that the projection bends or tears is drawn with.
@@ -78,12 +83,14 @@ public:
   vtkGetMacro(Tolerance, double);
   ///@}
 
+  ///@{
   /**
    * True where every triangle is drawn by the ray of each pixel: EXACT, and AUTO under 0.05 pixels.
    * Who asks for that of a perspective as well sets vtkWideFoVCamera::SetExactPerspective.
    */
   bool IsExact();
   static bool IsExactTechnique(int technique, double tolerance);
+  ///@}
 
   ///@{
   /**
@@ -94,6 +101,17 @@ public:
   vtkSetMacro(DebugView, vtkTypeBool);
   vtkGetMacro(DebugView, vtkTypeBool);
   vtkBooleanMacro(DebugView, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Folder for the text of the shader programs that props are drawn with (default none: it is not
+   * written). After a frame each program that is new has a file a stage there, as OpenGL has it,
+   * named by a prop, what is drawn and how: prop0-triangles-cut.vert; programs.txt lists all. Files
+   * that are there are overwritten. Where that fails there is one error, and no file more.
+   */
+  vtkSetStdStringFromCharMacro(ShaderFolder);
+  vtkGetCharFromStdStringMacro(ShaderFolder);
   ///@}
 
   ///@{
@@ -221,8 +239,14 @@ public:
    */
   std::string GetStatistics();
 
+  ///@{
+  /**
+   * Of vtkRenderPass: draws the props of the state; gives back what a context has of the pass, and
+   * of the delegate.
+   */
   void Render(const vtkRenderState* s) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
+  ///@}
 
 protected:
   vtkWideFoVPass();
@@ -231,6 +255,7 @@ protected:
   int Technique = AUTO;
   double Tolerance = 0.25;
   vtkTypeBool DebugView = 0;
+  std::string ShaderFolder;
   int NumberOfPlainDraws = 0;
   int NumberOfPreClipDraws = 0;
   int NumberOfExactDraws = 0;
@@ -298,6 +323,9 @@ private:
 
   // Of the pixels that this frame is drawn with.
   double FindTolerance() const;
+
+  // What is new, into ShaderFolder.
+  void WriteShaders();
 
   // Draws so many props, the first ones, where the frame is shown or smaller.
   void DrawSeen(const vtkRenderState* s, int seen);

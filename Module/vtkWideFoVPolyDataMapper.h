@@ -24,9 +24,14 @@ VTK_ABI_NAMESPACE_BEGIN
 class VTKRENDERINGWIDEFOV_EXPORT vtkWideFoVPolyDataMapper : public vtkOpenGLPolyDataMapper
 {
 public:
+  ///@{
+  /**
+   * Standard methods of a VTK class.
+   */
   static vtkWideFoVPolyDataMapper* New();
   vtkTypeMacro(vtkWideFoVPolyDataMapper, vtkOpenGLPolyDataMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
 
   ///@{
   /**
@@ -42,9 +47,14 @@ public:
   vtkBooleanMacro(DebugView, vtkTypeBool);
   ///@}
 
+  ///@{
+  /**
+   * What the actor calls.
+   */
   void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
   void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
+  ///@}
 
 protected:
   vtkWideFoVPolyDataMapper();

@@ -27,9 +27,14 @@ class vtkWideFoVPass;
 class VTKRENDERINGWIDEFOV_EXPORT vtkWideFoVRenderer : public vtkOpenGLRenderer
 {
 public:
+  ///@{
+  /**
+   * Standard methods of a VTK class.
+   */
   static vtkWideFoVRenderer* New();
   vtkTypeMacro(vtkWideFoVRenderer, vtkOpenGLRenderer);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
 
   /**
    * A vtkWideFoVCamera.
@@ -42,13 +47,13 @@ public:
    * Through the view where the active camera is wide: depth is 0 on the near and 1 on
    * the far clip sphere. In an off-axis perspective as the eye sees that was drawn last.
    */
-  using Superclass::WorldToView;
   void WorldToView(double& x, double& y, double& z) override;
-  using Superclass::ViewToWorld;
   void ViewToWorld(double& x, double& y, double& z) override;
   void PoseToView(double& x, double& y, double& z) override;
   void ViewToPose(double& x, double& y, double& z) override;
   ///@}
+  using Superclass::ViewToWorld;
+  using Superclass::WorldToView;
 
   /**
    * The ray through a display point (pixels): origin and unit direction, world
@@ -75,10 +80,11 @@ public:
   void Clear() override;
 
   /**
-   * Sets the clip spheres of a wide camera, the clipping range of any other.
+   * Sets the clip spheres of a wide camera, the clipping range of any other, for these bounds
+   * (xmin, xmax, .., zmax; world).
    */
-  using Superclass::ResetCameraClippingRange;
   void ResetCameraClippingRange(const double bounds[6]) override;
+  using Superclass::ResetCameraClippingRange;
 
   /**
    * Draws a frame. Where the active camera is wide, its pass may be any: passes over the picture

@@ -24,9 +24,14 @@ class vtkWideFoVPass;
 class VTKRENDERINGWIDEFOV_EXPORT vtkWideFoVStatisticsActor : public vtkTextActor
 {
 public:
+  ///@{
+  /**
+   * Standard methods of a VTK class.
+   */
   static vtkWideFoVStatisticsActor* New();
   vtkTypeMacro(vtkWideFoVStatisticsActor, vtkTextActor);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
 
   ///@{
   /**
@@ -36,8 +41,13 @@ public:
   vtkWideFoVPass* GetPass();
   ///@}
 
+  ///@{
+  /**
+   * What the renderer calls.
+   */
   int RenderOpaqueGeometry(vtkViewport* viewport) override;
   int RenderOverlay(vtkViewport* viewport) override;
+  ///@}
 
 protected:
   vtkWideFoVStatisticsActor();

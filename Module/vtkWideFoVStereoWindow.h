@@ -25,9 +25,14 @@ class vtkPoints;
 class VTKRENDERINGWIDEFOV_EXPORT vtkWideFoVStereoWindow : public vtkActor2D
 {
 public:
+  ///@{
+  /**
+   * Standard methods of a VTK class.
+   */
   static vtkWideFoVStereoWindow* New();
   vtkTypeMacro(vtkWideFoVStereoWindow, vtkActor2D);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
 
   ///@{
   /**
@@ -47,6 +52,7 @@ public:
   vtkGetMacro(Letterbox, double);
   ///@}
 
+  /// What the renderer calls: draws the bars of the present eye. 1 where it drew any.
   int RenderOverlay(vtkViewport* viewport) override;
 
 protected:

@@ -16,7 +16,8 @@ if [[ "$1" =~ ^[0-9]+$ ]]; then
 fi
 program="$1"
 shift
-export LD_LIBRARY_PATH="$prefix/lib/$(uname -m)-linux-gnu${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}"
+machine="$(uname -m)"
+export LD_LIBRARY_PATH="$prefix/lib/$machine-linux-gnu${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}"
 export PYTHONPATH="$prefix/lib/python3/dist-packages${PYTHONPATH:+:$PYTHONPATH}"
 export WIDEFOV_PARAVIEW_PREFIX="$prefix" # for scripts that start further programs
 export PYTHONDONTWRITEBYTECODE=1

@@ -197,9 +197,10 @@ std::vector<std::string> AllOutputs(const Options& o)
 void CheckOutput(const Options& o)
 {
   const std::vector<std::string> all = AllOutputs(o);
-  if (all.empty())
+  if (all.empty() && o.DumpShaders.empty())
   {
-    FailUsage("nothing to write; give -o FILE, --aov FILE.exr or --stats FILE.json");
+    FailUsage(
+      "nothing to write; give -o FILE, --aov FILE.exr, --stats FILE.json or --dump-shaders DIR");
   }
   for (std::size_t i = 0; i < all.size(); i++)
   {
@@ -229,10 +230,11 @@ void CheckDrawing(Options& o)
   const bool drawn = wide ||
     (o.ExactPerspective && wfv::FitsFrame(o.View) && o.Stereo == "mono" && o.Screens.empty());
   const bool stock = o.Technique == Technique::CubeMap || !drawn;
-  if (stock && (o.DebugView || o.Overlay || o.Zenith || o.Depth != "linear"))
+  if (stock &&
+    (o.DebugView || o.Overlay || o.Zenith || o.Depth != "linear" || !o.DumpShaders.empty()))
   {
-    FailUsage(
-      "--debug-view, --overlay, --zenith and --depth are for what this module draws, not for " +
+    FailUsage("--debug-view, --overlay, --zenith, --depth and --dump-shaders are for what this "
+              "module draws, not for " +
       std::string(wide ? "--technique cubemap" : "a perspective that stock VTK draws") +
       "; leave them out");
   }

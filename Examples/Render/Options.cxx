@@ -128,6 +128,8 @@ void DeclareOutput(CLI::App& app, Options& o)
   group.Name("--aov", "FILE.exr", o.Aov, "distance, cell, prop, normal beside the colour");
   group.Integer("--frames", o.Frames, 1, 1000000, "frames to time, after two warm-up frames");
   group.Name("--stats", "FILE.json", o.Stats, "timings and counts");
+  group.Name(
+    "--dump-shaders", "DIR", o.DumpShaders, "the text of each shader program, files in a folder");
   group.Flag("--overlay", o.Overlay, "what was drawn and left out, as text on the picture");
 }
 

@@ -90,7 +90,8 @@ struct Options
   std::vector<std::string> Outputs;
   std::string Aov;
   std::string Stats;
-  int Frames = 0; // 0: one frame, no warm-up
+  std::string DumpShaders; // a folder; empty: none
+  int Frames = 0;          // 0: one frame, no warm-up
 
   bool ListProjections = false;
   bool ListScenes = false;

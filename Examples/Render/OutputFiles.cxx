@@ -77,6 +77,20 @@ void CheckWritable(const std::string& path)
   }
 }
 
+void CheckFolder(const std::string& path)
+{
+  std::error_code error;
+  if (!std::filesystem::is_directory(path, error))
+  {
+    Fail(path + " is no folder; make it first");
+  }
+  if (access(path.c_str(), W_OK | X_OK) != 0)
+  {
+    Fail(
+      path + ": no file can be written there: " + std::strerror(errno) + "; choose another folder");
+  }
+}
+
 TemporaryFolder::TemporaryFolder()
 {
   std::error_code error;

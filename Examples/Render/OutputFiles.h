@@ -12,6 +12,9 @@ namespace widefov
 // is missing or closed, or the name is that of a folder.
 void CheckWritable(const std::string& path);
 
+// The same where no file can be made in that folder.
+void CheckFolder(const std::string& path);
+
 // A folder among the temporary ones that goes with the object. Throws a Failure with ExitFailed
 // where there can be none.
 class TemporaryFolder

@@ -73,5 +73,6 @@ void SetUpWidePass(vtkWideFoVPass* pass, const Options& o)
   pass->SetTechnique(PassTechnique(o.Technique));
   pass->SetTolerance(o.Tolerance);
   pass->SetDebugView(o.DebugView);
+  pass->SetShaderFolder(o.DumpShaders.c_str());
 }
 }

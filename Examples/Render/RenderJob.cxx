@@ -340,11 +340,12 @@ RenderResult RenderTiled(Stage& stage, const Scene& scene, const Options& o, Out
 {
   RenderResult result;
   SetTiles(*stage.Tiles, stage.Window, stage.Renderer);
-  if (o.Frames > 0)
+  const bool drawn = o.Frames > 0;
+  if (drawn)
   {
     RenderFrames(stage, o, result.Stats);
   }
-  if (!o.Outputs.empty() || (!o.Stats.empty() && o.Frames == 0))
+  if (!o.Outputs.empty() || (!drawn && (!o.Stats.empty() || !o.DumpShaders.empty())))
   {
     WriteTiledPictures(stage, o, files, result.Stats);
   }

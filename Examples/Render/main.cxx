@@ -38,6 +38,10 @@ void CheckOutputs(const Options& options)
       CheckWritable(output);
     }
   }
+  if (!options.DumpShaders.empty())
+  {
+    CheckFolder(options.DumpShaders);
+  }
 }
 
 void WriteAll(const Options& options, const Scene& scene, RenderResult& result, OutputFiles& files)

@@ -39,9 +39,14 @@ class vtkImageData;
 class VTKRENDERINGWIDEFOV_EXPORT vtkWideFoVCamera : public vtkOpenGLCamera
 {
 public:
+  ///@{
+  /**
+   * Standard methods of a VTK class.
+   */
   static vtkWideFoVCamera* New();
   vtkAbstractTypeMacro(vtkWideFoVCamera, vtkOpenGLCamera);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
 
   ///@{
   /**
@@ -132,6 +137,7 @@ public:
   virtual void GetLens(double coefficients[5]);
   ///@}
 
+  ///@{
   /**
    * What the projection "direction-map" shows: the direction of each pixel, as a picture of at
    * least 2 x 2 pixels of three numbers (the active scalars; view coordinates: x right, y up, z
@@ -143,6 +149,7 @@ public:
    */
   virtual bool SetDirectionMap(vtkImageData* directions);
   virtual bool HasDirectionMap();
+  ///@}
 
   ///@{
   /**
@@ -244,11 +251,13 @@ public:
    */
   virtual void SetWarpedStereo(double iod, double distance, double offset);
   virtual void GetWarpedStereo(double values[3]);
-
-  // Where the viewer is to the right of and above the cube's axis (NDC, default 0, 0), for tracked
-  // heads. What is not finite is refused with an error.
-  virtual void SetWarpedViewer(double x, double y);
   ///@}
+
+  /**
+   * Where the viewer is to the right of and above the cube's axis (NDC, default 0, 0), for tracked
+   * heads. What is not finite is refused with an error.
+   */
+  virtual void SetWarpedViewer(double x, double y);
 
   ///@{
   /**
@@ -330,51 +339,74 @@ public:
    * wide projections, whose rays begin where NDCToRay says.
    */
   void GetPerspectiveEye(double aspect, float eye[3]);
+
+  /// The same as SetDirectionMap of a picture, with tables that several cameras may share.
   void SetDirectionMap(const std::shared_ptr<const wfv::DirectionMap>& map);
 
-  // Of stages: what asks for the matrices next has one. Whatever else asks for them would draw a
-  // flat picture into the view. It is given some by which nothing is seen, and counted: how many
-  // times, since the last call.
+  /// Of stages: what asks for the matrices next has one. Whatever else asks for them would draw a
+  /// flat picture into the view; it is given some by which nothing is seen, and is counted.
   void ExpectStage();
 
-  // Whether the view plane has no normal: for labels that ask it what is behind it.
-  void SetNothingBehind(bool nothing);
+  /// How many times since the last call something without a stage asked for the matrices.
   int TakeFlatDraws();
+
+  /// Whether the view plane has no normal: for labels that ask it what is behind it.
+  void SetNothingBehind(bool nothing);
+
   /**
    * The view as two functions, in view coordinates (see Projections/Projection.h). Valid until the
    * camera is changed or another aspect is asked for.
    */
   const wfv::View& GetView(double aspect);
-  const wfv::Projection& GetProjectionDefinition(); // as it was set
+
+  /// The projection that was set, as the registry has it.
+  const wfv::Projection& GetProjectionDefinition();
 #endif
 
   /// Before a frame is drawn: updates the automatic clip spheres from the visible props.
   /// Render and the pass call it.
   virtual void PrepareFrame(vtkRenderer* renderer);
 
-  // Of the pass: the same, with the bounds of the visible props where they are known, else
-  // nullptr; until the end of the frame PrepareFrame then has nothing to do.
-  // framebuffer: size of what is drawn to, where that is another than the renderer's part of the
-  // window, else nullptr.
+  ///@{
+  /**
+   * Of the pass: the same, with the bounds of the visible props (xmin, xmax, .., zmax; world) where
+   * they are known, else nullptr; until the end of the frame PrepareFrame then has nothing to do.
+   * framebuffer: width and height in pixels of what is drawn to, where that is another than the
+   * renderer's part of the window, else nullptr.
+   */
   void BeginFrame(vtkRenderer* renderer, const double* bounds, const int* framebuffer = nullptr);
   void EndFrame();
+  ///@}
 
-  /// As vtkCamera's, and the wide view with them where the source has one.
+  ///@{
+  /**
+   * As vtkCamera's, and the wide view with them where the source has one.
+   */
   void ShallowCopy(vtkCamera* source);
   void DeepCopy(vtkCamera* source);
+  ///@}
 
-  /// While a wide frame is drawn, the angle by which VTK makes what is to be so many pixels large
-  /// as large as that in the middle of the picture; at all other times vtkCamera's own.
+  ///@{
+  /**
+   * While a wide frame is drawn, the angle in degrees by which VTK makes what is to be so many
+   * pixels large as large as that in the middle of the picture, and a normal of the view plane
+   * behind which nothing is where SetNothingBehind asks for that; at all other times vtkCamera's own.
+   */
   double GetViewAngle() override;
   double* GetViewPlaneNormal() VTK_SIZEHINT(3) override;
   using Superclass::GetViewPlaneNormal;
+  ///@}
 
-  // What the stock pipeline asks for.
+  ///@{
+  /**
+   * What the stock pipeline asks for. The projection matrix of a wide camera is the identity.
+   */
   void Render(vtkRenderer* renderer) override;
   void UpdateViewport(vtkRenderer* renderer) override;
   void GetKeyMatrices(vtkRenderer* renderer, vtkMatrix4x4*& wcvc, vtkMatrix3x3*& normals,
     vtkMatrix4x4*& vcdc, vtkMatrix4x4*& wcdc) override;
   void GetFrustumPlanes(double aspect, double planes[24]) override;
+  ///@}
 
 protected:
   vtkWideFoVCamera();

@@ -31,9 +31,14 @@ VTK_ABI_NAMESPACE_BEGIN
 class VTKRENDERINGWIDEFOV_EXPORT vtkWideFoVScreenCamera : public vtkWideFoVCamera
 {
 public:
+  ///@{
+  /**
+   * Standard methods of a VTK class.
+   */
   static vtkWideFoVScreenCamera* New();
   vtkAbstractTypeMacro(vtkWideFoVScreenCamera, vtkWideFoVCamera);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
 
   ///@{
   /**
@@ -64,13 +69,20 @@ public:
    */
   virtual double GetScreenDistance();
 
-  // The projection is "perspective"; another one is refused with an error.
+  /// The projection is "perspective"; another one is refused with an error.
   void SetProjection(const char* name) override;
 
+  /// Distance between the two eyes of the head, scene units, at least 0 (default 0.065).
   void SetInterpupillaryDistance(double distance) override;
+
+  ///@{
+  /**
+   * As the camera's, of the eye before the screen.
+   */
   void PrepareFrame(vtkRenderer* renderer) override;
   void GetFrustumPlanes(double aspect, double planes[24]) override;
   double GetEyeReach() override;
+  ///@}
 
 protected:
   vtkWideFoVScreenCamera();

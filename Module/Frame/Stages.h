@@ -12,6 +12,7 @@
 #include "Frame/FrameCounts.h"
 #include "Frame/ProgramMemory.h"
 #include "Frame/ShaderClock.h"
+#include "Frame/ShaderFolder.h"
 #include "Frame/ShaderMemory.h"
 #include "Frame/vtkWideFoVStage.h"
 #include "Projections/Bounds/Visibility.h"
@@ -61,6 +62,7 @@ public:
     this->Textures.ReleaseGraphicsResources(window);
     this->Fine.ReleaseGraphicsResources(window);
     this->Programs.ForgetAll();
+    this->Folder.Forget();
   }
 
   // How many times larger on each side a frame is shown than drawn (1), from the next Begin on.
@@ -121,6 +123,7 @@ public:
   wfv::ShaderClock Shaders;
   wfv::ShaderMemory Texts;
   wfv::ProgramMemory Programs;
+  wfv::ShaderFolder Folder;
 
   // Puts one stage in the place of another in the prop's keys.
   static void Replace(vtkProp* prop, vtkWideFoVStage* from, vtkWideFoVStage* to);

@@ -105,7 +105,8 @@ std::string wfv::Tessellation::ControlSource(const Request& request, const std::
     declarations += "out " + v.Type + " " + v.InControl() + "[];\n";
     body += "  " + v.InControl() + "[gl_InvocationID] = " + v.Name + "[gl_InvocationID];\n";
   }
-  return Head(request) + declarations + "void wfvPass()\n{\n" + body + "}\n" + tess_control_glsl;
+  return Head(request) + "// WideFoV: from vertices to patches\n" + declarations +
+    "void wfvPass()\n{\n" + body + "}\n" + tess_control_glsl;
 }
 
 std::string wfv::Tessellation::EvaluationSource(const Request& request, const std::string& geometry)
@@ -124,8 +125,8 @@ std::string wfv::Tessellation::EvaluationSource(const Request& request, const st
                : "wfvWeights.x * " + in + "[0] + wfvWeights.y * " + in + "[1] + wfvWeights.z * " +
         in + "[2];\n";
   }
-  return Head(request) + declarations + "void wfvInterpolate()\n{\n" + body + "}\n" +
-    tess_evaluation_glsl;
+  return Head(request) + "// WideFoV: from patches to vertices\n" + declarations +
+    "void wfvInterpolate()\n{\n" + body + "}\n" + tess_evaluation_glsl;
 }
 
 bool wfv::Tessellation::IsIn(vtkShaderProgram* program)

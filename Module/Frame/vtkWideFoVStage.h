@@ -171,6 +171,9 @@ private:
     std::string& geometry, std::string& fragment) const;
   void SetSkyParameters(vtkShaderProgram* program, vtkProp* prop) const;
 
+  // Of a program whose text is asked for.
+  void NoteProgram(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop) const;
+
   // What is the same for all props of a frame.
   void SetFrameParameters(vtkShaderProgram* program, const int viewport[4]);
 

@@ -151,11 +151,24 @@ bool vtkWideFoVStage::SetShaderParameters(
   return true;
 }
 
+void vtkWideFoVStage::NoteProgram(
+  vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop) const
+{
+  if (this->Stages->Folder.IsOpen())
+  {
+    const std::string what = vtkVolume::SafeDownCast(prop)
+      ? "volume"
+      : wfv::ShaderFolder::NameOf(this->MakeRequest(mapper, prop));
+    this->Stages->Folder.Note(program, what, this->Renderer, mapper, prop);
+  }
+}
+
 void vtkWideFoVStage::SetPropParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper,
   vtkProp* prop, const wfv::ProgramUses& uses) const
 {
   this->Stages->DrawnKeys.push_back(prop->GetPropertyKeys());
   using Primitive = wfv::ShaderBuilder::Primitive;
+  this->NoteProgram(program, mapper, prop);
   auto* polydata = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
   auto* actor = vtkActor::SafeDownCast(prop);
   if (!polydata || !actor)

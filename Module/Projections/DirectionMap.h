@@ -16,6 +16,7 @@ namespace wfv
 class WFV_EXPORT DirectionMap
 {
 public:
+  // Four numbers of a table.
   using Texel = std::array<float, 4>;
 
   // A picture of width x height directions, view coordinates (x right, y up, looking down
@@ -34,7 +35,9 @@ public:
   // A number that no other map has had.
   unsigned long GetSerial() const { return this->Serial; }
 
+  // Pixels.
   int GetWidth() const { return this->Width; }
+  // Pixels.
   int GetHeight() const { return this->Height; }
 
   // Cells along a face of the cube on the finest level: a power of two.
@@ -44,13 +47,19 @@ public:
   // where none do), as wfv::WfvView has them.
   vec4 GetSizes() const { return { this->Width, this->Height, this->Cells, this->LongestStep }; }
 
-  // The tables, rows from the bottom: width x height; 12 cells wide, two rectangles a cell,
-  // all levels one above the other; 12 cells wide, two seeds a texel, negative where there
-  // are no more. Where a cell has one rectangle the y of the other may say how even it is:
-  // WfvPlaces::bend.
+  // The directions as a table of width x height, rows from the bottom.
   const std::vector<Texel>& GetDirections() const { return this->Directions; }
+
+  // A table 12 cells wide, rows from the bottom: two rectangles a cell, all levels one above the
+  // other. Where a cell has one rectangle the y of the other may say how even it is:
+  // WfvPlaces::bend.
   const std::vector<Texel>& GetCellBounds() const { return this->CellBounds; }
+
+  // A table 12 cells wide, rows from the bottom: two seeds a texel, negative where there are no
+  // more.
   const std::vector<Texel>& GetSeeds() const { return this->Seeds; }
+
+  // Rows of GetCellBounds.
   int GetCellBoundsHeight() const { return 2 * this->Cells - 4; }
 
   // NDC of a unit vector from the pixel that looks nearest to it, found among all that may;

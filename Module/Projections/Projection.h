@@ -32,6 +32,7 @@ enum class Family
   Sampled    // no formula: a direction for each pixel (DirectionMap.h)
 };
 
+// All that is known of a projection.
 struct Projection
 {
   std::string Name;       // as on the command line
@@ -40,18 +41,28 @@ struct Projection
   Family Axis = Family::Meridian;
   double MinHorizontalFov = 0;   // degrees; 0: anything above it
   double MaxHorizontalFov = 360; // degrees; half of each is where the domain ends
-  double MinVerticalFov = 0;
-  double MaxVerticalFov = 180;
-  std::string Limit;           // why these are the limits, where they are not the sphere's
-  bool HasLens = false;        // takes the lens polynomial
-  bool StraightSeam = true;    // the seam is drawn as a straight line
-  bool UnboundedPoles = false; // a pole is stretched to a segment of the border
-  bool FlatRim = false;        // a round map whose radius has no slope at 90 degrees
-  bool Framed = false;         // a round map seen in the rectangle of both fields of view
-  std::string Glsl;            // source text of its files
+  double MinVerticalFov = 0;     // degrees, likewise
+  double MaxVerticalFov = 180;   // degrees
+  std::string Limit;             // why these are the limits, where they are not the sphere's
+  bool HasLens = false;          // takes the lens polynomial
+  bool StraightSeam = true;      // the seam is drawn as a straight line
+  bool UnboundedPoles = false;   // a pole is stretched to a segment of the border
+  bool FlatRim = false;          // a round map whose radius has no slope at 90 degrees
+  bool Framed = false;           // a round map seen in the rectangle of both fields of view
+  std::string Glsl;              // source text of its files
+
+  // wfvMap: NDC of the family's two angles, radians.
   vec2 (*Map)(vec2 angles, WfvView view) = nullptr;
+
+  // wfvProject: NDC of a direction of any length, tilted view coordinates.
   vec2 (*Project)(vec3 direction, WfvView view) = nullptr;
+
+  // wfvUnproject: the unit direction there, tilted view coordinates; outside, where the map has
+  // none, the one that is nearest. Never NaN.
   WfvRay (*Unproject)(vec2 ndc, WfvView view) = nullptr;
+
+  // wfvBounds: an NDC rectangle (x min, y min, x max, y max) that surely holds a rectangle of the
+  // two angles, radians, in the same order.
   vec4 (*Bounds)(vec4 angles, WfvView view) = nullptr;
 };
 
@@ -75,9 +86,13 @@ WFV_EXPORT bool FitsFrame(const ViewOptions& options);
 // The projection of that name, of all, or nullptr.
 WFV_EXPORT const Projection* FindProjection(const std::string& name);
 
-// Source text of common.glsl, depth.glsl and glsl_math.glsl.
+// Source text of common.glsl.
 WFV_EXPORT const char* CommonGlsl();
+
+// Source text of depth.glsl.
 WFV_EXPORT const char* DepthGlsl();
+
+// Source text of glsl_math.glsl.
 WFV_EXPORT const char* MathGlsl();
 
 // How a distance becomes a depth (depth.glsl).
@@ -91,12 +106,12 @@ enum class DepthMapping
 // What a user sets; degrees.
 struct ViewOptions
 {
-  double HorizontalFov = 360;
-  double VerticalFov = 180;
-  double Tilt = 0;
-  std::array<double, 5> Lens{ { 0, 0, 0, 0, 0 } };
-  std::array<double, 2> Radii{ { 0.01, 1000 } };
-  DepthMapping Mapping = DepthMapping::Linear;
+  double HorizontalFov = 360;                      // of round maps the one across
+  double VerticalFov = 180;                        // round maps have none
+  double Tilt = 0;                                 // how far the axis is raised, -180 to 180
+  std::array<double, 5> Lens{ { 0, 0, 0, 0, 0 } }; // c1 to c5; zeros: the ideal lens
+  std::array<double, 2> Radii{ { 0.01, 1000 } };   // of the clip spheres, scene units: near, far
+  DepthMapping Mapping = DepthMapping::Linear;     // how a distance becomes a depth
   double Aspect = 2;   // width / height of the viewport in pixels; round maps use it
   vec2 Center{ 0, 0 }; // where the axis of a perspective is in the picture, NDC; others ignore it
   std::shared_ptr<const DirectionMap> Map; // of the sampled projection; none: shows nothing
@@ -109,13 +124,14 @@ WFV_EXPORT std::string CheckOptions(const Projection& projection, const ViewOpti
 // True where r(theta) of the lens grows on all of [0, maxAngle] (radians).
 WFV_EXPORT bool LensIsMonotone(const std::array<double, 5>& lens, double maxAngle);
 
-// A view is two functions: forward and ray. Everything asks only these.
+// Where a point is in the picture.
 struct NdcPoint
 {
   vec3 Ndc;    // depth -1 on the near, +1 on the far clip sphere
   bool Inside; // in the domain of the map, in the window and between the clip spheres
 };
 
+// What a place of the picture sees.
 struct ViewRay
 {
   vec3 Origin;    // view coordinates
@@ -123,6 +139,7 @@ struct ViewRay
   bool Inside;    // the map has a direction here
 };
 
+// A view is two functions: forward and ray. Everything asks only these.
 class WFV_EXPORT View
 {
 public:
@@ -140,10 +157,13 @@ public:
   // its origin: Forward's inverse for every model.
   ViewRay RayAt(vec3 ndc) const;
 
+  // What it was made with.
   const Projection& GetProjection() const { return *this->Map; }
 
   // nullptr: mono.
   const StereoModel* GetStereoModel() const { return this->Stereo; }
+
+  // The numbers that the functions of the projection are called with.
   const WfvView& GetParameters() const { return this->Parameters; }
 
 private:

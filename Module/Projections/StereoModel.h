@@ -39,6 +39,7 @@ struct StereoOptions
   double Convergence = 10;  // offaxis: distance of zero parallax, scene units
 };
 
+// All that is known of a stereo model.
 struct StereoModel
 {
   std::string Name;     // as on the command line
@@ -46,9 +47,19 @@ struct StereoModel
   bool Straight = true; // the rays are straight lines
   bool OwnRays = false; // the rays of one eye begin in several places
   std::string Glsl;     // source text of its files
+
+  // wfvSee: the direction in which the eye sees a point, and how far along its ray; tilted view
+  // coordinates, scene units.
   WfvSight (*See)(vec3 point, WfvView view) = nullptr;
+
+  // wfvEyeAt: where the ray of a direction (unit length) begins.
   vec3 (*EyeAt)(vec3 direction, WfvView view) = nullptr;
+
+  // wfvShift: the place in the eye's picture of what the map puts at ndc with this depth, -1 on the
+  // near and 1 on the far clip sphere.
   vec2 (*Shift)(vec2 ndc, double depth, WfvView view) = nullptr;
+
+  // wfvUnshift: its inverse.
   vec2 (*Unshift)(vec2 ndc, double depth, WfvView view) = nullptr;
 
   // What WfvView::stereo is; view: complete but for it.

@@ -57,7 +57,8 @@ std::string LineOutputs(const std::vector<Varying>& varyings)
     body += "  " + out + " = ";
     body += v.Flat ? v.Name + "[1];\n" : "mix(" + v.Name + "[0], " + v.Name + "[1], t);\n";
   }
-  return declarations + "void wfvWriteMix(float t)\n{\n" + body + "}\n";
+  return "// WideFoV: outputs between two ends\n" + declarations +
+    "void wfvWriteMix(float t)\n{\n" + body + "}\n";
 }
 
 // True where the geometry stage cuts triangles into smaller ones, which are projected.
@@ -94,8 +95,9 @@ std::string CutSource(const std::vector<Varying>& varyings)
   }
   constexpr int rows = wfv::Classifier::MostRows;
   constexpr int vertices = std::max(2 * wfv::Classifier::MostChords + 1, rows * (rows + 2));
-  return Define("WFV_CUT_VERTICES", vertices) + declarations + "void wfvWriteMix(vec3 w)\n{\n" +
-    body + "}\n" + edge_chords_glsl + cut_triangles_glsl;
+  return "// WideFoV: outputs between three corners\n" + Define("WFV_CUT_VERTICES", vertices) +
+    declarations + "void wfvWriteMix(vec3 w)\n{\n" + body + "}\n" + edge_chords_glsl +
+    cut_triangles_glsl;
 }
 
 // True where an eye whose rays begin in several places is served by moving the vertices.
@@ -360,9 +362,10 @@ void wfv::ShaderBuilder::WrapMain(
   const stock::Span main = stock::Look(source, Edit::MainFunction);
   if (main.Number >= 0)
   {
-    source.replace(main.At, main.Length, "void " + name);
+    source.replace(main.At, main.Length, "/* WideFoV: main function */ void " + name);
   }
-  source += "\nvoid main()\n{\n" + before + "  " + name + ";\n" + after + "}\n";
+  source += "\n// WideFoV: round the main function above\nvoid main()\n{\n" + before + "  " + name +
+    ";\n" + after + "}\n";
 }
 
 void wfv::ShaderBuilder::Prepare(const Request& r, std::string& geometry, std::string& fragment)

@@ -107,8 +107,9 @@ std::string ViewSource(const Request& r)
   const bool meridian = r.Projection->Axis == wfv::Family::Meridian;
   const bool faces = r.Projection->Axis == wfv::Family::Faces;
   const bool sampled = r.Projection->Axis == wfv::Family::Sampled;
-  return "#define WFV_FN\n#define WFV_TABLES int\n" + Define("WFV_NEWTON_STEPS", NewtonSteps) +
-    Define("WFV_MERIDIAN", meridian) + Define("WFV_FACES", faces) + Define("WFV_SAMPLED", sampled) +
+  return "// WideFoV: what this program is for\n#define WFV_FN\n#define WFV_TABLES int\n" +
+    Define("WFV_NEWTON_STEPS", NewtonSteps) + Define("WFV_MERIDIAN", meridian) +
+    Define("WFV_FACES", faces) + Define("WFV_SAMPLED", sampled) +
     Define("WFV_ROUND", r.Projection->Axis == wfv::Family::Azimuthal) +
     Define("WFV_STRAIGHT_SEAM", r.Projection->StraightSeam) +
     Define("WFV_FLAT_RIM", r.Projection->FlatRim) +
@@ -151,7 +152,8 @@ std::string CornerOutputs(const std::vector<Varying>& varyings, int corners, con
       body += "  " + Corner(i, c) + " = " + v.Name + "[" + std::to_string(c) + "];\n";
     }
   }
-  return declarations + "void wfvWriteCorners()\n{\n" + body + "}\n";
+  return "// WideFoV: outputs at the corners\n" + declarations + "void wfvWriteCorners()\n{\n" +
+    body + "}\n";
 }
 
 std::string CornerInputs(
@@ -178,7 +180,8 @@ std::string CornerInputs(
     }
     body += "  " + v.Name + " = " + sum + ";\n";
   }
-  return declarations + "void wfvInterpolate()\n{\n" + body + "}\n";
+  return "// WideFoV: what was output at the corners\n" + declarations +
+    "void wfvInterpolate()\n{\n" + body + "}\n";
 }
 
 int CornerComponents(const std::vector<Varying>& varyings, int corners)

@@ -14,7 +14,7 @@ namespace shader
 std::string ToWhole(const std::string& glsl)
 {
   static const std::pair<std::regex, const char*> rules[] = {
-    { std::regex(R"(//[^\n]*)"), "" },
+    { std::regex(R"(//(?! WideFoV:)[^\n]*)"), "" }, // but the names of files (NameText.cmake)
     { std::regex(R"(\bfloat\b)"), "double" },
     { std::regex(R"(\bvec([234])\b)"), "dvec$1" },
     { std::regex(R"(\bsin\()"), "wfvWholeSin(" },

@@ -140,7 +140,8 @@ compare_few() {
 
 draw() {
   local scene input
-  for scene in ${scenes[@]}; do # (one that was taken out is empty)
+  for scene in "${scenes[@]}"; do
+    [ -n "$scene" ] || continue # taken out
     input=(--scene "$scene")
     # as the project's own picture of it
     [ "$scene" != office ] || input=("$bundle/data/office.binary.vtk" --streamlines vectors

@@ -7,8 +7,15 @@ SKIPPED_FOLDERS = {".git", "output", "__pycache__"}
 
 CPP = (".h", ".cxx")
 SHADERS = (".glsl",)
-SCRIPTS = (".py", ".sh", ".cmake")
-TEXT = CPP + SHADERS + SCRIPTS + (".md", ".txt", ".in", ".json", ".module", ".xml", ".yml")
+SHELL = (".sh", ".bash", ".ci/run")
+SCRIPTS = (".py", ".cmake") + SHELL
+TEXT = (
+    CPP
+    + SHADERS
+    + SCRIPTS
+    + (".md", ".txt", ".in", ".json", ".module", ".xml", ".yml", ".yaml", ".pvx", ".qrc", ".plugin")
+    + (".clang-format", ".clang-tidy", ".codespellrc", ".shellcheckrc", ".supp")
+)
 
 
 class Source:
@@ -32,7 +39,6 @@ class Source:
         return (
             self.is_kind(CPP + SHADERS + SCRIPTS)
             or name == "CMakeLists.txt"
-            or self.path == ".ci/run"
         )
 
 
@@ -51,6 +57,6 @@ def find_sources(root):
         children[:] = sorted(c for c in children if not is_skipped(root, os.path.join(folder, c)))
         for name in sorted(names):
             path = os.path.relpath(os.path.join(folder, name), root).replace(os.sep, "/")
-            if name.endswith(TEXT) or path == ".ci/run":
+            if path.endswith(TEXT):
                 found.append(Source(root, path))
     return found

@@ -88,7 +88,7 @@ class Checkout:
             os.makedirs(os.path.dirname(full), exist_ok=True)
             with open(full, "w", encoding="utf-8") as stream:
                 stream.write(text)
-        for name in (".clang-format", ".codespellrc"):
+        for name in (".clang-format", ".codespellrc", ".shellcheckrc"):
             shutil.copy(os.path.join(ROOT, name), self.root)
 
     def __enter__(self):
@@ -98,9 +98,9 @@ class Checkout:
         shutil.rmtree(self.root)
 
 
-def run(check, root):
+def run(check, *arguments):
     """Exit code and output of one of the checks."""
-    command = [sys.executable, os.path.join(HERE, check), root]
+    command = [sys.executable, os.path.join(HERE, check), *arguments]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     return done.returncode, done.stdout + done.stderr
 
@@ -131,12 +131,36 @@ class ToolChecks(unittest.TestCase):
     def test_format(self):
         for text, expected in (("int i = 0;\n", 0), ("int  i=0 ;\n", 1)):
             with Checkout({"Module/vtkWide.cxx": HEAD + text}) as root:
-                self.assertEqual(run("check_format.py", root)[0], expected)
+                self.assertEqual(run("check_tool.py", "format", root)[0], expected)
 
     def test_spelling(self):
         for word, expected in (("receive", 0), ("reci" + "eve", 1)):
             with Checkout({"README.md": "We " + word + " it.\n"}) as root:
-                self.assertEqual(run("check_spelling.py", root)[0], expected)
+                self.assertEqual(run("check_tool.py", "spelling", root)[0], expected)
+
+    @unittest.skipUnless(shutil.which("shellcheck"), "no ShellCheck")
+    def test_shell(self):
+        head = "#!/usr/bin/env bash\n# " + LICENCE + "\n"
+        for text, expected in (('rm -- "$1"\n', 0), ("rm -- $1\n", 1)):
+            for path in ("Testing/run.sh", "Examples/render.bash", ".ci/run"):
+                with Checkout({path: head + text}) as root:
+                    self.assertEqual(run("check_tool.py", "shell", root)[0], expected)
+
+    @unittest.skipUnless(shutil.which("doxygen"), "no Doxygen")
+    def test_api(self):
+        rules = "Documentation/Doxyfile"
+        with open(os.path.join(ROOT, rules), encoding="utf-8") as stream:
+            files = {rules: stream.read()}
+        head = HEAD + "#ifndef A_h\n/**\n * @class vtkA\n * @brief a\n */\n"
+        text = "class vtkA\n{\npublic:\n%s  vtkSetMacro(Size, int);\n\nprotected:\n  int Size;\n};\n#endif\n"
+        for comment, expected in (("  /// Pixels.\n", 0), ("", 1)):
+            files["Module/vtkA.h"] = head + text % comment
+            with Checkout(files) as root:
+                for folder in ("Camera", "Projections"):
+                    os.makedirs(os.path.join(root, "Module", folder))
+                status, output = run("check_api.py", root)
+                self.assertEqual(status, expected, output)
+                self.assertEqual("SetSize" in output, expected == 1, output)
 
     def test_tolerances(self):
         row = "| `Limit` | `%s` | pixels | what | [Limit.h](../Module/Limit.h) |\n"
