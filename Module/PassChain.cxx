@@ -12,6 +12,8 @@
 #include "vtkSSAAPass.h"
 #include "vtkSequencePass.h"
 
+#include <algorithm>
+#include <iterator>
 #include <mutex>
 #include <set>
 #include <string>
@@ -64,9 +66,22 @@ void WarnOnce(vtkRenderPass* pass, const char* why)
   }
 }
 
-bool IsWide(vtkRenderPass* pass)
+// VTK's own that draw props or call others, none of which draws a wide view.
+bool IsStock(vtkRenderPass* pass)
 {
-  return vtkWideFoVPass::SafeDownCast(pass) != nullptr;
+  static constexpr const char* names[] = { "vtkCameraPass", "vtkClearRGBPass", "vtkClearZPass",
+    "vtkDefaultPass", "vtkDepthPeelingPass", "vtkHiddenLineRemovalPass", "vtkImageProcessingPass",
+    "vtkLightsPass", "vtkOrderIndependentTranslucentPass", "vtkRenderStepsPass", "vtkSSAAPass",
+    "vtkSequencePass", "vtkShadowMapBakerPass", "vtkShadowMapPass", "vtkWideFoVDataPass" };
+  return std::any_of(
+    std::begin(names), std::end(names), [pass](const char* name) { return pass->IsA(name); });
+}
+
+// Whatever else there is may call a wide pass that cannot be seen from here, such as ParaView's for
+// several ranks.
+bool MayBeWide(vtkRenderPass* pass)
+{
+  return vtkWideFoVPass::SafeDownCast(pass) || !IsStock(pass);
 }
 
 using Question = bool (*)(vtkRenderPass*);
@@ -169,7 +184,7 @@ vtkRenderPass* PassChain::Begin(vtkRenderPass* outermost, vtkWideFoVPass* wide)
     }
     pass = GetDelegate(pass);
   }
-  if (!Find(pass, IsWide))
+  if (!Find(pass, MayBeWide))
   {
     this->Wide = wide;
     this->DelegateOfWide = wide->GetDelegatePass();

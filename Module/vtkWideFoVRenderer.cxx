@@ -206,7 +206,10 @@ void vtkWideFoVRenderer::DeviceRender()
   vtkWideFoVCamera* const camera = this->GetWideCamera();
   if (!camera || !this->Pass)
   {
-    WarnOfFlatCamera(this);
+    if (this->Pass)
+    {
+      WarnOfFlatCamera(this);
+    }
     this->Superclass::DeviceRender();
     return;
   }

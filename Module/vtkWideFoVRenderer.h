@@ -90,7 +90,7 @@ public:
    * Draws a frame. Where the active camera is wide, its pass may be any: passes over the picture
    * (blur, tone mapping, supersampling, ..) draw the wide view, by the vtkWideFoVPass that is the
    * innermost of them or by this renderer's own. Those that take depths for those of a perspective
-   * are left out with one warning.
+   * are left out with one warning. A pass of a class that VTK does not have is called as it is.
    */
   void DeviceRender() override;
 

@@ -57,6 +57,8 @@ const char* VariantOf(ShaderBuilder::Variant stage)
       return "exact";
     case Variant::Tessellate:
       return "tessellate";
+    case Variant::Sky:
+      return "sky";
   }
   return "";
 }

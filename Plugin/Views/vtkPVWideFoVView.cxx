@@ -77,6 +77,7 @@ vtkPVWideFoVView::vtkPVWideFoVView()
   vtkSmartPointer<vtkCamera> plain;
   plain.TakeReference(vtkOpenGLCamera::New());
   this->OrientationWidget->GetRenderer()->SetActiveCamera(plain);
+  this->OrientationWidget->GetRenderer()->SetPass(nullptr);
 
   this->GetRenderer()->AddViewProp(in.Everywhere);
   this->GetRenderer()->AddObserver(

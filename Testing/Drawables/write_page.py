@@ -28,8 +28,8 @@ Passes over the picture (`vtkGaussianBlurPass`, `vtkSSAAPass`, `vtkToneMappingPa
 `vtkSobelGradientMagnitudePass`, ..) draw the wide view, where a `vtkWideFoVRenderer` has them:
 round its own pass, or in its place. At the borders of a picture they know no neighbours on the other side. Left out
 with one warning each: `vtkEDLShading`, `vtkDepthOfFieldPass`, `vtkSSAOPass`, `vtkShadowMapPass`, `UseSSAO`, `UseShadows`,
-which take the picture's depths for those of a perspective. An active camera that is not wide draws a flat picture,
-with one warning. (Test `Drawables.passes`.)
+which take the picture's depths for those of a perspective. A pass of a class that VTK does not have is called as it is.
+An active camera that is not wide draws a flat picture, with one warning. (Test `Drawables.passes`.)
 """
 
 TITLES = {
