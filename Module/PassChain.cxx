@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PassChain.h"
 
+#include "Compat/Reports.h"
 #include "vtkWideFoVDataPass.h"
 #include "vtkWideFoVPass.h"
 
@@ -14,8 +15,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <mutex>
-#include <set>
 #include <string>
 
 namespace
@@ -56,11 +55,8 @@ bool IsShadow(vtkRenderPass* pass)
 // Once a process for each class of pass.
 void WarnOnce(vtkRenderPass* pass, const char* why)
 {
-  static std::mutex lock;
-  static std::set<std::string> said;
-  const std::lock_guard<std::mutex> guard(lock);
   const std::string name = pass->GetClassName();
-  if (said.insert(name).second)
+  if (wfv::IsNews("pass " + name))
   {
     vtkWarningWithObjectMacro(pass, << name << " is left out in a wide view: " << why);
   }

@@ -243,6 +243,16 @@ void vtkWideFoVPass::DrawFlat(const vtkRenderState* s, vtkWideFoVCamera* camera)
   in.Headlights->End(&those);
 }
 
+void vtkWideFoVPass::BeginStages(vtkRenderer* renderer, vtkWideFoVCamera* camera)
+{
+  wfv::Stages& stages = this->Internal->Stages;
+  stages.SetCulling(this->Culling != 0);
+  stages.Folder.SetPath(this->ShaderFolder);
+  stages.SetEnlargement(std::max(1, this->Internal->Enlargement));
+  stages.Begin(renderer, camera, this->Technique, this->FindTolerance());
+  stages.SetDebugView(this->DebugView != 0);
+}
+
 void vtkWideFoVPass::RenderWide(const vtkRenderState* s, vtkWideFoVCamera* camera)
 {
   Internals& in = *this->Internal;
@@ -256,11 +266,7 @@ void vtkWideFoVPass::RenderWide(const vtkRenderState* s, vtkWideFoVCamera* camer
   }
   in.Props.Gather(renderer, props, count);
   this->BeginFrame(s, camera);
-  in.Stages.SetCulling(this->Culling != 0);
-  in.Stages.Folder.SetPath(this->ShaderFolder);
-  in.Stages.SetEnlargement(std::max(1, in.Enlargement));
-  in.Stages.Begin(renderer, camera, this->Technique, this->FindTolerance());
-  in.Stages.SetDebugView(this->DebugView != 0);
+  this->BeginStages(renderer, camera);
   in.Props.Choose(in.Stages, in.Stages.GetViewNumber());
   const int seen = this->Cull(props, renderer->GetSelector() != nullptr);
   this->NumberOfDrawnProps = seen + static_cast<int>(in.Flat.size() + in.Labels.size());

@@ -324,6 +324,9 @@ private:
   // Of the pixels that this frame is drawn with.
   double FindTolerance() const;
 
+  // Tells them of the view and of what this pass was told.
+  void BeginStages(vtkRenderer* renderer, vtkWideFoVCamera* camera);
+
   // What is new, into ShaderFolder.
   void WriteShaders();
 

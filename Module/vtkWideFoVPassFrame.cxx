@@ -83,16 +83,16 @@ void vtkWideFoVPass::DrawProps(const vtkRenderState* s, vtkProp** props, int cou
   Internals& in = *this->Internal;
   in.Keys.resize(std::max<std::size_t>(in.Keys.size(), count));
   const double aspect = wfv::PictureAspect(s->GetRenderer());
+  const bool selects = s->GetRenderer()->GetSelector() != nullptr;
   for (int i = 0; i < count; i++)
   {
     in.Keys[i].Attach(props[i], in.Chosen[i]);
-    wfv::sky::HandKeysOn(props[i]);
     if (auto* const actor = vtkActor::SafeDownCast(props[i]))
     {
       wfv::ClassifyBlocksOf(actor->GetMapper(), s->GetRenderer()->GetRenderWindow());
     }
     in.Habits.Stop(props[i], in.Camera, aspect);
-    for (const vtkSmartPointer<vtkProp>& part : in.Parts.Attach(props[i], in.Stages))
+    for (const vtkSmartPointer<vtkProp>& part : in.Parts.Attach(props[i], in.Stages, selects))
     {
       in.Habits.Stop(part, in.Camera, aspect);
     }

@@ -2,6 +2,7 @@
 #include "vtkWideFoVRenderer.h"
 
 #include "Camera/Tile.h"
+#include "Compat/Reports.h"
 #include "PassChain.h"
 #include "vtkWideFoVCamera.h"
 #include "vtkWideFoVPass.h"
@@ -187,18 +188,21 @@ void vtkWideFoVRenderer::ResetCameraClippingRange(const double bounds[6])
 
 namespace
 {
-// Once a process.
 void WarnOfFlatCamera(vtkRenderer* renderer)
 {
-  static bool said = false;
-  if (!said && !vtkWideFoVCamera::SafeDownCast(renderer->GetActiveCamera()))
+  if (!vtkWideFoVCamera::SafeDownCast(renderer->GetActiveCamera()) && wfv::IsNews("flat camera"))
   {
-    said = true;
     vtkWarningWithObjectMacro(renderer, << "the picture is flat, for the active camera is a "
                                         << renderer->GetActiveCamera()->GetClassName()
                                         << "; set a vtkWideFoVCamera");
   }
 }
+}
+
+void vtkWideFoVRenderer::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->OwnPass->ReleaseGraphicsResources(window); // others may be round it for a frame alone
+  this->Superclass::ReleaseGraphicsResources(window);
 }
 
 void vtkWideFoVRenderer::DeviceRender()

@@ -95,16 +95,22 @@ public:
   void DeviceRender() override;
 
   /**
+   * Gives back what a window has of the passes that draw.
+   */
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  /**
    * The wide camera of the frame that is drawn just now, else nullptr: passes over the picture put
    * a copy that is flat in its place.
    */
   vtkWideFoVCamera* GetFrameCamera() { return this->FrameCamera; }
 
 #ifndef __VTK_WRAP__
-  // For vtkWideFoVPass: what draws the gradient by direction, as long as this lives.
+  /// For vtkWideFoVPass: what draws the gradient by direction, as long as this lives.
   class BackgroundDrawer
   {
   public:
+    /// draw: called instead of VTK's own gradient, of a vtkWideFoVRenderer.
     BackgroundDrawer(vtkRenderer* renderer, std::function<void()> draw);
     ~BackgroundDrawer();
     BackgroundDrawer(const BackgroundDrawer&) = delete;

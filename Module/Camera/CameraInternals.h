@@ -12,12 +12,6 @@
 // Smallest field of view, degrees: below it float32 cannot tell pixels apart.
 constexpr double MinFieldOfView = 0.01;
 
-namespace wfv
-{
-// As if no camera had said yet what it ignores: for tests.
-WFV_EXPORT void ForgetWhatIsIgnored();
-}
-
 struct vtkWideFoVCamera::Internals
 {
   // Of all cameras: a screenshot is drawn by a copy, and props ask the one that they were told of.

@@ -390,7 +390,8 @@ public:
   /**
    * While a wide frame is drawn, the angle in degrees by which VTK makes what is to be so many
    * pixels large as large as that in the middle of the picture, and a normal of the view plane
-   * behind which nothing is where SetNothingBehind asks for that; at all other times vtkCamera's own.
+   * behind which nothing is where SetNothingBehind asks for that; at all other times vtkCamera's
+   * own.
    */
   double GetViewAngle() override;
   double* GetViewPlaneNormal() VTK_SIZEHINT(3) override;

@@ -3,6 +3,7 @@
 #include "vtkWideFoVCamera.h"
 
 #include "Camera/CameraInternals.h"
+#include "Compat/Reports.h"
 
 #include "vtkMath.h"
 #include "vtkRenderPass.h"
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <string>
 
 namespace
@@ -35,15 +35,9 @@ bool IsTiled(vtkRenderer* renderer)
 }
 
 // Once a process: screenshots draw with cameras of their own.
-std::set<std::string>& Told()
-{
-  static std::set<std::string> told;
-  return told;
-}
-
 void WarnOnce(vtkObject* self, const std::string& name, const std::string& instead)
 {
-  if (Told().insert(name).second)
+  if (wfv::IsNews("camera " + name))
   {
     vtkWarningWithObjectMacro(
       self, << "vtkCamera's " << name << " has no meaning in this view and is ignored" << instead);
@@ -58,11 +52,6 @@ void SetBothFields(vtkWideFoVCamera* camera, const wfv::Projection& p, double wi
   const double least = std::max(MinFieldOfView, p.MinVerticalFov);
   camera->SetVerticalFieldOfView(said ? std::clamp(high, least, p.MaxVerticalFov) : high);
 }
-}
-
-void wfv::ForgetWhatIsIgnored()
-{
-  Told().clear();
 }
 
 double vtkWideFoVCamera::GetFieldOfViewAngle()
@@ -144,7 +133,7 @@ void vtkWideFoVCamera::WarnOfFlatRenderer(vtkRenderer* renderer)
   }
   vtkRenderPass* const pass = renderer->GetPass();
   const std::string name = pass ? pass->GetClassName() : "no pass";
-  if (Told().insert("flat " + name).second)
+  if (wfv::IsNews("flat " + name))
   {
     vtkWarningMacro(<< "what a renderer draws by " << name
                     << " is left out, for it would be flat: draw it by a vtkWideFoVPass, or by "

@@ -167,9 +167,9 @@ thread_local int vtkWideFoVCamera::Internals::FramesInDrawing = 0;
 void vtkWideFoVCamera::BeginFrame(
   vtkRenderer* renderer, const double* bounds, const int* framebuffer)
 {
+  this->EndFrame(); // one that an exception has cut short
   this->Internal->Framebuffer = { framebuffer ? framebuffer[0] : 0,
     framebuffer ? framebuffer[1] : 0 };
-  this->Internal->InFrame = false;
   this->Internal->Bounds = bounds;
   this->PrepareFrame(renderer);
   this->Internal->Bounds = nullptr;

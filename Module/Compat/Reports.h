@@ -12,6 +12,9 @@ namespace wfv
 // True the first time that it is asked of this text.
 bool IsNews(const std::string& text);
 
+// Of a text that says how much or how many: for texts that are the same but for that.
+std::string WithoutNumbers(std::string text);
+
 // As if nothing had been said yet: for tests.
 WFV_EXPORT void ForgetReports();
 }

@@ -10,6 +10,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
 class vtkObjectBase;
+class vtkProp;
 VTK_ABI_NAMESPACE_END
 
 namespace wfv
@@ -23,6 +24,11 @@ bool IsOwnMapper(vtkObjectBase* mapper);
 
 // Shaders of a user's own may move vertices anywhere.
 bool HasOwnShaders(vtkActor* actor);
+
+// The prop's bounds in world coordinates; of what turns to the viewer those that hold it whichever
+// way it is turned. False where it has none.
+bool FindBounds(vtkProp* prop, double bounds[6]);
+void HoldTurns(vtkProp* prop, double bounds[6]);
 
 struct PropFacts
 {

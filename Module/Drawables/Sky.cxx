@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawables/Sky.h"
 
+#include "Compat/Reports.h"
+
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkMatrix4x4.h"
@@ -9,6 +11,7 @@
 #include "vtkOpenGLSkybox.h"
 #include "vtkOpenGLTexture.h"
 #include "vtkShaderProgram.h"
+#include "vtkSmartPointer.h"
 #include "vtkTexture.h"
 #include "vtkTextureObject.h"
 
@@ -32,11 +35,6 @@ vtkInformationIntegerKey* ProjectionKey()
   return key;
 }
 
-bool WarnOfNoTexture()
-{
-  vtkGenericWarningMacro(<< "a vtkSkybox without a texture is left out; set one");
-  return true;
-}
 }
 
 bool Is(vtkProp* prop)
@@ -47,32 +45,33 @@ bool Is(vtkProp* prop)
 bool IsLeftOut(vtkProp* prop, bool selects)
 {
   auto* const sky = vtkOpenGLSkybox::SafeDownCast(prop);
-  if (sky && !sky->GetTexture())
+  const bool bare = sky && !sky->GetTexture();
+  if (bare && IsNews("sky without a texture"))
   {
-    static const bool said = WarnOfNoTexture();
-    return said;
+    vtkGenericWarningMacro(<< "a vtkSkybox without a texture is left out; set one");
   }
-  return sky && selects;
+  return bare || (sky && selects);
 }
 
-void HandKeysOn(vtkProp* prop)
+vtkActor* PrepareDrawer(vtkProp* prop)
 {
   auto* const sky = vtkOpenGLSkybox::SafeDownCast(prop);
-  vtkInformation* const keys = sky ? sky->GetPropertyKeys() : nullptr;
-  if (!keys)
+  if (!sky)
   {
-    return;
+    return nullptr;
   }
+  vtkActor* const drawer = SkyAccess::GetDrawer(sky);
+  if (!drawer->GetPropertyKeys())
+  {
+    drawer->SetPropertyKeys(vtkSmartPointer<vtkInformation>::New());
+  }
+  vtkInformation* const keys = drawer->GetPropertyKeys();
   vtkInformationIntegerKey* const key = ProjectionKey();
   if (!keys->Has(key) || keys->Get(key) != sky->GetProjection())
   {
     keys->Set(key, sky->GetProjection());
   }
-  vtkActor* const drawer = SkyAccess::GetDrawer(sky);
-  if (drawer->GetPropertyKeys() != keys)
-  {
-    drawer->SetPropertyKeys(keys);
-  }
+  return drawer;
 }
 
 Kind KindOf(vtkProp* drawer)

@@ -8,6 +8,7 @@
 #include "vtkWideFoVAbi.h"
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkActor;
 class vtkProp;
 class vtkShaderProgram;
 class vtkWindow;
@@ -23,8 +24,8 @@ bool Is(vtkProp* prop);
 // are picked, which no sky can be.
 bool IsLeftOut(vtkProp* prop, bool selects);
 
-// Where the prop is a sky, what draws it has its keys from now on, and the kind among them.
-void HandKeysOn(vtkProp* prop);
+// What draws a sky, with the kind among its keys; nullptr of anything else.
+vtkActor* PrepareDrawer(vtkProp* prop);
 
 // Of what draws a sky.
 Kind KindOf(vtkProp* drawer);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawables/Volumes.h"
 
+#include "Compat/Reports.h"
 #include "Compat/SmartMapper.h"
 
 #include "vtkAbstractVolumeMapper.h"
@@ -14,8 +15,6 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
-#include <mutex>
-#include <set>
 #include <string>
 
 namespace wfv
@@ -106,14 +105,6 @@ bool IsByGpu(vtkAbstractVolumeMapper* mapper)
   return mapper->IsA("vtkGPUVolumeRayCastMapper") || mapper->IsA("vtkMultiBlockVolumeMapper");
 }
 
-// True once for each name.
-bool IsNews(const std::string& name)
-{
-  static std::mutex lock;
-  static std::set<std::string> said;
-  const std::lock_guard<std::mutex> guard(lock);
-  return said.insert(name).second;
-}
 }
 
 bool IsFlatVolume(vtkProp* prop)
@@ -125,7 +116,7 @@ bool IsFlatVolume(vtkProp* prop)
     return false;
   }
   const std::string name = mapper->GetClassName();
-  if (IsNews(name))
+  if (wfv::IsNews("volume " + name))
   {
     vtkGenericWarningMacro(
       << "a volume is left out: its mapper, a " << name

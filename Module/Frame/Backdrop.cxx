@@ -2,6 +2,7 @@
 #include "Frame/Backdrop.h"
 
 #include "Compat/Gl.h"
+#include "Compat/Reports.h"
 #include "Frame/vtkWideFoVStage.h"
 #include "Shaders/sky/SkyShaders.h"
 
@@ -50,7 +51,11 @@ void Backdrop::Draw(vtkRenderer* renderer, vtkWideFoVStage* stage)
 {
   if (!this->Prepare(renderer, stage))
   {
-    vtkGenericWarningMacro(<< "A gradient by direction could not be drawn");
+    if (IsNews("gradient by direction"))
+    {
+      vtkGenericWarningMacro(<< "a gradient by direction could not be drawn: the graphics driver "
+                                "refuses its shaders");
+    }
     return;
   }
   auto* const window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());

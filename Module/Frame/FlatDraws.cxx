@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Frame/FlatDraws.h"
 
+#include "Compat/Reports.h"
 #include "Drawables/PropFacts.h"
+#include "Drawables/Sky.h"
 #include "Frame/PropParts.h"
 
 #include "vtkActor.h"
 #include "vtkActor2D.h"
+#include "vtkFollower.h"
 #include "vtkMapper.h"
 #include "vtkObject.h"
+#include "vtkVolume.h"
 
 #include <algorithm>
-#include <mutex>
 #include <set>
 #include <string>
 
@@ -20,7 +23,7 @@ using Keys = std::vector<const vtkInformation*>;
 
 bool WasDrawn(vtkProp* prop, const Keys& drawn)
 {
-  return std::find(drawn.begin(), drawn.end(), prop->GetPropertyKeys()) != drawn.end();
+  return std::binary_search(drawn.begin(), drawn.end(), prop->GetPropertyKeys());
 }
 
 bool WasDrawnByParts(vtkProp* prop, const Keys& drawn)
@@ -38,13 +41,21 @@ std::string NameOf(vtkProp* prop)
   return mapper ? name + " with a " + mapper->GetClassName() : name;
 }
 
+// What may be drawn whole without shaders of its own.
+bool IsWhole(vtkProp* prop)
+{
+  auto* const actor = vtkActor::SafeDownCast(prop);
+  return (actor && wfv::IsStockActor(actor)) || vtkFollower::SafeDownCast(prop) ||
+    vtkVolume::SafeDownCast(prop) || wfv::sky::Is(prop);
+}
+
+// drawn: in order
 std::set<std::string> NamesOf(const std::vector<vtkProp*>& props, const Keys& drawn)
 {
   std::set<std::string> without;
   std::set<std::string> special;
   for (vtkProp* const prop : props)
   {
-    auto* const actor = vtkActor::SafeDownCast(prop);
     if (vtkActor2D::SafeDownCast(prop))
     {
       continue;
@@ -53,7 +64,7 @@ std::set<std::string> NamesOf(const std::vector<vtkProp*>& props, const Keys& dr
     {
       without.insert(NameOf(prop));
     }
-    else if (!actor || !wfv::IsStockActor(actor))
+    else if (!IsWhole(prop))
     {
       special.insert(NameOf(prop));
     }
@@ -64,15 +75,13 @@ std::set<std::string> NamesOf(const std::vector<vtkProp*>& props, const Keys& dr
 
 namespace wfv
 {
-void WarnOfFlatDraws(vtkObject* reporter, const std::vector<vtkProp*>& props, const Keys& drawn)
+void WarnOfFlatDraws(vtkObject* reporter, const std::vector<vtkProp*>& props, Keys drawn)
 {
-  static std::mutex lock;
-  static std::set<std::string> said;
-  const std::lock_guard<std::mutex> guard(lock);
+  std::sort(drawn.begin(), drawn.end());
   std::string news;
   for (const std::string& name : NamesOf(props, drawn))
   {
-    if (said.insert(name).second)
+    if (wfv::IsNews("own shaders " + name))
     {
       news += (news.empty() ? "" : ", ") + name;
     }
@@ -80,7 +89,9 @@ void WarnOfFlatDraws(vtkObject* reporter, const std::vector<vtkProp*>& props, co
   if (!news.empty())
   {
     vtkWarningWithObjectMacro(reporter,
-      << "left out of a wide view, in whole or in part, for its shaders are its own: " << news);
+      << "left out of a wide view, in whole or in part, for it has shaders of its own, or parts "
+         "that were made before this library was loaded: "
+      << news);
   }
 }
 }

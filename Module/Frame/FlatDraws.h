@@ -18,7 +18,7 @@ namespace wfv
 // Once for each name: of the props, those that were not drawn by a stage, which is told by their
 // keys; where all were, of those that are drawn by a mapper of another class than most.
 void WarnOfFlatDraws(vtkObject* reporter, const std::vector<vtkProp*>& props,
-  const std::vector<const vtkInformation*>& drawn);
+  std::vector<const vtkInformation*> drawn);
 }
 
 #endif

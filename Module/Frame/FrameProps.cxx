@@ -78,6 +78,10 @@ void FrameProps::Look(vtkProp* prop, bool asked, Entry& entry)
   if (bounds)
   {
     std::copy_n(bounds, 6, now.Bounds);
+    if (!known)
+    {
+      HoldTurns(prop, now.Bounds);
+    }
   }
   // of anything but an actor there is no telling when it changes
   if (mapper)

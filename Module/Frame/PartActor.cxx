@@ -60,13 +60,17 @@ public:
   void Render(vtkRenderer* renderer, vtkMapper* mapper) override
   {
     Stages* const stages = FindFrame(renderer);
+    PropFacts facts;
+    if (stages && stages->IsLeftOut(this, facts))
+    {
+      return;
+    }
     if (!stages || Stages::FindAttached(this))
     {
       this->vtkOpenGLActor::Render(renderer, mapper);
       return;
     }
     const double* const bounds = this->GetBounds();
-    PropFacts facts;
     if (stages->IsUnseen(this, bounds, facts))
     {
       return;

@@ -2,6 +2,8 @@
 #include "Frame/PropParts.h"
 
 #include "Compat/ImageModule.h"
+#include "Drawables/PropFacts.h"
+#include "Drawables/Sky.h"
 #include "Frame/PartActor.h"
 #include "Frame/Stages.h"
 
@@ -10,7 +12,10 @@
 #include "vtkAssemblyNode.h"
 #include "vtkAssemblyPath.h"
 #include "vtkBillboardTextActor3D.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkNew.h"
+#include "vtkOpenGLRenderPass.h"
 #include "vtkPropCollection.h"
 #include "vtkVolume.h"
 
@@ -18,6 +23,13 @@
 
 namespace
 {
+// Its setter says that the prop was modified.
+class VisibilityAccess : public vtkProp
+{
+public:
+  static auto& Of(vtkProp* prop) { return prop->*(&VisibilityAccess::Visibility); }
+};
+
 using PropList = std::vector<vtkSmartPointer<vtkProp>>;
 
 // Actors are what they are; overlays have no place in the scene; and to ask a text of no letters
@@ -57,11 +69,36 @@ void AddOfPaths(vtkProp* prop, vtkPropCollection* props)
 }
 }
 
+namespace
+{
+// Those of others: a sky keeps them to itself.
+void HandPassesOn(vtkProp* sky, vtkProp* drawer)
+{
+  vtkInformationObjectBaseVectorKey* const list = vtkOpenGLRenderPass::RenderPasses();
+  vtkInformation* const from = sky->GetPropertyKeys();
+  vtkInformation* const to = drawer->GetPropertyKeys();
+  to->Remove(list);
+  for (int i = 0; from && i < from->Length(list); i++)
+  {
+    vtkObjectBase* const pass = from->Get(list, i);
+    if (!vtkWideFoVStage::SafeDownCast(pass))
+    {
+      to->Append(list, pass);
+    }
+  }
+}
+}
+
 namespace wfv
 {
 PropList FindParts(vtkProp* prop)
 {
   PropList parts;
+  if (vtkActor* const drawer = sky::PrepareDrawer(prop))
+  {
+    parts.emplace_back(drawer);
+    return parts;
+  }
   if (IsOne(prop))
   {
     return parts;
@@ -75,21 +112,57 @@ PropList FindParts(vtkProp* prop)
   return parts;
 }
 
-PropList PropParts::Attach(vtkProp* prop, Stages& stages)
+void PropParts::Attach(vtkProp* part, vtkWideFoVStage* stage)
+{
+  this->Parts.push_back({ part, stage, {} });
+  this->Parts.back().Keys.Attach(part, stage);
+}
+
+void PropParts::AttachSky(vtkProp* prop, Stages& stages)
+{
+  vtkActor* const drawer = sky::PrepareDrawer(prop);
+  if (drawer && !Stages::FindAttached(drawer))
+  {
+    HandPassesOn(prop, drawer);
+    this->Attach(drawer, stages.Sky);
+  }
+}
+
+PropList PropParts::Attach(vtkProp* prop, Stages& stages, bool selects)
 {
   PropList parts = FindParts(prop);
+  if (sky::Is(prop))
+  {
+    this->AttachSky(prop, stages);
+    return parts;
+  }
   for (const vtkSmartPointer<vtkProp>& part : parts)
   {
-    if (FindsItsFrame(part) || vtkActor2D::SafeDownCast(part) || stages.FindAttached(part))
-    {
-      continue;
-    }
     PropFacts facts;
-    vtkWideFoVStage* const stage = stages.Choose(part, part->GetBounds(), facts);
-    this->Parts.push_back({ part, stage, {} });
-    this->Parts.back().Keys.Attach(part, stage);
+    if (sky::IsLeftOut(part, selects) || stages.IsLeftOut(part, facts))
+    {
+      this->Hide(part);
+    }
+    else if (sky::Is(part))
+    {
+      this->AttachSky(part, stages);
+    }
+    else if (!FindsItsFrame(part) && !vtkActor2D::SafeDownCast(part) && !Stages::FindAttached(part))
+    {
+      double bounds[6];
+      this->Attach(part, stages.Choose(part, FindBounds(part, bounds) ? bounds : nullptr, facts));
+    }
   }
   return parts;
+}
+
+void PropParts::Hide(vtkProp* part)
+{
+  if (part->GetVisibility())
+  {
+    VisibilityAccess::Of(part) = 0;
+    this->Hidden.emplace_back(part);
+  }
 }
 
 void PropParts::Detach()
@@ -99,5 +172,10 @@ void PropParts::Detach()
     part.Keys.Detach(part.Prop, part.Stage);
   }
   this->Parts.clear();
+  for (vtkProp* const part : this->Hidden)
+  {
+    VisibilityAccess::Of(part) = 1;
+  }
+  this->Hidden.clear();
 }
 }

@@ -19,15 +19,16 @@ namespace wfv
 {
 class Stages;
 
-// What a prop names as its parts: actors, volumes and images, but for itself. Of what it keeps to
-// itself see PartActor.h.
+// What a prop names as its parts: actors, volumes and images, but for itself; of a sky, the actor
+// that draws it. Of what others keep to themselves see PartActor.h.
 std::vector<vtkSmartPointer<vtkProp>> FindParts(vtkProp* prop);
 
 class PropParts
 {
 public:
-  // Gives the parts of a prop the stages that they need, where nobody has yet. Returns the parts.
-  std::vector<vtkSmartPointer<vtkProp>> Attach(vtkProp* prop, Stages& stages);
+  // Gives the parts of a prop the stages that they need, where nobody has yet, and hides those that
+  // cannot be drawn. Returns the parts. selects: props are picked.
+  std::vector<vtkSmartPointer<vtkProp>> Attach(vtkProp* prop, Stages& stages, bool selects);
 
   // Of all.
   void Detach();
@@ -39,7 +40,11 @@ private:
     vtkWideFoVStage* Stage;
     PropKeys Keys;
   };
+  void Attach(vtkProp* part, vtkWideFoVStage* stage);
+  void Hide(vtkProp* part);
+  void AttachSky(vtkProp* prop, Stages& stages);
   std::vector<Part> Parts;
+  std::vector<vtkSmartPointer<vtkProp>> Hidden;
 };
 }
 

@@ -13,8 +13,6 @@
 #include "vtkShader.h"
 #include "vtkShaderProgram.h"
 
-#include <algorithm>
-#include <cctype>
 #include <map>
 #include <sstream>
 #include <utility>
@@ -163,13 +161,6 @@ std::string LineOf(const std::string& log)
   return first.empty() ? "without a reason" : first;
 }
 
-std::string WithoutNumbers(std::string line)
-{
-  line.erase(
-    std::remove_if(line.begin(), line.end(), [](unsigned char c) { return std::isdigit(c) != 0; }),
-    line.end());
-  return line;
-}
 }
 
 unsigned int CompileShader(unsigned int type, const std::string& source, std::string& log)

@@ -84,6 +84,9 @@ public:
   // buffer, too. bounds: the prop's, which have just been asked for; nullptr where it has none.
   vtkWideFoVStage* Choose(vtkProp* prop, const double* bounds, wfv::PropFacts& facts);
 
+  // True where the prop cannot be drawn, which is said once.
+  bool IsLeftOut(vtkProp* prop, wfv::PropFacts& facts) const;
+
   // True where nothing of the prop can be in the picture, or it cannot be drawn: it need not be.
   bool IsUnseen(vtkProp* prop, const double* bounds, wfv::PropFacts& facts) const;
 

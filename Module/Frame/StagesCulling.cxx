@@ -81,7 +81,7 @@ namespace
 bool IsUncountable(vtkActor* actor)
 {
   const std::string excess = wfv::FindExcess(wfv::CountIndices(actor));
-  if (!excess.empty() && wfv::IsNews(excess))
+  if (!excess.empty() && wfv::IsNews("mesh: " + wfv::WithoutNumbers(excess)))
   {
     vtkErrorWithObjectMacro(actor, << "a mesh is not drawn: " << excess);
   }
@@ -188,10 +188,15 @@ wfv::vec2 wfv::Stages::GetDistances(const double* b) const
   return b && vtkMath::AreBoundsInitialized(b) ? wfv::Distances(this->GetBox(b)) : this->View.radii;
 }
 
-bool wfv::Stages::IsUnseen(vtkProp* prop, const double* b, wfv::PropFacts& facts) const
+bool wfv::Stages::IsLeftOut(vtkProp* prop, wfv::PropFacts& facts) const
 {
   FindFacts(prop, facts);
-  if (facts.Uncountable || wfv::volume::IsFlatVolume(prop))
+  return facts.Uncountable || wfv::volume::IsFlatVolume(prop);
+}
+
+bool wfv::Stages::IsUnseen(vtkProp* prop, const double* b, wfv::PropFacts& facts) const
+{
+  if (this->IsLeftOut(prop, facts))
   {
     return true;
   }

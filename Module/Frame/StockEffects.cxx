@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Frame/StockEffects.h"
 
+#include "Compat/Reports.h"
+
 #include "vtkRenderer.h"
 
-#include <mutex>
-#include <set>
 #include <string>
 
 namespace
@@ -20,12 +20,9 @@ public:
 template <typename Switch>
 bool TakeOff(vtkRenderer* renderer, Switch& flag, const char* name)
 {
-  static std::mutex lock;
-  static std::set<std::string> said;
   const bool on = flag ? true : false;
   flag = 0;
-  const std::lock_guard<std::mutex> guard(lock);
-  if (on && said.insert(name).second)
+  if (on && wfv::IsNews(std::string("effect ") + name))
   {
     vtkWarningWithObjectMacro(
       renderer, << name << " is left out in a wide view: it takes the picture for a perspective");

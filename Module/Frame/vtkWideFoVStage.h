@@ -168,7 +168,7 @@ private:
 
   // The text of the sky (false: of something else), and what its program is told.
   bool FinishSky(vtkAbstractMapper* mapper, vtkProp* prop, std::string& vertex,
-    std::string& geometry, std::string& fragment) const;
+    std::string& geometry, std::string& fragment);
   void SetSkyParameters(vtkShaderProgram* program, vtkProp* prop) const;
 
   // Of a program whose text is asked for.

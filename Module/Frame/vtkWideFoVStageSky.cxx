@@ -43,7 +43,7 @@ void vtkWideFoVStage::SetRayParameters(vtkShaderProgram* program)
 }
 
 bool vtkWideFoVStage::FinishSky(vtkAbstractMapper* mapper, vtkProp* prop, std::string& vertex,
-  std::string& geometry, std::string& fragment) const
+  std::string& geometry, std::string& fragment)
 {
   if (this->Variant != wfv::ShaderBuilder::Variant::Sky)
   {
@@ -51,6 +51,11 @@ bool vtkWideFoVStage::FinishSky(vtkAbstractMapper* mapper, vtkProp* prop, std::s
   }
   wfv::sky::Finish(this->MakeRayRequest(), wfv::sky::KindOf(prop), fragment);
   wfv::stock::LeaveOutUnedited(this->Renderer, mapper, vertex, geometry, fragment);
+  Texts texts{ vertex, geometry, fragment };
+  if (this->LeaveOutRefused(mapper, prop, texts))
+  {
+    wfv::stock::LeaveOut(vertex, geometry, fragment);
+  }
   return true;
 }
 

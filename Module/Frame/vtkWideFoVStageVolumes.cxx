@@ -19,8 +19,9 @@ bool vtkWideFoVStage::FinishVolume(vtkProp* prop, vtkAbstractMapper* mapper, std
   {
     return false;
   }
-  wfv::volume::Finish(
-    this->MakeRayRequest(), wfv::volume::Describe(this->Renderer, volume), geometry, fragment);
+  wfv::ShaderBuilder::Request request = this->MakeRayRequest();
+  request.Multisample = false; // a pixel's volume has one ray in any case
+  wfv::volume::Finish(request, wfv::volume::Describe(this->Renderer, volume), geometry, fragment);
   wfv::stock::LeaveOutUnedited(this->Renderer, mapper, vertex, geometry, fragment);
   return true;
 }

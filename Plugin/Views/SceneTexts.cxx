@@ -44,9 +44,8 @@ double FactorOf(vtkWideFoVCamera* camera)
 }
 }
 
-void SceneTexts::Begin(vtkRenderer* renderer)
+void SceneTexts::BeginBounds(vtkRenderer* renderer)
 {
-  this->End(); // of a frame that was broken off
   auto* const camera = vtkWideFoVCamera::SafeDownCast(renderer->GetActiveCamera());
   if (!camera || !camera->IsWide())
   {
@@ -74,7 +73,7 @@ void SceneTexts::Begin(vtkRenderer* renderer)
   }
 }
 
-void SceneTexts::End()
+void SceneTexts::EndBounds()
 {
   for (const auto& [label, size] : this->Before)
   {

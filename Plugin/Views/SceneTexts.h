@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Texts that stand in the scene: flagpole labels and billboards, for the time of a frame.
+// Texts that stand in the scene: flagpole labels and billboards.
 #ifndef WideFoVPluginSceneTexts_h
 #define WideFoVPluginSceneTexts_h
 
@@ -13,15 +13,16 @@ class vtkRenderer;
 
 namespace wfvplugin
 {
-// Pole and flag are lines and a rectangle of the scene that turns to the eye. But the rectangle is
-// as large as VTK's angle of view makes it, which is not that of a wide camera: a thousand texels
-// of its text are to be as high as the picture is, times its size.
+// Pole and flag are lines and a rectangle of the scene that turns to the eye. The rectangle is as
+// large as the camera's angle of view makes it, which is that of a wide view while a frame is drawn
+// alone: before, when the clip spheres are fitted, it would be too small.
 class SceneTexts
 {
 public:
-  // Where the renderer's camera is wide.
-  void Begin(vtkRenderer* renderer);
-  void End();
+  // Between these two, labels have the bounds that they will be drawn in, where the renderer's
+  // camera is wide.
+  void BeginBounds(vtkRenderer* renderer);
+  void EndBounds();
 
 private:
   std::vector<std::pair<vtkSmartPointer<vtkFlagpoleLabel>, double>> Before;

@@ -308,8 +308,9 @@ void vtkPVWideFoVView::UpdateReduction()
 void vtkPVWideFoVView::StartFrame()
 {
   this->UpdateStereo();
-  this->Internal->Texts.Begin(this->GetRenderer());
+  this->Internal->Texts.BeginBounds(this->GetRenderer());
   this->UpdateClipSpheres();
+  this->Internal->Texts.EndBounds();
   this->Internal->Instead.Begin(this->GetRenderer());
   this->Internal->Everywhere->UseBoundsOn();
   this->Internal->Threads.Begin();
@@ -320,5 +321,4 @@ void vtkPVWideFoVView::EndFrame()
   this->Internal->Threads.End();
   this->Internal->Everywhere->UseBoundsOff();
   this->Internal->Instead.End();
-  this->Internal->Texts.End();
 }

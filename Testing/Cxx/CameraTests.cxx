@@ -8,7 +8,7 @@
 #include "vtkTestErrorObserver.h"
 #include "vtkTransform.h"
 #include "vtkWideFoVCamera.h"
-#include "Camera/CameraInternals.h"
+#include "Compat/Reports.h"
 #include "vtkWideFoVScreenCamera.h"
 #include "vtkWindowToImageFilter.h"
 
@@ -348,7 +348,7 @@ TEST(Camera, SaysWhatItIgnores)
       [](vtkCamera* c) { c->SetUseExplicitProjectionTransformMatrix(true); } },
     { "EyeAngle", [](vtkCamera* c) { c->SetEyeAngle(5); } },
   };
-  wfv::ForgetWhatIsIgnored();
+  wfv::ForgetReports();
   for (const Call& call : calls)
   {
     Camera c;

@@ -117,6 +117,8 @@ def shown(result):
         return "OpenGL notes errors %s" % result["gl"], True
     if result["stock"] and not result["wide"] and "left out" not in result["said"]:
         return "is not seen, and nothing was said", True
+    if result["stock"] and not result["wide"]:
+        return "left out, with a warning", False
     return ("seen" if result["wide"] else "nothing to see, as in stock VTK"), False
 
 
