@@ -201,7 +201,10 @@ void WarnOfFlatCamera(vtkRenderer* renderer)
 
 void vtkWideFoVRenderer::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->OwnPass->ReleaseGraphicsResources(window); // others may be round it for a frame alone
+  if (window)
+  {
+    this->OwnPass->ReleaseGraphicsResources(window); // others may be round it for a frame alone
+  }
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
