@@ -5,6 +5,7 @@
 #include "vtkWideFoVCamera.h"
 
 #include "vtkActor.h"
+#include "vtkFlagpoleLabel.h"
 #include "vtkFollower.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkImageMapper3D.h"
@@ -120,6 +121,11 @@ void FlatHabits::Face(vtkProp* prop, vtkWideFoVCamera* camera, double aspect)
 void FlatHabits::Stop(vtkProp* prop, vtkWideFoVCamera* camera, double aspect)
 {
   this->Face(prop, camera, aspect);
+  if (auto* const label = vtkFlagpoleLabel::SafeDownCast(prop))
+  {
+    // its flag may be as large as the angle of view makes it outside of frames
+    label->Modified();
+  }
   if (auto* const actor = vtkActor::SafeDownCast(prop))
   {
     auto* const glyphs = vtkGlyph3DMapper::SafeDownCast(actor->GetMapper());
