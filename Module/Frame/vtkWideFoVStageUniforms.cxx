@@ -52,6 +52,8 @@ void SetViewParameters(vtkShaderProgram* program, const wfv::WfvView& v)
   const float stereo[4] = { static_cast<float>(v.stereo.x), static_cast<float>(v.stereo.y),
     static_cast<float>(v.stereo.z), static_cast<float>(v.stereo.w) };
   program->SetUniform4f("wfvView.stereo", stereo);
+  program->SetUniformi("wfvView.eye", v.eye);
+  program->SetUniformf("wfvView.halfEyes", static_cast<float>(v.halfEyes));
   program->SetUniformf("wfvView.lens5", static_cast<float>(v.lens5));
   program->SetUniformf("wfvView.maxAngle", static_cast<float>(v.maxAngle));
   program->SetUniformf("wfvView.bend", static_cast<float>(v.bend));

@@ -89,17 +89,17 @@ bool AllCovered(const Request& r)
 
 bool OwnRays(const Request& r)
 {
-  return r.Stereo && r.Stereo->OwnRays && (AllCovered(r) || line::Draws(r));
+  return r.Stereo && !r.Stereo->Traits.OneCenter && (AllCovered(r) || line::Draws(r));
 }
 
 bool OwnBodies(const Request& r)
 {
-  return r.Stereo && r.Stereo->OwnRays && quadric::Draws(r.Kind);
+  return r.Stereo && !r.Stereo->Traits.OneCenter && quadric::Draws(r.Kind);
 }
 
-bool Warped(const Request& r)
+bool CurvedRays(const Request& r)
 {
-  return r.Stereo && !r.Stereo->Straight && AllCovered(r);
+  return r.Stereo && !r.Stereo->Traits.StraightRays && AllCovered(r);
 }
 
 std::string ViewSource(const Request& r)
@@ -123,10 +123,11 @@ std::string ViewSource(const Request& r)
     "\n" + "#define WFV_FADES " + (r.Fades ? "true" : "false") + "\n" + "#define WFV_ANGLES " +
     (meridian ? "wfvMeridianAngles" : "wfvAzimuthalAngles") + "\n" +
     Define("WFV_OWN_RAYS", OwnRays(r)) + Define("WFV_OWN_BODIES", OwnBodies(r)) +
-    Define("WFV_WARPED", Warped(r)) + Define("WFV_RUNS", r.Runs) +
-    Define("WFV_SHIFTED", r.Stereo && !r.Stereo->Straight && !Warped(r)) + wfv::MathGlsl() +
-    wfv::CommonGlsl() + wfv::DepthGlsl() + (r.Stereo ? sight_glsl + r.Stereo->Glsl : "") +
-    (sampled ? directions_glsl : "") + r.Projection->Glsl + interface_glsl;
+    Define("WFV_CURVED_RAYS", CurvedRays(r)) + Define("WFV_RUNS", r.Runs) +
+    Define("WFV_SHIFTED", r.Stereo && !r.Stereo->Traits.StraightRays && !CurvedRays(r)) +
+    wfv::MathGlsl() + wfv::CommonGlsl() + wfv::DepthGlsl() +
+    (r.Stereo ? sight_glsl + r.Stereo->Glsl : "") + (sampled ? directions_glsl : "") +
+    r.Projection->Glsl + interface_glsl;
 }
 
 std::string Corner(size_t varying, int corner)

@@ -75,7 +75,7 @@ bool OwnRays(const Request& r);
 bool OwnBodies(const Request& r);
 
 // True for triangles of an eye whose rays are no straight lines.
-bool Warped(const Request& r);
+bool CurvedRays(const Request& r);
 
 // The mathematics of the view, for any stage.
 std::string ViewSource(const Request& request);

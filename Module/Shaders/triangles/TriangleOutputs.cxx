@@ -26,11 +26,11 @@ int OwnComponents(const Request& r)
   const bool exact = r.ByRays || r.Stage == wfv::ShaderBuilder::Variant::Exact;
   const bool rays = OwnRays(r);
   const int edges = r.Whole ? 3 * 3 * 2 : 3 * 3; // doubles count twice
-  const int plane = 3 + (rays || Warped(r) ? 3 : 5);
+  const int plane = 3 + (rays || CurvedRays(r) ? 3 : 5);
   const int chords = 3 + 3 + 3 + 4 + 2 + 4 + 1;
   const int order = 3 + 3;
   return 4 + 1 + edges + plane + (exact ? order : chords) + (rays ? 3 * 3 : 0) + r.DebugView +
-    (Warped(r) ? 2 : 0) + (r.MeetsChords ? 3 + 4 + 2 : 0) + (r.SeveralChords ? 3 + 3 * 3 : 0);
+    (CurvedRays(r) ? 2 : 0) + (r.MeetsChords ? 3 + 4 + 2 : 0) + (r.SeveralChords ? 3 + 3 * 3 : 0);
 }
 }
 
