@@ -16,6 +16,10 @@ namespace shader
 using Request = wfv::ShaderBuilder::Request;
 using Primitive = wfv::ShaderBuilder::Primitive;
 
+// OpenGL lets an invocation of a geometry stage write so many components, over all its vertices;
+// no driver need allow more (GL_MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS), and NVIDIA's does not.
+constexpr int MostComponents = 1024;
+
 // One output of the vertex stage.
 struct Varying
 {

@@ -19,6 +19,9 @@ const float WFV_BORDER = 1.0000001;
 // azimuths apart, which are places of their own where the map makes a line of the point.
 const float WFV_AT_SINGULARITY = 1e-20;
 
+// Radians from a pole or the antipode, within which no chord stands for an edge.
+const float WFV_SINGULAR_ANGLE = 0.035;
+
 // Whose view it is: of one of two eyes, or of the place between them.
 const int WFV_EYE_LEFT = -1;
 const int WFV_EYE_MIDDLE = 0;

@@ -12,10 +12,6 @@ namespace shader
 {
 namespace
 {
-// OpenGL lets an invocation of a geometry stage write so many components, over all its vertices;
-// no driver need allow more (GL_MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS), and NVIDIA's does not.
-constexpr int MostComponents = 1024;
-
 // Vertices of all shapes of one triangle, and of one of them.
 constexpr int MostVertices = 14;
 constexpr int ShapeVertices = 4;
