@@ -9,7 +9,8 @@ stay short; shaders are .glsl files; every source names its licence; nothing nam
 folder of somebody's machine; what differs between versions of VTK, or between drivers of
 OpenGL, is guarded in Module/Compat alone, and what differs between those of ParaView in
 Plugin/Compat alone; headers declare VTK's classes in VTK's namespace; every variable of a shader
-begins with a value; no source outside Module/Stereo names a stereo model. Prints `path:line: rule: what is wrong` for every breach and exits with 1 when
+begins with a value; no source outside Module/Stereo names a stereo model, or takes the eye for a
+number. Prints `path:line: rule: what is wrong` for every breach and exits with 1 when
 there is one.
 """
 
@@ -91,6 +92,13 @@ SAME_WORDS = re.compile(
 )
 
 OWN_NUMBERS = re.compile(r"\.stereo\b")  # of WfvView
+
+# The eye has names, too: nobody reckons with it, nor asks those numbers for a sign.
+EYE_AS_NUMBER = re.compile(
+    r"\.(?:eye|stereo\.\w)\s*(?:[<>]|\*|[!=]=\s*-?\d)"
+    r"|\b(?:abs|sign)\([\w.>-]*\.(?:eye|stereo\.\w)\b"
+    r"|\b(?:float|double)>?\([\w.>-]*\.eye\b"
+)
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(["<])([^">]+)[">]', re.M)
 
@@ -224,6 +232,8 @@ def check_models(source, models):
             yield max(number, 1), "stereo model", "'%s': ask for its traits" % match.group()
         elif source.is_kind(SHADERS) and OWN_NUMBERS.search(line):
             yield number, "stereo model", "the numbers are its own: ask for the eye and halfEyes"
+        elif EYE_AS_NUMBER.search(line):
+            yield number, "stereo model", "an eye has a name: WFV_EYE_LEFT, wfvToRight"
 
 
 CHECKS = (

@@ -36,6 +36,7 @@ TIDY = {
     "Module/Shaders/Text.h": HEAD + '#include "Eyes.h"\n// Off-axis projection: none\n',
     "Module/Frame/Part.h": HEAD + '#include "Text.h"\n',
     "Module/vtkWide.h": HEAD + '#include "Map.h"\n#include "vtkObject.h"\n',
+    "Module/Shaders/eye.glsl": HEAD + "bool left = wfvView.eye == WFV_EYE_LEFT;\n",
     "Module/Shaders/stage.glsl": HEAD + "void main()\n{\n  gl_Position = vec4(0.0);\n}\n",
     "Module/vtkWide.cxx": HEAD + '#include "vtkWide.h"\n\n// gl_Position: see the shader\n'
     + "const Size s{ 1 };\n"
@@ -79,6 +80,9 @@ BREACHES = [
     ("stereo model", "Module/Shaders/stage.glsl", HEAD + "#if WFV_OFFAXIS\n#endif\n"),
     ("stereo model", "Module/Shaders/off-axis.glsl", HEAD),
     ("stereo model", "Module/Shaders/a.glsl", HEAD + "bool left = wfvView.stereo.x < 0.0;\n"),
+    ("stereo model", "Module/Shaders/a.glsl", HEAD + "bool left = wfvView.eye < 0;\n"),
+    ("stereo model", "Module/Shaders/a.glsl", HEAD + "float side = float(wfvView.eye);\n"),
+    ("stereo model", "Module/vtkWide.cxx", HEAD + "double r = std::abs(v.stereo.x);\n"),
     ("stereo model", "Module/vtkWide.cxx", HEAD + "bool Off(Model m) { return IsOffAxis(m); }\n"),
     ("stereo model", "Examples/Tool.h", HEAD + 'bool b = name == "none";\n'),
     ("stereo model", "Plugin/View.xml.in", "<Default model=\"offaxis\" />\n"),
