@@ -143,7 +143,7 @@ void vtkWideFoVPass::FindRelaxation(const vtkRenderState* s)
   vtkRenderWindow* const window = renderer->GetRenderWindow();
   auto* const camera = vtkWideFoVCamera::SafeDownCast(renderer->GetActiveCamera());
   const int eyes = CountEyes(window);
-  if (eyes > 1 && camera->GetCurrentEye() > 0)
+  if (eyes > 1 && camera->GetCurrentEye() == vtkWideFoVCamera::RIGHT_EYE)
   {
     return; // both alike
   }

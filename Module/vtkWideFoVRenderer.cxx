@@ -76,10 +76,11 @@ vtkWideFoVCamera* vtkWideFoVRenderer::GetWideCamera()
   return camera && camera->IsWide() ? camera : nullptr;
 }
 
-bool vtkWideFoVRenderer::HasOffAxisEye()
+bool vtkWideFoVRenderer::HasFlatEye()
 {
   auto* camera = vtkWideFoVCamera::SafeDownCast(this->ActiveCamera);
-  return camera && !camera->IsWide() && camera->GetCurrentEye() != 0 && camera->GetEyeReach() > 0;
+  return camera && !camera->IsWide() && camera->GetCurrentEye() != vtkWideFoVCamera::MIDDLE_EYE &&
+    camera->GetEyeReach() > 0;
 }
 
 void vtkWideFoVRenderer::PoseToView(double& x, double& y, double& z)
@@ -115,7 +116,7 @@ void vtkWideFoVRenderer::ViewToPose(double& x, double& y, double& z)
 void vtkWideFoVRenderer::WorldToView(double& x, double& y, double& z)
 {
   vtkWideFoVCamera* camera = this->GetWideCamera();
-  if (this->HasOffAxisEye())
+  if (this->HasFlatEye())
   {
     // by two steps: by one VTK takes the middle between the eyes, where no picture is drawn from
     this->WorldToPose(x, y, z);
@@ -138,7 +139,7 @@ void vtkWideFoVRenderer::WorldToView(double& x, double& y, double& z)
 void vtkWideFoVRenderer::ViewToWorld(double& x, double& y, double& z)
 {
   vtkWideFoVCamera* camera = this->GetWideCamera();
-  if (this->HasOffAxisEye())
+  if (this->HasFlatEye())
   {
     this->ViewToPose(x, y, z);
     this->PoseToWorld(x, y, z);

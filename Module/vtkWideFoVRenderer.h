@@ -45,7 +45,7 @@ public:
   ///@{
   /**
    * Through the view where the active camera is wide: depth is 0 on the near and 1 on
-   * the far clip sphere. In an off-axis perspective as the eye sees that was drawn last.
+   * the far clip sphere. In a perspective of two eyes as the eye sees that was drawn last.
    */
   void WorldToView(double& x, double& y, double& z) override;
   void ViewToWorld(double& x, double& y, double& z) override;
@@ -126,7 +126,7 @@ protected:
   ~vtkWideFoVRenderer() override;
 
   vtkWideFoVCamera* GetWideCamera();
-  bool HasOffAxisEye(); // of a perspective, with a place of its own
+  bool HasFlatEye(); // of a perspective, with a place of its own
 
   vtkWideFoVCamera* FrameCamera = nullptr;
   vtkNew<vtkWideFoVPass> OwnPass; // that it is made with

@@ -39,20 +39,21 @@ vtkWideFoVStereoWindow::vtkWideFoVStereoWindow()
   this->SetMapper(mapper);
   this->GetProperty()->SetColor(0, 0, 0);
   this->GetProperty()->SetDisplayLocationToForeground();
-  this->PlaceBars(0);
+  this->PlaceBars(vtkWideFoVCamera::MIDDLE_EYE);
 }
 
 vtkWideFoVStereoWindow::~vtkWideFoVStereoWindow() = default;
 
 void vtkWideFoVStereoWindow::PlaceBars(int eye)
 {
-  const double wide = eye == 0 ? 0 : this->Floating;
+  const double wide = eye == vtkWideFoVCamera::MIDDLE_EYE ? 0 : this->Floating;
+  const bool left = eye == vtkWideFoVCamera::LEFT_EYE;
   const double high = this->Letterbox;
   // a hair beyond the borders: what ends on one may leave a row of pixels
   constexpr double Beyond = 0.01;
   const double low = -Beyond;
   const double end = 1 + Beyond;
-  const double rectangles[Bars][4] = { { eye < 0 ? low : 1 - wide, low, eye < 0 ? wide : end, end },
+  const double rectangles[Bars][4] = { { left ? low : 1 - wide, low, left ? wide : end, end },
     { low, low, end, high }, { low, 1 - high, end, end } };
   for (int i = 0; i < Bars; i++)
   {
@@ -73,7 +74,7 @@ int vtkWideFoVStereoWindow::RenderOverlay(vtkViewport* viewport)
   auto* const renderer = vtkRenderer::SafeDownCast(viewport);
   auto* const camera =
     renderer ? vtkWideFoVCamera::SafeDownCast(renderer->GetActiveCamera()) : nullptr;
-  this->PlaceBars(camera ? camera->GetCurrentEye() : 0);
+  this->PlaceBars(camera ? camera->GetCurrentEye() : vtkWideFoVCamera::MIDDLE_EYE);
   return this->Superclass::RenderOverlay(viewport);
 }
 

@@ -10,6 +10,7 @@
 #include <iostream>
 #include <sstream>
 #include <string>
+#include <utility>
 
 namespace
 {
@@ -89,14 +90,34 @@ std::string Help()
   return Escape(text);
 }
 
+// Wherever the mark is.
 void Replace(std::string& text, const std::string& mark, const std::string& value)
 {
-  const std::string::size_type at = text.find(mark);
+  std::string::size_type at = text.find(mark);
   if (at == std::string::npos)
   {
     throw std::runtime_error("the template lacks " + mark);
   }
-  text.replace(at, mark.size(), value);
+  for (; at != std::string::npos; at = text.find(mark, at + value.size()))
+  {
+    text.replace(at, mark.size(), value);
+  }
+}
+
+// Which model it is that has a number, and which is the usual one.
+void NameModels(std::string& text)
+{
+  using Number = wfv::StereoNumber;
+  const std::pair<const char*, Number> numbers[] = { { "INTERPUPILLARY_DISTANCE",
+                                                       Number::InterpupillaryDistance },
+    { "POLE_FADE", Number::PoleFade }, { "IOD", Number::Iod }, { "SEPARATION", Number::Separation },
+    { "CONVERGENCE", Number::Convergence } };
+  for (const auto& [mark, number] : numbers)
+  {
+    Replace(text, "@STEREO_WITH_" + std::string(mark) + "@", Escape(wfv::StereoWith(number).Name));
+  }
+  const wfv::Projection& around = wfv::Projections().front();
+  Replace(text, "@STEREO_USUAL@", Escape(wfv::UsualStereo(around).Name));
 }
 
 void Write(const std::string& source, const std::string& output)
@@ -113,6 +134,7 @@ void Write(const std::string& source, const std::string& output)
   Replace(text, "@PROJECTION_HELP@\n", Help());
   Replace(text, "@STEREO_CHOICES@\n", StereoChoices());
   Replace(text, "@STEREO_HELP@\n", StereoHelp());
+  NameModels(text);
   std::ofstream out(output);
   out << text;
   out.close();

@@ -4,6 +4,7 @@
 #include "MeshBuilder.h"
 #include "Messages.h"
 #include "Passes.h"
+#include "StereoChoice.h"
 
 #include <vtkCamera.h>
 #include <vtkNew.h>
@@ -54,7 +55,7 @@ void Place(vtkCamera* camera, const Pose& pose, double distance)
 
 void SetStereo(vtkWideFoVCamera* camera, const wfv::StereoOptions& s)
 {
-  camera->SetStereoModel(s.Model ? s.Model->Name.c_str() : "mono");
+  camera->SetStereoModel((s.Model ? *s.Model : wfv::NoStereo()).Name.c_str());
   camera->SetInterpupillaryDistance(s.InterpupillaryDistance);
   camera->SetPoleFade(s.PoleFade[0], s.PoleFade[1]);
   camera->SetWarpedStereo(s.Iod, s.Distance, s.Offset);
@@ -177,7 +178,7 @@ void SetCamera(vtkRenderer* renderer, const Scene& scene, const Options& o)
 {
   const Pose pose = MakePose(scene, o);
   const double distance = FocalDistance(scene);
-  if (o.Screen && o.Stereo != "warped")
+  if (o.Screen && !ShowsCube(o))
   {
     const auto camera = CameraOf<vtkWideFoVScreenCamera>(renderer);
     Place(camera, pose, distance);

@@ -4,6 +4,7 @@
 #include "Messages.h"
 #include "Scenes.h"
 #include "Spread.h"
+#include "StereoChoice.h"
 
 #include <nlohmann/json.hpp>
 
@@ -101,7 +102,7 @@ std::string ListingText(const Options& options)
 std::string StatsText(const Options& options, const Scene& scene, const RenderStats& stats)
 {
   const PrimitiveCount count = CountPrimitives(scene);
-  const bool mono = options.Stereo == "mono";
+  const bool mono = !HasTwoEyes(options);
   const Json json = { { "version", WIDEFOV_VERSION },
     { "gl",
       { { "vendor", stats.Gl.Vendor }, { "renderer", stats.Gl.Renderer },

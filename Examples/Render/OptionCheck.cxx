@@ -7,6 +7,7 @@
 #include "OptionValues.h"
 #include "Scenes.h"
 #include "Sights.h"
+#include "StereoChoice.h"
 #include "StereoOptions.h"
 
 #include <algorithm>
@@ -227,8 +228,8 @@ void CheckDrawing(Options& o)
     : o.Depth == "reversed"         ? wfv::DepthMapping::Reversed
                                     : wfv::DepthMapping::Linear;
   const bool wide = wfv::FindProjection(o.Projection)->Axis != wfv::Family::Planar;
-  const bool drawn = wide ||
-    (o.ExactPerspective && wfv::FitsFrame(o.View) && o.Stereo == "mono" && o.Screens.empty());
+  const bool drawn =
+    wide || (o.ExactPerspective && wfv::FitsFrame(o.View) && !HasTwoEyes(o) && o.Screens.empty());
   const bool stock = o.Technique == Technique::CubeMap || !drawn;
   if (stock &&
     (o.DebugView || o.Overlay || o.Zenith || o.Depth != "linear" || !o.DumpShaders.empty()))
@@ -270,7 +271,7 @@ void CheckTechnique(Options& o)
 
 void CheckTiles(const Options& o)
 {
-  if (o.Tile && (o.Technique == Technique::CubeMap || (o.Stereo != "mono" && o.Layout == "split")))
+  if (o.Tile && (o.Technique == Technique::CubeMap || (HasTwoEyes(o) && o.Layout == "split")))
   {
     FailUsage("--tile goes neither with --technique cubemap nor with --layout split; leave it out");
   }

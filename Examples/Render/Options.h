@@ -7,6 +7,7 @@
 #include "Look.h"
 #include "Projections/Projection.h"
 #include "ScreensFile.h"
+#include "Stereo/Stereo.h"
 
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>
@@ -64,8 +65,8 @@ struct Options
   int Samples = 4;
   std::string Depth = "linear";
   bool DebugView = false;
-  bool Overlay = false;        // what the pass counted, as text on the picture
-  std::string Stereo = "mono"; // its numbers are in View
+  bool Overlay = false;                      // what the pass counted, as text on the picture
+  std::string Stereo = wfv::NoStereo().Name; // its numbers are in View
   std::string Layout = "anaglyph";
   std::array<int, 2> AnaglyphMask{ { 4, 3 } }; // what each eye has: 4 red, 2 green, 1 blue
   double AnaglyphSaturation = 0.65;            // 0 grey, 1 full colours

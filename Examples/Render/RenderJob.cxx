@@ -8,6 +8,7 @@
 #include "Passes.h"
 #include "Progress.h"
 #include "SkyPicture.h"
+#include "StereoChoice.h"
 #include "StereoLayout.h"
 #include "StereoOptions.h"
 #include "StripFile.h"
@@ -74,7 +75,7 @@ void Fill(Stage& stage, const Scene& scene, const Options& o)
   }
   stage.Overlay = AddOverlay(stage.Renderer, stage.WidePass, o, stage.Tiles.has_value());
   SetCamera(stage.Renderer, scene, o);
-  if (o.Stereo != "mono")
+  if (HasTwoEyes(o))
   {
     stage.StereoTypes = FindStereoLayout(o.Layout).Types;
     SetAnaglyph(stage.Window, o);

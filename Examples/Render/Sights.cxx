@@ -3,6 +3,7 @@
 
 #include "Messages.h"
 #include "OptionCheck.h"
+#include "StereoChoice.h"
 #include "StereoOptions.h"
 
 #include <algorithm>
@@ -92,7 +93,7 @@ void CompleteRoom(Options& o, const FieldsOfView& fov)
   {
     return;
   }
-  if (o.Stereo == "warped")
+  if (ShowsCube(o))
   {
     return; // the volume is behind the screen, whatever its map
   }
@@ -116,10 +117,10 @@ Sights::Sights(const Options& o)
   {
     const ScreensFile file = ReadScreens(o.Screens);
     this->Screens = file.Screens;
-    if (o.Stereo == "warped" && this->Screens.size() > 1)
+    if (ShowsCube(o) && this->Screens.size() > 1)
     {
       Fail(o.Screens + " has " + std::to_string(this->Screens.size()) +
-        " screens; the warped volume stands behind one");
+        " screens; the volume of --stereo " + o.Stereo + " stands behind one");
     }
     for (NamedScreen& screen : this->Screens)
     {
@@ -147,7 +148,7 @@ void Sights::CheckEyes(const Options& sight, std::size_t pose) const
   {
     return;
   }
-  const std::vector<wfv::Eye> eyes = sight.Stereo == "mono"
+  const std::vector<wfv::Eye> eyes = !HasTwoEyes(sight)
     ? std::vector<wfv::Eye>{ wfv::Eye::Middle }
     : std::vector<wfv::Eye>{ wfv::Eye::Left, wfv::Eye::Right };
   // a pose without a position turns the room with the head
@@ -170,7 +171,7 @@ void Sights::CheckEyes(const Options& sight, std::size_t pose) const
 // The volume behind its screen: as wide and high as it, its depth in the measure of its width.
 void Sights::PlaceVolume(Options& sight) const
 {
-  if (!sight.Screen || sight.Stereo != "warped")
+  if (!sight.Screen || !ShowsCube(sight))
   {
     return;
   }

@@ -9,6 +9,7 @@
 #include "Progress.h"
 #include "RenderStats.h"
 #include "SkyPicture.h"
+#include "StereoChoice.h"
 #include "StereoLayout.h"
 #include "StereoOptions.h"
 
@@ -52,7 +53,7 @@ private:
 // VTK's stereo types to draw with, one after the other; one for mono.
 std::size_t CountTypes(const Options& o)
 {
-  return o.Stereo == "mono" ? 1 : FindStereoLayout(o.Layout).Types.size();
+  return !HasTwoEyes(o) ? 1 : FindStereoLayout(o.Layout).Types.size();
 }
 
 SightsStage::SightsStage(const Scene& scene, const Options& o)
@@ -80,7 +81,7 @@ void SightsStage::Draw(const Options& sight, std::size_t type)
   CheckSize(sight, this->Limits);
   this->Window->SetSize(sight.Size[0], sight.Size[1]);
   SetCamera(this->Renderer, this->What, sight);
-  if (sight.Stereo != "mono")
+  if (HasTwoEyes(sight))
   {
     this->Window->SetStereoType(FindStereoLayout(sight.Layout).Types[type]);
     SetAnaglyph(this->Window, sight);

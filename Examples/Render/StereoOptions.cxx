@@ -4,6 +4,7 @@
 #include "ImageOutput.h"
 #include "Messages.h"
 #include "Sights.h"
+#include "StereoChoice.h"
 #include "StereoLayout.h"
 #include "Stereo/Stereo.h"
 
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace widefov
 {
@@ -71,10 +73,73 @@ void DepthNumber(OptionGroup& group, Options& o, const std::string& name, double
     });
 }
 
+using Number = wfv::StereoNumber;
+
+const std::pair<Number, const char*> NumberOptions[] = {
+  { Number::InterpupillaryDistance, "--ipd" }, { Number::PoleFade, "--pole-fade" },
+  { Number::Iod, "--iod" }, { Number::Distance, "--distance" }, { Number::Offset, "--offset" },
+  { Number::Separation, "--separation" }, { Number::Convergence, "--convergence" }
+};
+
+// Everything in one plane, or at one depth, has no parallax: the window's border may lie there.
+bool HasPlane(const wfv::StereoModel& model)
+{
+  return model.Has(Number::Offset) || model.Has(Number::Convergence);
+}
+
+// The options that a model has.
+std::vector<std::string> OptionsOfModel(const wfv::StereoModel& model, bool screens)
+{
+  if (screens && HasPlane(model))
+  {
+    // the rest follows from the screens
+    return model.Has(Number::Offset) ? std::vector<std::string>{ "--ipd", "--offset" }
+                                     : std::vector<std::string>{ "--ipd" };
+  }
+  std::vector<std::string> options;
+  for (const auto& [number, option] : NumberOptions)
+  {
+    if (model.Has(number))
+    {
+      options.emplace_back(option);
+    }
+  }
+  if (HasPlane(model))
+  {
+    options.emplace_back("--floating-window");
+  }
+  return options;
+}
+
+std::vector<std::string> NamesOfModels()
+{
+  std::vector<std::string> names;
+  for (const wfv::StereoModel& m : wfv::StereoModels())
+  {
+    names.push_back(m.Name);
+  }
+  return names;
+}
+
+// For help: which models an option is for.
+std::string NamesWith(Number number)
+{
+  std::vector<std::string> names;
+  for (const wfv::StereoModel& m : wfv::StereoModels())
+  {
+    if (m.Has(number))
+    {
+      names.push_back(m.Name);
+    }
+  }
+  return Join(names);
+}
+
 void DeclareFrame(OptionGroup& group, Options& o)
 {
   ModelNumber(group, o, "--floating-window", "F", o.FloatingWindow, { 0, 0.25 },
-    "offaxis, warped: width of a bar that brings the border forward, of the picture's");
+    NamesWith(Number::Convergence) + ", " + NamesWith(Number::Offset) +
+      ": width of a bar that brings the border forward, of the picture's");
   ModelNumber(group, o, "--letterbox", "F", o.Letterbox, { 0, 0.4 },
     "height of the bars above and below, of the picture's");
 }
@@ -95,36 +160,13 @@ void DeclareAnaglyph(OptionGroup& group, Options& o)
       o.StereoGiven.push_back(option);
     });
 }
-
-// The options that a model has.
-std::vector<std::string> OptionsOfModel(const std::string& model, bool screens)
-{
-  if (screens && (model == "offaxis" || model == "warped"))
-  {
-    // the rest follows from the screens
-    return model == "warped" ? std::vector<std::string>{ "--ipd", "--offset" }
-                             : std::vector<std::string>{ "--ipd" };
-  }
-  if (model == "omnidirectional")
-  {
-    return { "--ipd", "--pole-fade" };
-  }
-  if (model == "warped")
-  {
-    return { "--iod", "--distance", "--offset", "--floating-window" };
-  }
-  return model == "offaxis"
-    ? std::vector<std::string>{ "--separation", "--convergence", "--floating-window" }
-    : std::vector<std::string>{};
-}
 }
 
 void DeclareStereo(CLI::App& app, Options& o)
 {
   OptionGroup group(app, "Stereo");
   wfv::StereoOptions& s = o.View.Stereo;
-  group.Choice(
-    "--stereo", o.Stereo, { "mono", "warped", "omnidirectional", "offaxis" }, {}, "stereo model");
+  group.Choice("--stereo", o.Stereo, NamesOfModels(), {}, "stereo model");
   group.Add("--layout", "NAME", "anaglyph", "where the eyes go: " + Join(StereoLayoutNames()),
     [&o](const std::string& option, const std::string& value) {
       CheckChoice(option, value, StereoLayoutNames());
@@ -133,43 +175,45 @@ void DeclareStereo(CLI::App& app, Options& o)
     });
   DeclareAnaglyph(group, o);
   ModelNumber(group, o, "--ipd", "D", s.InterpupillaryDistance, { 0, MostLength },
-    "omnidirectional, screens: distance between the eyes, scene units");
+    NamesWith(Number::InterpupillaryDistance) +
+      ", screens: distance between the eyes, scene units");
   group.Add("--pole-fade", "A,B", "off",
-    "omnidirectional: latitudes, degrees, between which the eyes' distance fades",
+    NamesWith(Number::PoleFade) + ": latitudes, degrees, between which the eyes' distance fades",
     [&o, &s](const std::string& option, const std::string& value) {
       const std::vector<double> fade = ParseNumbers(option, value, 2, 2);
       s.PoleFade = { { fade[0], fade[1] } };
       o.StereoGiven.push_back(option);
     });
-  ModelNumber(group, o, "--iod", "D", s.Iod, { 0, 10 }, "warped: distance between the eyes, NDC");
+  ModelNumber(group, o, "--iod", "D", s.Iod, { 0, wfv::MostIod },
+    NamesWith(Number::Iod) + ": distance between the eyes, NDC");
   ModelNumber(group, o, "--distance", "D", s.Distance, { 0, MostLength },
-    "warped: of the viewer from the plane of zero parallax, NDC");
-  DepthNumber(
-    group, o, "--offset", s.Offset, { -1, 1 }, "warped: plane of zero parallax, NDC depth");
-  ModelNumber(group, o, "--separation", "F", s.Separation, { 0, 0.5 },
-    "offaxis: parallax far away, fraction of the width");
+    NamesWith(Number::Distance) + ": of the viewer from the plane of zero parallax, NDC");
+  DepthNumber(group, o, "--offset", s.Offset, { -1, 1 },
+    NamesWith(Number::Offset) + ": plane of zero parallax, NDC depth");
+  ModelNumber(group, o, "--separation", "F", s.Separation, { 0, wfv::MostSeparation },
+    NamesWith(Number::Separation) + ": parallax far away, fraction of the width");
   DepthNumber(group, o, "--convergence", s.Convergence, { 0, MostLength, true },
-    "offaxis: distance of zero parallax, scene units");
+    NamesWith(Number::Convergence) + ": distance of zero parallax, scene units");
   DeclareFrame(group, o);
 }
 
 void CompleteStereo(Options& o)
 {
-  o.View.Stereo.Model = wfv::FindStereoModel(o.Stereo);
-  std::vector<std::string> known = OptionsOfModel(o.Stereo, !o.Screens.empty());
-  if (o.Stereo != "mono")
+  o.View.Stereo.Model = &StereoOf(o);
+  std::vector<std::string> known = OptionsOfModel(*o.View.Stereo.Model, !o.Screens.empty());
+  if (HasTwoEyes(o))
   {
     known.emplace_back("--layout");
     known.emplace_back("--letterbox");
   }
-  if (o.Stereo != "mono" && o.Layout == "anaglyph")
+  if (HasTwoEyes(o) && o.Layout == "anaglyph")
   {
     known.emplace_back("--anaglyph");
     known.emplace_back("--anaglyph-saturation");
   }
   for (const std::string& given : o.StereoGiven)
   {
-    if (o.Stereo != "mono" && o.Layout != "anaglyph" && given.rfind("--anaglyph", 0) == 0)
+    if (HasTwoEyes(o) && o.Layout != "anaglyph" && given.rfind("--anaglyph", 0) == 0)
     {
       FailUsage(given + " does not go with --layout " + o.Layout + "; choose --layout anaglyph");
     }
@@ -210,7 +254,7 @@ void CheckLayout(const Options& o)
 
 void CheckStereo(const Options& o)
 {
-  if (o.Stereo == "mono")
+  if (!HasTwoEyes(o))
   {
     return;
   }
@@ -227,7 +271,7 @@ void CheckStereo(const Options& o)
 
 void CheckFiles(const Options& o)
 {
-  if (o.Stereo != "mono" && FindStereoLayout(o.Layout).InTurn)
+  if (HasTwoEyes(o) && FindStereoLayout(o.Layout).InTurn)
   {
     FailUsage("--layout " + o.Layout + " is for a window; use widefov-viewer, or another layout");
   }
@@ -235,7 +279,7 @@ void CheckFiles(const Options& o)
 
 void WarnOfNearness(const Options& o, const Scene& scene, const Vector3& eye)
 {
-  if (o.Stereo != "omnidirectional")
+  if (StereoOf(o).Traits.OneCenter)
   {
     return;
   }
@@ -292,7 +336,7 @@ std::vector<std::string> FilesOf(const Options& o, const std::string& output)
 {
   const StereoLayout& layout = FindStereoLayout(o.Layout);
   const std::string name = NameOfScreen(o, output);
-  if (o.Stereo == "mono" || !layout.Separate)
+  if (!HasTwoEyes(o) || !layout.Separate)
   {
     return { NameOfPose(o, name) };
   }
@@ -302,13 +346,12 @@ std::vector<std::string> FilesOf(const Options& o, const std::string& output)
 PanoramaInfo DescribePanorama(const Options& o)
 {
   const StereoLayout& layout = FindStereoLayout(o.Layout);
-  const bool mono = o.Stereo == "mono";
+  const bool mono = !HasTwoEyes(o);
   PanoramaInfo info;
   info.StereoMode = mono ? "" : layout.SphericalMode();
-  // of colours for glasses, of squeezed pictures, or of a volume that was warped again, viewers
-  // know nothing
-  const bool plain =
-    mono || (o.Stereo == "omnidirectional" && (layout.IsOneEye() || !info.StereoMode.empty()));
+  // of colours for glasses, of squeezed pictures, or of the cube of a map that is looked at again,
+  // viewers know nothing
+  const bool plain = mono || (!ShowsCube(o) && (layout.IsOneEye() || !info.StereoMode.empty()));
   info.Equirectangular = plain && o.Projection == "equirectangular";
   info.HorizontalFov = o.View.HorizontalFov;
   info.VerticalFov = o.View.VerticalFov;

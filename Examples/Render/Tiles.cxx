@@ -4,6 +4,7 @@
 #include "Frame.h"
 #include "Progress.h"
 #include "StereoLayout.h"
+#include "StereoChoice.h"
 
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>
@@ -64,13 +65,13 @@ bool CanBeTiled(const Options& o)
   const bool pairs = layout.Rows == 2 && layout.Half && o.Size[1] % 2 != 0;
   // its bars, and its depths, are those of the whole
   const bool whole = o.FloatingWindow == 0 && o.Letterbox == 0 && !o.ConvergeOnDepth;
-  return o.Stereo == "mono" ||
+  return !HasTwoEyes(o) ||
     (o.Layout != "split" && !pairs && !layout.MultiView && !layout.Vr180 && whole);
 }
 
 bool OneBelowTheOther(const Options& o)
 {
-  return o.Stereo != "mono" && FindStereoLayout(o.Layout).Rows == 2;
+  return HasTwoEyes(o) && FindStereoLayout(o.Layout).Rows == 2;
 }
 }
 
@@ -160,7 +161,7 @@ void DrawTiles(const TileGrid& grid, const Options& o, vtkRenderWindow* window, 
 std::array<int, 2> SizeOfFile(const Options& o)
 {
   std::array<int, 2> size = o.Size;
-  if (o.Stereo != "mono")
+  if (HasTwoEyes(o))
   {
     const StereoLayout& layout = FindStereoLayout(o.Layout);
     const auto times = [&layout](int pixels, int eyes) {

@@ -4,6 +4,7 @@
 #include "Messages.h"
 #include "OptionCheck.h"
 #include "StereoLayout.h"
+#include "StereoChoice.h"
 #include "Stereo/Stereo.h"
 
 #include <algorithm>
@@ -17,7 +18,20 @@ constexpr const char* Techniques[] = { "auto", "exact", "tessellate", "preclip",
   "cubemap" };
 constexpr int TechniqueCount = 6;
 
-const std::vector<std::string> StereoNames{ "mono", "omnidirectional", "warped", "offaxis" };
+// Behind none the usual one of a picture all round.
+std::vector<std::string> StereoNames()
+{
+  const wfv::StereoModel& usual = wfv::UsualStereo(*wfv::FindProjection("equirectangular"));
+  std::vector<std::string> names{ wfv::NoStereo().Name, usual.Name };
+  for (const wfv::StereoModel& m : wfv::StereoModels())
+  {
+    if (m.Traits.TwoEyes && &m != &usual)
+    {
+      names.push_back(m.Name);
+    }
+  }
+  return names;
+}
 
 int IndexOf(const std::string& technique)
 {
@@ -102,7 +116,7 @@ void StepProjection(Options& o, const Fields& fields, int step, bool tiled)
     {
       next.DebugView = false;
       next.Depth = "linear";
-      next.Stereo = "mono";
+      next.Stereo = wfv::NoStereo().Name;
       next.View.Stereo.Model = nullptr;
     }
     if (WhyNot(next, tiled).empty())
@@ -133,10 +147,11 @@ bool StepTechnique(Options& o, int step, bool tiled)
 
 bool StepStereo(Options& o, int step, bool tiled)
 {
-  for (int tries = 1; tries < static_cast<int>(StereoNames.size()); tries++)
+  const std::vector<std::string> names = StereoNames();
+  for (int tries = 1; tries < static_cast<int>(names.size()); tries++)
   {
     Options next = o;
-    next.Stereo = NameBehind(StereoNames, o.Stereo, step * tries);
+    next.Stereo = NameBehind(names, o.Stereo, step * tries);
     next.View.Stereo.Model = wfv::FindStereoModel(next.Stereo);
     if (WhyNot(next, tiled).empty())
     {
@@ -150,17 +165,17 @@ bool StepStereo(Options& o, int step, bool tiled)
 bool FitsWindow(const Options& options)
 {
   const StereoLayout& layout = FindStereoLayout(options.Layout);
-  return options.Stereo == "mono" || layout.Types.size() == 1 || layout.InTurn;
+  return !HasTwoEyes(options) || layout.Types.size() == 1 || layout.InTurn;
 }
 
 bool ShowsEyesInTurn(const Options& options)
 {
-  return options.Stereo != "mono" && FindStereoLayout(options.Layout).InTurn;
+  return HasTwoEyes(options) && FindStereoLayout(options.Layout).InTurn;
 }
 
 bool StepLayout(Options& o, int step)
 {
-  if (o.Stereo == "mono")
+  if (!HasTwoEyes(o))
   {
     return false;
   }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CommandText.h"
 
+#include "StereoChoice.h"
 #include "StereoOptions.h"
 
 #include <cstdio>
+#include <utility>
 
 namespace widefov
 {
@@ -90,30 +92,44 @@ std::string GlassesText(const Options& o)
         : " --anaglyph-saturation " + Exactly(o.AnaglyphSaturation));
 }
 
+// The numbers that the model has.
+std::string NumbersText(const Options& o)
+{
+  using Number = wfv::StereoNumber;
+  const wfv::StereoOptions& s = o.View.Stereo;
+  const bool fades = s.PoleFade[0] < s.PoleFade[1];
+  const std::pair<Number, std::string> all[] = { { Number::InterpupillaryDistance,
+                                                   " --ipd " + Exactly(s.InterpupillaryDistance) },
+    { Number::PoleFade,
+      fades ? " --pole-fade " + Exactly(s.PoleFade[0]) + "," + Exactly(s.PoleFade[1]) : "" },
+    { Number::Iod, " --iod " + Exactly(s.Iod) },
+    { Number::Distance, " --distance " + Exactly(s.Distance) },
+    { Number::Offset, " --offset " + Exactly(s.Offset) },
+    { Number::Separation, " --separation " + Exactly(s.Separation) },
+    { Number::Convergence, " --convergence " + Exactly(s.Convergence) } };
+  std::string text;
+  for (const auto& [number, option] : all)
+  {
+    text += StereoOf(o).Has(number) ? option : "";
+  }
+  return text;
+}
+
 std::string StereoText(const Options& o)
 {
   const wfv::StereoOptions& s = o.View.Stereo;
-  if (o.Stereo == "mono")
+  if (!HasTwoEyes(o))
   {
     return "";
   }
   const std::string text = " --stereo " + o.Stereo + " --layout " + o.Layout +
     (o.Layout == "anaglyph" ? GlassesText(o) : "");
-  if (!o.Screens.empty())
+  if (o.Screens.empty())
   {
-    return text + " --ipd " + Exactly(s.InterpupillaryDistance) +
-      (o.Stereo == "warped" ? " --offset " + Exactly(s.Offset) : "");
+    return text + NumbersText(o);
   }
-  if (o.Stereo == "omnidirectional")
-  {
-    const bool fades = s.PoleFade[0] < s.PoleFade[1];
-    return text + " --ipd " + Exactly(s.InterpupillaryDistance) +
-      (fades ? " --pole-fade " + Exactly(s.PoleFade[0]) + "," + Exactly(s.PoleFade[1]) : "");
-  }
-  return o.Stereo == "warped"
-    ? text + " --iod " + Exactly(s.Iod) + " --distance " + Exactly(s.Distance) + " --offset " +
-      Exactly(s.Offset)
-    : text + " --separation " + Exactly(s.Separation) + " --convergence " + Exactly(s.Convergence);
+  return text + " --ipd " + Exactly(s.InterpupillaryDistance) +
+    (ShowsCube(o) ? " --offset " + Exactly(s.Offset) : "");
 }
 
 std::string DrawingText(const Options& o)
@@ -139,7 +155,7 @@ namespace
 std::string ViewText(const Options& o)
 {
   std::string text;
-  if (o.Screens.empty() || o.Stereo == "warped")
+  if (o.Screens.empty() || ShowsCube(o))
   {
     text +=
       " --projection " + o.Projection + FieldOfViewText(o) + " --tilt " + Exactly(o.View.Tilt);

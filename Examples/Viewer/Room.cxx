@@ -3,6 +3,7 @@
 
 #include "MeshBuilder.h"
 #include "Messages.h"
+#include "StereoChoice.h"
 
 #include <algorithm>
 
@@ -62,7 +63,7 @@ std::optional<Vector3> RayOf(const Options& sight, double x, double y)
   const wfv::Head head = sight.Head ? sight.Head->Head : wfv::Head();
   const bool stands = sight.Screen && sight.Head && sight.Head->HasPosition;
   wfv::vec3 ray;
-  if (sight.Screen && sight.Stereo != "warped")
+  if (sight.Screen && !ShowsCube(sight))
   {
     const wfv::vec3 eye = stands ? head.Position : wfv::vec3(0);
     const wfv::ScreenSight through = wfv::LookThrough(sight.Screen->Corners, eye);

@@ -2,6 +2,7 @@
 // The room that the view is seen from, and what the pointer is on.
 #include "Choices.h"
 #include "Stereo/Stereo.h"
+#include "StereoChoice.h"
 #include "Viewer.h"
 
 #include <cmath>
@@ -47,7 +48,7 @@ Options Viewer::ForFiles() const
 Place Viewer::Pointed() const
 {
   Place place = this->At;
-  if (this->Now.Stereo != "mono" && this->Now.Layout == "split")
+  if (HasTwoEyes(this->Now) && this->Now.Layout == "split")
   {
     const double width = this->Windows.GetSize(place.Part)[0];
     const double right = 2 * place.At[0];
@@ -151,10 +152,11 @@ bool Viewer::StepScreens(Action action)
     return false;
   }
   Options next = this->Now;
-  next.Stereo = this->Now.Stereo == "mono" ? "offaxis" : "mono";
-  next.View.Stereo.Model = wfv::FindStereoModel(next.Stereo);
-  this->Message = this->Now.Stereo == "warped" ? "the warped volume stays behind its screen"
-                                               : this->Around.WhyNot(next);
+  const wfv::Projection& flat = *wfv::FindProjection("perspective");
+  next.View.Stereo.Model = HasTwoEyes(this->Now) ? &wfv::NoStereo() : &wfv::UsualStereo(flat);
+  next.Stereo = next.View.Stereo.Model->Name;
+  this->Message =
+    ShowsCube(this->Now) ? "the volume stays behind its screen" : this->Around.WhyNot(next);
   if (this->Message.empty())
   {
     this->Message = "stereo: " + next.Stereo;

@@ -7,6 +7,7 @@
 #include "Messages.h"
 #include "Passes.h"
 #include "SkyPicture.h"
+#include "StereoChoice.h"
 #include "StereoLayout.h"
 #include "StereoOptions.h"
 
@@ -109,14 +110,14 @@ void ViewerStage::Apply(const Options& o, const std::array<int, 2>& size)
   SetCamera(this->Renderer, this->What, o);
   SetCamera(this->Cross.GetRenderer(), this->What, o);
   this->InTurn = false;
-  if (o.Stereo != "mono")
+  if (HasTwoEyes(o))
   {
     const StereoLayout& layout = FindStereoLayout(o.Layout);
     this->InTurn = layout.InTurn;
     this->Window->SetStereoType(layout.InTurn ? VTK_STEREO_CRYSTAL_EYES : layout.Types.front());
     SetAnaglyph(this->Window, o);
   }
-  this->Window->SetStereoRender(o.Stereo != "mono");
+  this->Window->SetStereoRender(HasTwoEyes(o));
 }
 
 bool ViewerStage::HasRoom()

@@ -294,10 +294,16 @@ public:
    */
   bool ConvergeOnDepth(vtkRenderer* renderer);
 
-  /**
-   * Which eye the camera is now: -1 the left, 1 the right, 0 neither, where the window that last
-   * drew with it is not in stereo mode.
-   */
+  /// One of two eyes, or the place between them.
+  enum EyeType
+  {
+    LEFT_EYE = -1,
+    MIDDLE_EYE = 0,
+    RIGHT_EYE = 1
+  };
+
+  /// Which eye the camera is now, an EyeType: MIDDLE_EYE where the window that last drew with it is
+  /// not in stereo mode.
   int GetCurrentEye();
 
   /// How far the eyes of the stereo model are from the camera's position, scene units: 0 where
@@ -426,8 +432,8 @@ protected:
   virtual void GetViewpoint(double world[3]);
 
 #ifndef __VTK_WRAP__
-  // Takes the options over, or refuses them with an error where `model` says why.
-  bool SetStereoOptions(const char* model, const wfv::StereoOptions& options);
+  // Takes the options over, or refuses them with an error where this model says why.
+  bool SetStereoOptions(const wfv::StereoModel& model, const wfv::StereoOptions& options);
 
   // The stereo model, where the projection is one that it is made for; else nullptr.
   virtual const wfv::StereoModel* GetFittingModel();
@@ -438,7 +444,7 @@ protected:
 
   // For a perspective of which half the width at distance 1 is tx: where the eye is (scene
   // units to the right) and by how much its picture is shifted (NDC).
-  void GetOffAxisEye(double tx, double& position, double& shift);
+  void GetFlatEye(double tx, double& position, double& shift);
 
   void GetFrustumPlanesOfBoth(double aspect, double planes[24]);
   void FindEye(vtkRenderer* renderer);

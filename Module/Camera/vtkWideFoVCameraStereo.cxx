@@ -22,12 +22,6 @@
 
 namespace
 {
-// NDC: eyes farther apart see the cube from beside it.
-constexpr double MaxIod = 10;
-
-// Fraction of the picture's width.
-constexpr double MaxSeparation = 0.5;
-
 // NaN becomes the low end; said by a warning.
 double Clamp(vtkObject* self, const char* what, double value, double low, double high)
 {
@@ -86,7 +80,7 @@ void vtkWideFoVCamera::SetStereoModel(const char* name)
 const char* vtkWideFoVCamera::GetStereoModel()
 {
   const wfv::StereoModel* const model = this->Internal->Options.Stereo.Model;
-  return model ? model->Name.c_str() : "mono";
+  return model ? model->Name.c_str() : wfv::NoStereo().Name.c_str();
 }
 
 int vtkWideFoVCamera::GetNumberOfStereoModels()
@@ -100,13 +94,13 @@ const char* vtkWideFoVCamera::GetStereoModelName(int index)
   return known ? wfv::StereoModels()[index].Name.c_str() : nullptr;
 }
 
-bool vtkWideFoVCamera::SetStereoOptions(const char* model, const wfv::StereoOptions& options)
+bool vtkWideFoVCamera::SetStereoOptions(
+  const wfv::StereoModel& model, const wfv::StereoOptions& options)
 {
   // of a projection that the model is for: the options alone are asked about
-  const bool flat = std::string(model) == "offaxis";
   const wfv::Projection* const fitting =
-    wfv::FindProjection(flat ? "perspective" : "equirectangular");
-  const std::string problem = wfv::FindStereoModel(model)->Check(options, *fitting);
+    wfv::FindProjection(model.Traits.Flat ? "perspective" : "equirectangular");
+  const std::string problem = model.Check(options, *fitting);
   if (!problem.empty())
   {
     vtkErrorMacro(<< problem << "; it is unchanged");
@@ -137,7 +131,7 @@ void vtkWideFoVCamera::SetPoleFade(double start, double end)
 {
   wfv::StereoOptions options = this->Internal->Options.Stereo;
   options.PoleFade = { { start, end } };
-  this->SetStereoOptions("omnidirectional", options);
+  this->SetStereoOptions(wfv::StereoWith(wfv::StereoNumber::PoleFade), options);
 }
 
 void vtkWideFoVCamera::GetPoleFade(double latitudes[2])
@@ -148,17 +142,17 @@ void vtkWideFoVCamera::GetPoleFade(double latitudes[2])
 void vtkWideFoVCamera::SetWarpedStereo(double iod, double distance, double offset)
 {
   wfv::StereoOptions options = this->Internal->Options.Stereo;
-  options.Iod = Clamp(this, "The iod of warped stereo", iod, 0, MaxIod);
+  options.Iod = Clamp(this, "The iod", iod, 0, wfv::MostIod);
   options.Distance = distance;
-  options.Offset = Clamp(this, "The offset of warped stereo", offset, -1, 1);
-  this->SetStereoOptions("warped", options);
+  options.Offset = Clamp(this, "The offset", offset, -1, 1);
+  this->SetStereoOptions(wfv::StereoWith(wfv::StereoNumber::Iod), options);
 }
 
 void vtkWideFoVCamera::SetWarpedViewer(double x, double y)
 {
   wfv::StereoOptions options = this->Internal->Options.Stereo;
   options.Viewer = { { x, y } };
-  this->SetStereoOptions("warped", options);
+  this->SetStereoOptions(wfv::StereoWith(wfv::StereoNumber::Viewer), options);
 }
 
 void vtkWideFoVCamera::GetWarpedStereo(double values[3])
@@ -172,8 +166,8 @@ void vtkWideFoVCamera::GetWarpedStereo(double values[3])
 void vtkWideFoVCamera::SetSeparation(double fraction)
 {
   wfv::StereoOptions options = this->Internal->Options.Stereo;
-  options.Separation = Clamp(this, "The separation", fraction, 0, MaxSeparation);
-  this->SetStereoOptions("offaxis", options);
+  options.Separation = Clamp(this, "The separation", fraction, 0, wfv::MostSeparation);
+  this->SetStereoOptions(wfv::StereoWith(wfv::StereoNumber::Separation), options);
 }
 
 double vtkWideFoVCamera::GetSeparation()
@@ -185,7 +179,7 @@ void vtkWideFoVCamera::SetConvergence(double distance)
 {
   wfv::StereoOptions options = this->Internal->Options.Stereo;
   options.Convergence = distance;
-  this->SetStereoOptions("offaxis", options);
+  this->SetStereoOptions(wfv::StereoWith(wfv::StereoNumber::Convergence), options);
 }
 
 double vtkWideFoVCamera::GetConvergence()
@@ -196,7 +190,7 @@ double vtkWideFoVCamera::GetConvergence()
 double vtkWideFoVCamera::GetParallax(double distance)
 {
   const wfv::StereoOptions& o = this->Internal->Options.Stereo;
-  return distance > 0 ? wfv::OffAxisParallax(o.Separation, o.Convergence, distance) : 0;
+  return distance > 0 ? wfv::Parallax(o.Separation, o.Convergence, distance) : 0;
 }
 
 void vtkWideFoVCamera::GetDepthBudget(double range[2])
@@ -220,7 +214,12 @@ double vtkWideFoVCamera::GetLargestSeparation(double screenWidth, double eyeDist
 bool vtkWideFoVCamera::ConvergeOnDepth(vtkRenderer* renderer)
 {
   const wfv::StereoModel* const model = this->GetFittingModel();
-  if (!renderer || !renderer->GetRenderWindow() || !model || model->OwnRays)
+  if (!renderer || !renderer->GetRenderWindow() || !model)
+  {
+    return false;
+  }
+  const bool depth = model->Has(wfv::StereoNumber::Offset);
+  if (!depth && !model->Has(wfv::StereoNumber::Convergence))
   {
     return false;
   }
@@ -229,7 +228,7 @@ bool vtkWideFoVCamera::ConvergeOnDepth(vtkRenderer* renderer)
   {
     return false;
   }
-  if (!model->Straight)
+  if (depth)
   {
     const wfv::StereoOptions& o = this->Internal->Options.Stereo;
     this->SetWarpedStereo(o.Iod, o.Distance, wfv::Quantile(seen, 0.5));
@@ -247,7 +246,7 @@ bool vtkWideFoVCamera::ConvergeOnDepth(vtkRenderer* renderer)
 
 int vtkWideFoVCamera::GetCurrentEye()
 {
-  return this->Stereo ? (this->LeftEye ? -1 : 1) : 0;
+  return this->Stereo ? (this->LeftEye ? LEFT_EYE : RIGHT_EYE) : MIDDLE_EYE;
 }
 
 void vtkWideFoVCamera::FindEye(vtkRenderer* renderer)
@@ -265,13 +264,14 @@ const wfv::StereoModel* vtkWideFoVCamera::GetFittingModel()
 {
   const wfv::StereoOptions& options = this->Internal->Options.Stereo;
   const bool fits = options.Model && options.Model->Check(options, *this->Definition).empty();
-  return fits && options.Model->Name != "mono" ? options.Model : nullptr;
+  return fits && options.Model->Traits.TwoEyes ? options.Model : nullptr;
 }
 
-void vtkWideFoVCamera::GetOffAxisEye(double tx, double& position, double& shift)
+void vtkWideFoVCamera::GetFlatEye(double tx, double& position, double& shift)
 {
   const wfv::StereoOptions& options = this->Internal->Options.Stereo;
-  shift = this->GetFittingModel() ? this->GetCurrentEye() * options.Separation : 0;
+  const auto eye = static_cast<wfv::Eye>(this->GetCurrentEye());
+  shift = this->GetFittingModel() ? wfv::SideOf(eye) * options.Separation : 0;
   position = shift * options.Convergence * tx;
 }
 
@@ -289,7 +289,7 @@ double vtkWideFoVCamera::GetEyeReach()
 {
   const wfv::StereoModel* const model = this->GetFittingModel();
   const wfv::StereoOptions& o = this->Internal->Options.Stereo;
-  if (model && model->OwnRays)
+  if (model && !model->Traits.OneCenter)
   {
     return 0.5 * o.InterpupillaryDistance;
   }

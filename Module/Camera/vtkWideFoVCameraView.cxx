@@ -360,7 +360,7 @@ void vtkWideFoVCamera::ComputeProjectionTransform(double aspect, double nearz, d
   }
   double eye;
   double shift;
-  this->GetOffAxisEye(tx, eye, shift);
+  this->GetFlatEye(tx, eye, shift);
   const wfv::vec2 center = o.Center + wfv::vec2(shift, 0);
   this->ProjectionTransform->Frustum(-n * tx * (1 + center.x), n * tx * (1 - center.x),
     -n * ty * (1 + center.y), n * ty * (1 - center.y), n, o.Radii[1]);

@@ -181,7 +181,7 @@ void vtkWideFoVScreenCamera::SetInterpupillaryDistance(double distance)
 
 double vtkWideFoVScreenCamera::GetEyeReach()
 {
-  return this->GetCurrentEye() != 0 ? 0.5 * this->GetInterpupillaryDistance() : 0;
+  return this->GetCurrentEye() != MIDDLE_EYE ? 0.5 * this->GetInterpupillaryDistance() : 0;
 }
 
 double vtkWideFoVScreenCamera::GetScreenDistance()

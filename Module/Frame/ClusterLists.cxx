@@ -4,6 +4,7 @@
 
 #include "Frame/Stages.h"
 #include "Frame/vtkWideFoVStage.h"
+#include "Shaders/Limits.h"
 
 #include "vtkActor.h"
 #include "vtkCellArray.h"
@@ -69,9 +70,9 @@ namespace wfv
 {
 namespace
 {
-// Of a code.
+// Of a code; above them are the chords (common/limits.glsl).
 constexpr int KindBits = 2;
-constexpr int EdgeBits = 5;
+static_assert(Classifier::MostChords < 1 << WFV_CHORD_BITS, "so many chords have too few bits");
 
 ClusterDraw::Kind KindOf(DrawClass class_, bool several = false)
 {
@@ -97,7 +98,7 @@ unsigned int CodeOf(const Classifier::Triangle& triangle)
   int code = KindOf(triangle.Class, std::max({ n[0], n[1], n[2] }) > 1);
   for (int i = 0; i < 3; i++)
   {
-    code |= triangle.Chords[i] << (KindBits + EdgeBits * i);
+    code |= wfvCodeOfChords(i, triangle.Chords[i]) << KindBits;
   }
   return static_cast<unsigned int>(code);
 }

@@ -83,7 +83,7 @@ void wfv::Stages::Begin(
   this->Projection = &view.GetProjection();
   const wfv::StereoModel* const stereo = view.GetStereoModel();
   this->Stereo = stereo;
-  this->ByPixels = stereo && (stereo->OwnRays || !stereo->Straight);
+  this->ByPixels = stereo && !(stereo->Traits.OneCenter && stereo->Traits.StraightRays);
   this->Tolerance = tolerance;
   const int* const drawn = renderer->GetSize();
   const int size[2] = { this->Enlargement * drawn[0], this->Enlargement * drawn[1] };
@@ -121,7 +121,7 @@ void wfv::Stages::Instruct(vtkWideFoVStage* stage)
   stage->SetByRays(automatic || this->Technique == wfv::TechniqueTessellate);
   stage->SetWhole(this->IsExact() && stage != this->ExactInSingle);
   stage->SetMeetsChords(automatic && AllowsChords(this->Tolerance));
-  stage->SetExactLines(automatic && (!this->Stereo || this->Stereo->Straight));
+  stage->SetExactLines(automatic && (!this->Stereo || this->Stereo->Traits.StraightRays));
 }
 
 void wfv::Stages::SetDebugView(bool debugView)

@@ -107,8 +107,8 @@ void wfv::Stages::SetEyes(vtkWideFoVCamera* camera, const wfv::StereoModel* ster
 {
   this->Eye = wfv::FindWorldEye(this->WorldToView);
   // seen from a place so near the origin, a box is one that is so much larger, seen from it
-  this->Reach = stereo && stereo->OwnRays ? camera->GetEyeReach() : 0;
-  if (!stereo || stereo->Straight)
+  this->Reach = stereo && !stereo->Traits.OneCenter ? camera->GetEyeReach() : 0;
+  if (!stereo || stereo->Traits.StraightRays)
   {
     return;
   }
@@ -117,7 +117,7 @@ void wfv::Stages::SetEyes(vtkWideFoVCamera* camera, const wfv::StereoModel* ster
   for (int i = 0; i < 8; i++)
   {
     wfv::WfvView v = this->View;
-    v.stereo.x *= i & 1 ? -1 : 1;
+    v.eye = i & 1 ? wfv::OtherEye(v.eye) : v.eye;
     const wfv::vec2 place = stereo->Unshift(i & 2 ? part.High : part.Low, i & 4 ? 1.0 : -1.0, v);
     this->Part.Low = glm::min(this->Part.Low, place);
     this->Part.High = glm::max(this->Part.High, place);
@@ -170,7 +170,7 @@ wfv::Box wfv::Stages::GetBox(const double b[6]) const
 
 wfv::Pictures wfv::Stages::GetPictures(const double* b) const
 {
-  const bool straight = !this->Stereo || this->Stereo->Straight;
+  const bool straight = !this->Stereo || this->Stereo->Traits.StraightRays;
   if (b && vtkMath::AreBoundsInitialized(b) && straight)
   {
     const wfv::Box box = this->GetBox(b);
@@ -244,12 +244,13 @@ bool wfv::Stages::GetClassifierView(
   }
   view.Map = this->Projection;
   view.View = this->View;
-  view.View.stereo.x = std::abs(this->View.stereo.x); // the same for both eyes
+  view.View.eye = wfv::WFV_EYE_MIDDLE; // the same for both eyes
   view.Part = this->Part;
   view.Culls = this->Culling;
   view.Reach = this->Reach;
-  const bool own = this->Stereo && this->Stereo->OwnRays && !this->Stereo->Fades(this->View);
-  view.EyeRadius = own ? std::abs(this->View.stereo.x) : 0;
+  const bool own =
+    this->Stereo && !this->Stereo->Traits.OneCenter && !this->Stereo->Fades(this->View);
+  view.EyeRadius = own ? wfv::wfvFromMiddle(this->View) : 0;
   // what shines through would be twice where two ways of drawing meet, and is mixed in its own
   // order
   const bool projects = this->Technique == wfv::TechniqueAuto && AllowsChords(this->Tolerance) &&

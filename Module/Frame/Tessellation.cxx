@@ -4,6 +4,7 @@
 #include "Compat/Driver.h"
 #include "Compat/Gl.h"
 #include "Frame/RefusedShaders.h"
+#include "Shaders/Limits.h"
 #include "WideFoVGlsl.h"
 
 #include "vtkShader.h"
@@ -16,9 +17,6 @@
 namespace
 {
 using Request = wfv::ShaderBuilder::Request;
-
-// As in tess_control.glsl.
-constexpr int MaxLevel = 64;
 
 // Small draws, where a driver needs them: few patches, or for meshes of many triangles, which are
 // small as a rule, more patches of fewer pieces (past that they go exact). n pieces an edge have
@@ -89,7 +87,7 @@ std::string wfv::Tessellation::FindObstacle()
   }
   GLint level = 0;
   glGetIntegerv(GL_MAX_TESS_GEN_LEVEL, &level);
-  return level >= MaxLevel
+  return level >= wfv::WFV_MOST_PIECES
     ? ""
     : "this OpenGL cuts an edge in " + std::to_string(level) + " at most, not in 64";
 }
@@ -174,7 +172,8 @@ void wfv::Tessellation::Draw(
   const bool small = wfv::NeedsSmallPatchDraws();
   const bool few = indices <= 3 * SmallMesh;
   const int most = !small ? indices : 3 * (few ? FewPatches : ManyPatches);
-  program->SetUniformf("wfvMaxLevel", static_cast<float>(small && !few ? LessLevel : MaxLevel));
+  program->SetUniformf(
+    "wfvMaxLevel", static_cast<float>(small && !few ? LessLevel : wfv::WFV_MOST_PIECES));
   glPatchParameteri(GL_PATCH_VERTICES, 3);
   for (int first = 0; first < indices; first += most)
   {

@@ -171,10 +171,11 @@ vtkMTimeType vtkWideFoVStage::GetShaderStageMTime()
 
 namespace
 {
-bool WarnOfBodies()
+bool WarnOfBodies(const std::string& model)
 {
   vtkGenericWarningMacro(<< "balls, sticks, tubes and splats are drawn without parallax by the "
-                            "stereo model warped; draw them as surfaces");
+                            "stereo model "
+                         << model << "; draw them as surfaces");
   return true;
 }
 }
@@ -194,7 +195,7 @@ void vtkWideFoVStage::FinishTriangles(wfv::ShaderBuilder::Request& request) cons
   request.Headlights = this->Headlights;
   request.Lights = &this->Lights.GetConstants();
   request.Fades = this->Fades;
-  const bool straight = !this->Stereo || this->Stereo->Straight;
+  const bool straight = !this->Stereo || this->Stereo->Traits.StraightRays;
   if (request.Kind == wfv::ShaderBuilder::Primitive::Lines && !straight &&
     request.Stage == wfv::ShaderBuilder::Variant::Exact)
   {
@@ -202,7 +203,7 @@ void vtkWideFoVStage::FinishTriangles(wfv::ShaderBuilder::Request& request) cons
   }
   if (!straight && wfv::quadric::Draws(request.Kind))
   {
-    static const bool said = WarnOfBodies();
+    static const bool said = WarnOfBodies(this->Stereo->Name);
     (void)said;
   }
   if (request.Kind != wfv::ShaderBuilder::Primitive::Triangles)
@@ -215,7 +216,8 @@ void vtkWideFoVStage::FinishTriangles(wfv::ShaderBuilder::Request& request) cons
   request.Runs = upright ? this->Runs : 1;
   // how far edges are is asked of float32 alone
   request.Whole = this->IsWhole() && !request.Edges && !this->DebugView;
-  if ((!straight || (this->Stereo && this->Stereo->OwnRays)) && !IsProjected(request.Stage))
+  if ((!straight || (this->Stereo && !this->Stereo->Traits.OneCenter)) &&
+    !IsProjected(request.Stage))
   {
     // their edges are no great circles, which is what chords are chosen by
     request.Stage = wfv::ShaderBuilder::Variant::Exact;
@@ -225,7 +227,8 @@ void vtkWideFoVStage::FinishTriangles(wfv::ShaderBuilder::Request& request) cons
 bool vtkWideFoVStage::HasWholeRays() const
 {
   const bool exact = this->Variant == wfv::ShaderBuilder::Variant::Exact;
-  const bool moved = this->Stereo && (this->Stereo->OwnRays || !this->Stereo->Straight);
+  const bool moved =
+    this->Stereo && (!this->Stereo->Traits.OneCenter || !this->Stereo->Traits.StraightRays);
   return exact && !moved && !this->Multisample && this->Projection->Axis != wfv::Family::Planar;
 }
 

@@ -11,6 +11,7 @@
 #include "Frame/Stages.h"
 #include "Frame/Tessellation.h"
 #include "Projections/Bounds/Bend.h"
+#include "Shaders/Limits.h"
 
 #include "vtkActor.h"
 #include "vtkOpenGLPolyDataMapper.h"
@@ -24,14 +25,12 @@
 
 namespace
 {
-constexpr int MaxSamples = 16; // as in ray_fragment.glsl
-
 // Samples of a pixel of the framebuffer that is bound.
 int CountSamples()
 {
   int samples = 0;
   glGetIntegerv(GL_SAMPLES, &samples);
-  return glIsEnabled(GL_MULTISAMPLE) ? std::min(samples, MaxSamples) : 0;
+  return glIsEnabled(GL_MULTISAMPLE) ? std::min(samples, wfv::WFV_MOST_SAMPLES) : 0;
 }
 
 // The uniform wfvView.
@@ -52,6 +51,8 @@ void SetViewParameters(vtkShaderProgram* program, const wfv::WfvView& v)
   const float stereo[4] = { static_cast<float>(v.stereo.x), static_cast<float>(v.stereo.y),
     static_cast<float>(v.stereo.z), static_cast<float>(v.stereo.w) };
   program->SetUniform4f("wfvView.stereo", stereo);
+  program->SetUniformi("wfvView.eye", v.eye);
+  program->SetUniformf("wfvView.halfEyes", static_cast<float>(v.halfEyes));
   program->SetUniformf("wfvView.lens5", static_cast<float>(v.lens5));
   program->SetUniformf("wfvView.maxAngle", static_cast<float>(v.maxAngle));
   program->SetUniformf("wfvView.bend", static_cast<float>(v.bend));
@@ -203,7 +204,7 @@ void vtkWideFoVStage::SetPropParameters(vtkShaderProgram* program, vtkAbstractMa
 void vtkWideFoVStage::SetSampleParameters(vtkShaderProgram* program)
 {
   const int samples = CountSamples();
-  float offsets[MaxSamples][2];
+  float offsets[wfv::WFV_MOST_SAMPLES][2];
   for (int i = 0; i < samples; i++)
   {
     glGetMultisamplefv(GL_SAMPLE_POSITION, i, offsets[i]);

@@ -21,13 +21,9 @@ constexpr double TornSteps = 2;
 // Radians: a longer step with no other in line is a tear.
 constexpr double LonelyStep = 0.35;
 
-// Calm: how much of a step, at most, it may differ from the one before.
-constexpr double CalmChange = 0.05;
-
 // The corners of a pixel are half its steps away, and these are not quite the same on its
-// sides; any angle of these sizes over its chord.
+// sides.
 constexpr double RadiusSafety = 1.3;
-constexpr double AngleOfChord = 1.05;
 
 // Pixels from the centre: where the edge of a pixel is looked at.
 constexpr double JustInside = 0.4999;
@@ -149,7 +145,7 @@ double RadiusOf(const DirectionMap& map, int x, int y)
       chord = std::max(chord, glm::length(wfvRayOfPixel(at, view).direction - d));
     }
   }
-  return RadiusSafety * AngleOfChord * chord;
+  return RadiusSafety * WFV_CAP_ANGLE * chord;
 }
 }
 
@@ -210,7 +206,7 @@ void DirectionMap::MarkPixels()
   const Steps right(this->Directions, w, this->Height, 1);
   const Steps up(this->Directions, w, this->Height, 0);
   const auto bend = [](double a, double b) {
-    return a < 0 || b < 0 || std::abs(a - b) > CalmChange * std::min(a, b);
+    return a < 0 || b < 0 || std::abs(a - b) > WFV_CALM_CHANGE * std::min(a, b);
   };
   const auto square = [&](int x, int y) {
     return right.Hangs(x, y) && up.Hangs(x, y) && right.Hangs(x, y + 1) && up.Hangs(x + 1, y);
@@ -224,7 +220,7 @@ void DirectionMap::MarkPixels()
       for (const Steps* const steps : { &right, &up })
       {
         const double length = steps->Hangs(x, y) ? steps->At(x, y) : 0;
-        this->LongestStep = std::max(this->LongestStep, AngleOfChord * length);
+        this->LongestStep = std::max(this->LongestStep, WFV_CAP_ANGLE * length);
       }
       bits |= right.Hangs(x, y) ? WFV_PIXEL_RIGHT : 0;
       bits |= right.Hangs(x - 1, y) ? WFV_PIXEL_LEFT : 0;

@@ -198,15 +198,19 @@ View::View(const Projection& projection, const ViewOptions& o)
   v.scale = vec2(1, 1);
   v.scale = Scale(projection, o, v);
   v.bend = Bend(projection, v);
-  v.stereo = this->Stereo ? this->Stereo->Parameters(o.Stereo, v) : vec4(0);
+  v.eye = static_cast<int>(o.Stereo.Eye);
+  const StereoParameters both =
+    this->Stereo ? this->Stereo->Parameters(o.Stereo, v) : StereoParameters();
+  v.halfEyes = both.HalfEyes;
+  v.stereo = both.Others;
 }
 
 namespace
 {
-// The object that a warped volume is ends with the window; other pictures go on beyond it.
+// The cube ends with the window; other pictures go on beyond it.
 bool InCube(const StereoModel* model, const vec2& place)
 {
-  return !model || model->Straight || (std::abs(place.x) <= 1 && std::abs(place.y) <= 1);
+  return !model || model->Traits.StraightRays || (std::abs(place.x) <= 1 && std::abs(place.y) <= 1);
 }
 }
 
@@ -237,8 +241,8 @@ NdcPoint View::Forward(vec3 point) const
 
 ViewRay View::Ray(vec2 ndc) const
 {
-  // where a model has no plane of zero parallax, the depth does not matter
-  return this->RayAt(vec3(ndc.x, ndc.y, this->Parameters.stereo.z));
+  const WfvView& v = this->Parameters;
+  return this->RayAt(vec3(ndc.x, ndc.y, this->Stereo ? this->Stereo->DepthWithoutParallax(v) : 0));
 }
 
 ViewRay View::RayAt(vec3 ndc) const

@@ -160,7 +160,7 @@ public:
   // What it was made with.
   const Projection& GetProjection() const { return *this->Map; }
 
-  // nullptr: mono.
+  // nullptr: no stereo.
   const StereoModel* GetStereoModel() const { return this->Stereo; }
 
   // The numbers that the functions of the projection are called with.

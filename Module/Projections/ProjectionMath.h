@@ -59,7 +59,7 @@ inline double wfvCbrt(double x)
   return std::cbrt(x);
 }
 
-// Newton steps of an inverse at the most: enough for double from any bracket.
+// Newton steps of an inverse at the most (glsl_math.glsl): enough for double from any bracket.
 constexpr int WFV_NEWTON_STEPS = 64;
 
 // The step after which the next result is double's last (glsl_math.glsl).

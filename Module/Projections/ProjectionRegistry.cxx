@@ -152,15 +152,6 @@ namespace
 // Largest field of view of the perspective, degrees: beyond, float32 tells no tangents apart.
 constexpr double MaxPerspective = 179;
 
-// Twice the latitude where Mercator's map is a square and web maps end, degrees: atan(sinh(pi)).
-constexpr double MaxMercator = 170.1022575596132;
-
-// Largest fields of view of maps that reach infinity, degrees: as the files say.
-constexpr double MaxCentral = 150;       // 2 * 75
-constexpr double MaxPanini = 320;        // 2 * 160
-constexpr double MaxStereographic = 320; // 2 * 160
-constexpr double MaxGnomonic = 160;      // 2 * 80
-
 const char* const PolesAtInfinity = "its poles are infinitely far away";
 
 // A projection before its family's and its own traits: the functions of one of the
@@ -232,15 +223,15 @@ Projection Fisheye(Projection p)
 Projection Panini(Projection p)
 {
   p = Curved(p, true);
-  p.MaxHorizontalFov = MaxPanini;
-  p.MaxVerticalFov = MaxCentral;
+  p.MaxHorizontalFov = panini::WFV_MOST_WIDTH;
+  p.MaxVerticalFov = panini::WFV_MOST_HEIGHT;
   p.Limit = "what is beyond is drawn towards infinity";
   return p;
 }
 
 Projection Stereographic(Projection p)
 {
-  p = Round(p, MaxStereographic);
+  p = Round(p, stereographic::WFV_MOST_FOV);
   p.Limit = "the antipode is infinitely far away";
   return p;
 }
@@ -255,7 +246,7 @@ Projection Orthographic(Projection p)
 
 Projection Gnomonic(Projection p)
 {
-  p = Round(p, MaxGnomonic);
+  p = Round(p, gnomonic::WFV_MOST_FOV);
   p.Limit = "what is 90 degrees off the axis is infinitely far away";
   return p;
 }
@@ -289,10 +280,10 @@ std::vector<Projection> CylindricalOnes()
       miller_glsl, cylindrical_glsl, meridian_glsl)),
     Cylindrical(WFV_PROJECTION(mercator, "mercator", "Mercator", "conformal, straight-meridians",
                   mercator_glsl, cylindrical_glsl, meridian_glsl),
-      MaxMercator),
+      mercator::WFV_MOST_HEIGHT),
     Cylindrical(WFV_PROJECTION(central_cylindrical, "central-cylindrical", "Central cylindrical",
                   "straight-meridians", central_cylindrical_glsl, cylindrical_glsl, meridian_glsl),
-      MaxCentral),
+      central_cylindrical::WFV_MOST_HEIGHT),
     Panini(WFV_PROJECTION(panini, "panini", "Panini", "straight-meridians, straight-radials",
       panini_glsl, meridian_glsl)),
   };

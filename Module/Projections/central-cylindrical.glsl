@@ -5,6 +5,7 @@
 // infinitely far away. Discontinuity: the meridian lambda = +-pi.
 
 const float WFV_TOP = 3.7320508075688773;
+const float WFV_MOST_HEIGHT = 150.0; // degrees
 
 // Whether y is the latitude itself.
 const bool WFV_EVEN_LATITUDES = false;

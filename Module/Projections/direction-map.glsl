@@ -271,10 +271,14 @@ WFV_FN WfvPlaces wfvApart(WfvPlaces places)
   return result;
 }
 
-// Among calm pixels a step differs from the next by so much of it at the most
-// (DirectionMap.cxx), so a straight edge of n pixels bends by no more than an eighth of this
-// times n squared; twice that.
-const float WFV_CLOSE_BEND = 0.25 * 0.05;
+// Among calm pixels a step differs from the next by so much of it at the most, so a straight edge of n
+// pixels bends by no more than an eighth of this times n squared; twice that.
+const float WFV_CALM_CHANGE = 0.05;
+const float WFV_CLOSE_BEND = 0.25 * WFV_CALM_CHANGE;
+
+// The largest chord for which the angle over it is at most so many chords.
+const float WFV_CAP_CHORD = 1.0;
+const float WFV_CAP_ANGLE = 1.05;
 
 // Pixels that an edge reaches beyond its ends, for the kinks between pixels.
 const float WFV_EDGE_KINKS = 2.0;

@@ -3,6 +3,7 @@
 // all round maps are. Straight lines stay straight. Source: Snyder, Map Projections: A Working Manual
 // (1987), chapter 22. Domain: up to 80 degrees from the axis; at 90 the map is infinitely far away.
 
+const float WFV_MOST_FOV = 160.0; // degrees
 const float WFV_GNOMONIC_END = 1.3962634015954636;   // 80 degrees
 const float WFV_GNOMONIC_RIM = 5.6712818196177066;   // tan(80 degrees)
 const float WFV_GNOMONIC_SLOPE = 33.163437477526330; // its first derivative

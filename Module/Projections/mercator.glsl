@@ -6,6 +6,7 @@
 // Discontinuity: the meridian lambda = +-pi.
 
 const float WFV_TOP = WFV_PI;
+const float WFV_MOST_HEIGHT = 170.1022575596132; // degrees: twice atan(sinh(pi))
 
 // Whether y is the latitude itself.
 const bool WFV_EVEN_LATITUDES = false;

@@ -6,6 +6,8 @@
 // Domain: longitudes up to 160 and latitudes up to 75 degrees: the meridian behind the eye
 // and the poles are infinitely far away.
 
+const float WFV_MOST_WIDTH = 320.0;  // degrees
+const float WFV_MOST_HEIGHT = 150.0; // degrees
 const float WFV_PANINI_SIDE = 5.6712818196177094; // tan(80 degrees), half of x
 const float WFV_PANINI_TOP = 3.7320508075688773;  // tan(75 degrees)
 

@@ -3,6 +3,7 @@
 // Projections: A Working Manual (1987), chapter 21. Domain: up to 160 degrees from the
 // axis; the antipode +z is infinitely far away.
 
+const float WFV_MOST_FOV = 320.0; // degrees
 const float WFV_STEREOGRAPHIC_END = 2.7925268031909272;   // 160 degrees
 const float WFV_STEREOGRAPHIC_RIM = 11.342563639235415;   // 2 tan(80 degrees)
 const float WFV_STEREOGRAPHIC_SLOPE = 33.163437477526331; // 1 / cos^2(80 degrees)

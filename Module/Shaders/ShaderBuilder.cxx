@@ -103,8 +103,8 @@ std::string CutSource(const std::vector<Varying>& varyings)
 // True where an eye whose rays begin in several places is served by moving the vertices.
 bool MovesVertices(const Request& r)
 {
-  return r.Stereo && r.Stereo->OwnRays && !CoversTriangles(r) && !wfv::quadric::Draws(r.Kind) &&
-    !wfv::line::Draws(r);
+  return r.Stereo && !r.Stereo->Traits.OneCenter && !CoversTriangles(r) &&
+    !wfv::quadric::Draws(r.Kind) && !wfv::line::Draws(r);
 }
 
 // What follows from the ray and the distance, where triangles are covered whatever their edges.
@@ -152,9 +152,9 @@ std::string PrimitiveSource(const Request& r, const std::vector<Varying>& varyin
   // exact wherever the geometry stage cuts
   return InvocationsSource(r, varyings, KnownOf(r)) + CornerOutputs(varyings, 3, KnownOf(r)) +
     preclip_emit_glsl + preclip_planes_glsl +
-    (OwnRays(r)     ? own_rays_glsl
-        : Warped(r) ? warped_cover_glsl
-                    : "") +
+    (OwnRays(r)         ? own_rays_glsl
+        : CurvedRays(r) ? curved_cover_glsl
+                        : "") +
     preclip_cover_glsl + preclip_narrow_glsl + CoverSource(*r.Projection) +
     (r.DebugView ? preclip_kinds_glsl : "") + (r.MeetsChords ? edge_chords_glsl : "") +
     preclip_triangles_glsl;
@@ -225,8 +225,8 @@ std::string CoverFragment(
   }
   RewriteFlatNormal(r, fragment);
   return ray_fragment_glsl + (r.Whole ? WholeSource(*r.Projection) : "") + cover_fragment_glsl +
-    (Warped(r) ? std::string(warped_ray_glsl) + warped_fragment_glsl : "") + chord_fragment_glsl +
-    order_fragment_glsl + (r.Whole ? fine_depth_glsl : "") +
+    (CurvedRays(r) ? std::string(curved_ray_glsl) + curved_fragment_glsl : "") +
+    chord_fragment_glsl + order_fragment_glsl + (r.Whole ? fine_depth_glsl : "") +
     (r.Edges || r.DebugView ? edge_distance_glsl : "") +
     CornerInputs(varyings, { "wfvB.x", "wfvB.y", "wfvB.z" }, KnownOf(r));
 }
@@ -251,11 +251,11 @@ bool EndsAtSeam(const Request& r)
     !r.Projection->StraightSeam;
 }
 
-// Where the map ends; empty where nothing reaches across. Of a warped volume the border is
+// Where the map ends; empty where nothing reaches across. Of curved rays the border is
 // elsewhere at every depth.
 std::string BorderSource(const Request& r)
 {
-  const bool straight = !r.Stereo || r.Stereo->Straight;
+  const bool straight = !r.Stereo || r.Stereo->Traits.StraightRays;
   if (straight && r.Projection->Axis == wfv::Family::Azimuthal)
   {
     return domain_fragment_glsl;

@@ -51,7 +51,7 @@ public:
   struct Request
   {
     const wfv::Projection* Projection = nullptr;
-    const wfv::StereoModel* Stereo = nullptr; // none: mono
+    const wfv::StereoModel* Stereo = nullptr; // none: no stereo
     Variant Stage = Variant::Plain;
     Primitive Kind = Primitive::Triangles;
     bool WidePoints = false;    // points wider than a pixel

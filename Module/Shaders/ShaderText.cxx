@@ -13,13 +13,6 @@ namespace wfv
 {
 namespace shader
 {
-namespace
-{
-// Newton steps of the lens inverse in float32: from half the range, quadratic
-// convergence reaches float32's end in fewer.
-constexpr int NewtonSteps = 12;
-}
-
 int Varying::Components() const
 {
   const char last = this->Type.back();
@@ -89,17 +82,17 @@ bool AllCovered(const Request& r)
 
 bool OwnRays(const Request& r)
 {
-  return r.Stereo && r.Stereo->OwnRays && (AllCovered(r) || line::Draws(r));
+  return r.Stereo && !r.Stereo->Traits.OneCenter && (AllCovered(r) || line::Draws(r));
 }
 
 bool OwnBodies(const Request& r)
 {
-  return r.Stereo && r.Stereo->OwnRays && quadric::Draws(r.Kind);
+  return r.Stereo && !r.Stereo->Traits.OneCenter && quadric::Draws(r.Kind);
 }
 
-bool Warped(const Request& r)
+bool CurvedRays(const Request& r)
 {
-  return r.Stereo && !r.Stereo->Straight && AllCovered(r);
+  return r.Stereo && !r.Stereo->Traits.StraightRays && AllCovered(r);
 }
 
 std::string ViewSource(const Request& r)
@@ -108,8 +101,7 @@ std::string ViewSource(const Request& r)
   const bool faces = r.Projection->Axis == wfv::Family::Faces;
   const bool sampled = r.Projection->Axis == wfv::Family::Sampled;
   return "// WideFoV: what this program is for\n#define WFV_FN\n#define WFV_TABLES int\n" +
-    Define("WFV_NEWTON_STEPS", NewtonSteps) + Define("WFV_MERIDIAN", meridian) +
-    Define("WFV_FACES", faces) + Define("WFV_SAMPLED", sampled) +
+    Define("WFV_MERIDIAN", meridian) + Define("WFV_FACES", faces) + Define("WFV_SAMPLED", sampled) +
     Define("WFV_ROUND", r.Projection->Axis == wfv::Family::Azimuthal) +
     Define("WFV_STRAIGHT_SEAM", r.Projection->StraightSeam) +
     Define("WFV_FLAT_RIM", r.Projection->FlatRim) +
@@ -123,10 +115,11 @@ std::string ViewSource(const Request& r)
     "\n" + "#define WFV_FADES " + (r.Fades ? "true" : "false") + "\n" + "#define WFV_ANGLES " +
     (meridian ? "wfvMeridianAngles" : "wfvAzimuthalAngles") + "\n" +
     Define("WFV_OWN_RAYS", OwnRays(r)) + Define("WFV_OWN_BODIES", OwnBodies(r)) +
-    Define("WFV_WARPED", Warped(r)) + Define("WFV_RUNS", r.Runs) +
-    Define("WFV_SHIFTED", r.Stereo && !r.Stereo->Straight && !Warped(r)) + wfv::MathGlsl() +
-    wfv::CommonGlsl() + wfv::DepthGlsl() + (r.Stereo ? sight_glsl + r.Stereo->Glsl : "") +
-    (sampled ? directions_glsl : "") + r.Projection->Glsl + interface_glsl;
+    Define("WFV_CURVED_RAYS", CurvedRays(r)) + Define("WFV_RUNS", r.Runs) +
+    Define("WFV_SHIFTED", r.Stereo && !r.Stereo->Traits.StraightRays && !CurvedRays(r)) +
+    wfv::MathGlsl() + wfv::CommonGlsl() + wfv::DepthGlsl() + limits_glsl +
+    (r.Stereo ? sight_glsl + r.Stereo->Glsl : "") + (sampled ? directions_glsl : "") +
+    r.Projection->Glsl + interface_glsl;
 }
 
 std::string Corner(size_t varying, int corner)

@@ -16,6 +16,10 @@ namespace shader
 using Request = wfv::ShaderBuilder::Request;
 using Primitive = wfv::ShaderBuilder::Primitive;
 
+// OpenGL lets an invocation of a geometry stage write so many components, over all its vertices;
+// no driver need allow more (GL_MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS), and NVIDIA's does not.
+constexpr int MostComponents = 1024;
+
 // One output of the vertex stage.
 struct Varying
 {
@@ -75,7 +79,7 @@ bool OwnRays(const Request& r);
 bool OwnBodies(const Request& r);
 
 // True for triangles of an eye whose rays are no straight lines.
-bool Warped(const Request& r);
+bool CurvedRays(const Request& r);
 
 // The mathematics of the view, for any stage.
 std::string ViewSource(const Request& request);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Stereo/Comfort.h"
 
+#include "Stereo/Stereo.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,17 +16,14 @@ constexpr double FarthestContent = 100;
 
 // Of the picture, at either end of its distances: a leaf before the lens decides nothing.
 constexpr double LeftOut = 0.01;
-
-// Fraction of the width: the largest that the camera takes.
-constexpr double MostSeparation = 0.5;
 }
 
-double OffAxisParallax(double separation, double convergence, double w)
+double Parallax(double separation, double convergence, double w)
 {
   return 100 * separation * (1 - convergence / w);
 }
 
-double OmnidirectionalDisparity(double interpupillaryDistance, double d)
+double CircleDisparity(double interpupillaryDistance, double d)
 {
   const double sine = 0.5 * interpupillaryDistance / d;
   return sine < 1 ? 2 * glm::degrees(std::asin(sine)) : 180;

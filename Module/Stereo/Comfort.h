@@ -13,12 +13,13 @@
 
 namespace wfv
 {
-// Off-axis: parallax of a point at the distance w > 0 ahead, per cent of the picture's width.
-WFV_EXPORT double OffAxisParallax(double separation, double convergence, double w);
+// Of eyes before a flat picture: parallax of a point at the distance w > 0 ahead, per cent of the
+// picture's width.
+WFV_EXPORT double Parallax(double separation, double convergence, double w);
 
-// Omnidirectional: the angle between the two longitudes at which a point at the horizontal
+// Of eyes on a circle: the angle between the two longitudes at which a point at the horizontal
 // distance d is seen, degrees; 180 from inside the circle.
-WFV_EXPORT double OmnidirectionalDisparity(double interpupillaryDistance, double d);
+WFV_EXPORT double CircleDisparity(double interpupillaryDistance, double d);
 
 // The angle that a parallax (per cent of the width) is seen under on a screen of this width from
 // this distance, degrees.

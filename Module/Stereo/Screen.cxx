@@ -53,7 +53,7 @@ vec3 TurnedWith(const Head& head, const vec3& v)
 
 vec3 EyeOf(const Head& head, double interpupillaryDistance, Eye eye)
 {
-  const double aside = 0.5 * interpupillaryDistance * static_cast<double>(eye);
+  const double aside = 0.5 * interpupillaryDistance * SideOf(eye);
   return head.Position + TurnedWith(head, vec3(aside, 0, 0));
 }
 

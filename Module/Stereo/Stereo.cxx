@@ -5,6 +5,7 @@
 #include "Projections/NumberText.h"
 #include "WideFoVGlsl.h"
 
+#include <algorithm>
 #include <cmath>
 
 // A file may leave out what its family offers it, such as the view.
@@ -45,34 +46,35 @@ namespace wfv
 {
 namespace
 {
-// Fraction of the picture's width: a larger separation leaves the eyes nothing in common.
-constexpr double MaxSeparation = 0.5;
-
-double Sign(const StereoOptions& o)
+StereoParameters NoParameters(const StereoOptions&, const WfvView&)
 {
-  return static_cast<double>(o.Eye);
+  return {};
 }
 
-vec4 NoParameters(const StereoOptions&, const WfvView&)
+StereoParameters OffAxisParameters(const StereoOptions& o, const WfvView& v)
 {
-  return vec4(0);
+  return { o.Separation * o.Convergence / v.scale.x, vec4(o.Separation, 0, 0, 0) };
 }
 
-vec4 OffAxisParameters(const StereoOptions& o, const WfvView& v)
+StereoParameters WarpedParameters(const StereoOptions& o, const WfvView&)
 {
-  const double shift = Sign(o) * o.Separation;
-  return vec4(shift * o.Convergence / v.scale.x, shift, 0, 0);
+  return { 0.5 * o.Iod, vec4(o.Viewer[0], o.Viewer[1], o.Distance, o.Offset) };
 }
 
-vec4 WarpedParameters(const StereoOptions& o, const WfvView&)
+StereoParameters OmnidirectionalParameters(const StereoOptions& o, const WfvView&)
 {
-  return vec4(o.Viewer[0] + 0.5 * Sign(o) * o.Iod, o.Distance, o.Offset, o.Viewer[1]);
+  return { 0.5 * o.InterpupillaryDistance,
+    vec4(glm::radians(o.PoleFade[0]), glm::radians(o.PoleFade[1]), 0, 0) };
 }
 
-vec4 OmnidirectionalParameters(const StereoOptions& o, const WfvView&)
+double NoDepth(const WfvView&)
 {
-  return vec4(0.5 * Sign(o) * o.InterpupillaryDistance, glm::radians(o.PoleFade[0]),
-    glm::radians(o.PoleFade[1]), 0);
+  return 0;
+}
+
+double DepthOfOffset(const WfvView& v)
+{
+  return v.stereo.w;
 }
 
 std::string CheckNothing(const StereoOptions&, const Projection&)
@@ -87,9 +89,9 @@ std::string CheckOffAxis(const StereoOptions& o, const Projection& p)
     return "the stereo model offaxis is for the projection perspective, not for " + p.Name +
       "; omnidirectional and warped are for the others";
   }
-  if (!(o.Separation >= 0) || !(o.Separation <= MaxSeparation))
+  if (!(o.Separation >= 0) || !(o.Separation <= MostSeparation))
   {
-    return "the separation must be in [0, " + NumberText(MaxSeparation) + "] of the width, not " +
+    return "the separation must be in [0, " + NumberText(MostSeparation) + "] of the width, not " +
       NumberText(o.Separation);
   }
   return o.Convergence > 0 && std::isfinite(o.Convergence)
@@ -141,7 +143,7 @@ std::string CheckOmnidirectional(const StereoOptions& o, const Projection& p)
   return CheckWide("omnidirectional", p);
 }
 
-// A model before its own traits: the functions of one of the namespaces above.
+// A model that has no traits and numbers yet: the functions of one of the namespaces above.
 #define WFV_STEREO(ns, name, title, source)                                                        \
   MakeModel(name, title, source, ns::wfvSee, ns::wfvEyeAt, ns::wfvShift, ns::wfvUnshift)
 
@@ -158,31 +160,57 @@ StereoModel MakeModel(const char* name, const char* title, const char* source,
   m.Shift = shift;
   m.Unshift = unshift;
   m.Parameters = NoParameters;
+  m.DepthWithoutParallax = NoDepth;
   m.Check = CheckNothing;
   return m;
 }
 
-std::vector<StereoModel> MakeModels()
+StereoModel MakeMono()
 {
-  std::vector<StereoModel> all{ WFV_STEREO(mono, "mono", "No stereo", mono_glsl),
-    WFV_STEREO(warped, "warped", "Warped volume", warped_glsl),
-    WFV_STEREO(omnidirectional, "omnidirectional", "Omnidirectional", omnidirectional_glsl),
-    WFV_STEREO(offaxis, "offaxis", "Off-axis", offaxis_glsl) };
-  all[1].Straight = false;
-  all[1].Parameters = WarpedParameters;
-  all[1].Check = CheckWarped;
-  all[2].OwnRays = true;
-  all[2].Parameters = OmnidirectionalParameters;
-  all[2].Check = CheckOmnidirectional;
-  all[3].Parameters = OffAxisParameters;
-  all[3].Check = CheckOffAxis;
-  return all;
+  StereoModel m = WFV_STEREO(mono, "mono", "No stereo", mono_glsl);
+  m.Traits.TwoEyes = false;
+  return m;
+}
+
+StereoModel MakeWarped()
+{
+  StereoModel m = WFV_STEREO(warped, "warped", "Warped volume", warped_glsl);
+  m.Traits.StraightRays = false;
+  m.Numbers = { StereoNumber::Iod, StereoNumber::Distance, StereoNumber::Offset,
+    StereoNumber::Viewer };
+  m.Parameters = WarpedParameters;
+  m.DepthWithoutParallax = DepthOfOffset;
+  m.Check = CheckWarped;
+  return m;
+}
+
+StereoModel MakeOmnidirectional()
+{
+  StereoModel m =
+    WFV_STEREO(omnidirectional, "omnidirectional", "Omnidirectional", omnidirectional_glsl);
+  m.Traits.OneCenter = false;
+  m.Numbers = { StereoNumber::InterpupillaryDistance, StereoNumber::PoleFade };
+  m.Parameters = OmnidirectionalParameters;
+  m.FadesIn = omnidirectional::wfvFades;
+  m.Check = CheckOmnidirectional;
+  return m;
+}
+
+StereoModel MakeOffAxis()
+{
+  StereoModel m = WFV_STEREO(offaxis, "offaxis", "Off-axis", offaxis_glsl);
+  m.Traits.Flat = true;
+  m.Numbers = { StereoNumber::Separation, StereoNumber::Convergence };
+  m.Parameters = OffAxisParameters;
+  m.Check = CheckOffAxis;
+  return m;
 }
 }
 
 const std::vector<StereoModel>& StereoModels()
 {
-  static const std::vector<StereoModel> all = MakeModels();
+  static const std::vector<StereoModel> all{ MakeMono(), MakeWarped(), MakeOmnidirectional(),
+    MakeOffAxis() };
   return all;
 }
 
@@ -196,5 +224,22 @@ const StereoModel* FindStereoModel(const std::string& name)
     }
   }
   return nullptr;
+}
+
+const StereoModel& NoStereo()
+{
+  return StereoModels().front();
+}
+
+const StereoModel& UsualStereo(const Projection& projection)
+{
+  return *FindStereoModel(projection.Axis == Family::Planar ? "offaxis" : "omnidirectional");
+}
+
+const StereoModel& StereoWith(StereoNumber number)
+{
+  const std::vector<StereoModel>& all = StereoModels();
+  return *std::find_if(
+    all.begin(), all.end(), [number](const StereoModel& m) { return m.Has(number); });
 }
 }

@@ -11,11 +11,26 @@
 
 namespace wfv
 {
+// Fraction of the picture's width: a larger separation leaves the eyes nothing in common.
+constexpr double MostSeparation = 0.5;
+
+// NDC: eyes farther apart see the cube from beside it.
+constexpr double MostIod = 10;
+
 // mono, which is no stereo, then the others.
 WFV_EXPORT const std::vector<StereoModel>& StereoModels();
 
 // The model of that name, or nullptr.
 WFV_EXPORT const StereoModel* FindStereoModel(const std::string& name);
+
+// The one that is no stereo.
+WFV_EXPORT const StereoModel& NoStereo();
+
+// The one to take for two eyes where nobody names any.
+WFV_EXPORT const StereoModel& UsualStereo(const Projection& projection);
+
+// The first that has this number.
+WFV_EXPORT const StereoModel& StereoWith(StereoNumber number);
 }
 
 #endif

@@ -2,7 +2,8 @@
 // No stereo: both eyes are at the origin of view coordinates. Every model brings these four
 // functions. The first two are about the scene, before the projection, the others about the
 // picture, behind it; what a model does not change it hands on. Points and directions are in
-// tilted view coordinates, scene units; v.stereo holds what the model needs to know of one eye.
+// tilted view coordinates, scene units; v.eye says which eye is asked for, v.halfEyes how far apart
+// the two are, v.stereo what else the model needs to know.
 
 // The direction in which this eye sees a point, and how far along its ray.
 WFV_FN WfvSight wfvSee(vec3 p, WfvView v)

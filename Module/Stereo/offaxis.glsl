@@ -5,25 +5,30 @@
 // far away, - separation at half the convergence. Source: S. Gateau and S. Nash, Implementing
 // Stereoscopic 3D in Your Applications.
 //
-// v.stereo: x  the eye, scene units to the right
-//           y  by how much its picture is shifted, NDC
+// v.halfEyes: scene units
+// v.stereo:   x  by how much the pictures are shifted, NDC
+
+WFV_FN float wfvShiftOfPicture(WfvView v)
+{
+  return v.eye == WFV_EYE_LEFT ? -v.stereo.x : v.eye == WFV_EYE_RIGHT ? v.stereo.x : 0.0;
+}
 
 WFV_FN WfvSight wfvSee(vec3 p, WfvView v)
 {
-  return wfvSightFrom(p, vec3(v.stereo.x, 0.0, 0.0));
+  return wfvSightFrom(p, vec3(wfvToRight(v), 0.0, 0.0));
 }
 
 WFV_FN vec3 wfvEyeAt(vec3 direction, WfvView v)
 {
-  return vec3(v.stereo.x, 0.0, 0.0);
+  return vec3(wfvToRight(v), 0.0, 0.0);
 }
 
 WFV_FN vec2 wfvShift(vec2 ndc, float depth, WfvView v)
 {
-  return vec2(ndc.x + v.stereo.y, ndc.y);
+  return vec2(ndc.x + wfvShiftOfPicture(v), ndc.y);
 }
 
 WFV_FN vec2 wfvUnshift(vec2 ndc, float depth, WfvView v)
 {
-  return vec2(ndc.x - v.stereo.y, ndc.y);
+  return vec2(ndc.x - wfvShiftOfPicture(v), ndc.y);
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Stereo all round: two eyes that turn with every column of the picture, on a circle whose
 // diameter is the interpupillary distance. The ray of the direction (lambda, phi) starts at the
-// tangent point r (cos lambda, 0, sin lambda), r signed: positive for the right eye. So a point
-// at the horizontal distance d is seen at the longitude lambda - asin(r / d) and at the latitude
-// atan2(Y, sqrt(d^2 - r^2)). Source: Peleg, Ben-Ezra and Pritch 2001 (the circle); the
-// closed form of the point is geometry.
+// tangent point r (cos lambda, 0, sin lambda), where r is how far the eye is to the right: half that
+// distance, below 0 for the left one. So a point at the horizontal distance d is seen at the
+// longitude lambda - asin(r / d) and at the latitude atan2(Y, sqrt(d^2 - r^2)). Source: Peleg,
+// Ben-Ezra and Pritch 2001 (the circle); the closed form of the point is geometry.
 //
 // The circle is level in view coordinates, whatever the tilt. Points nearer to its axis than r
 // are seen by no ray: they count as on the circle (defined, not seen). Above and below, both eyes
@@ -12,27 +12,27 @@
 // between two latitudes of the ray, which must be solved for: see wfvSeenLatitude. WFV_FADES is
 // false in a shader of a view without a fade.
 //
-// v.stereo: x     r, scene units
-//           y, z  latitudes between which it fades, radians; equal: no fade
+// v.halfEyes: radius of the circle, scene units
+// v.stereo:   x, y  latitudes between which it fades, radians; equal: no fade
 
-// The vertical in tilted view coordinates.
-WFV_FN vec3 wfvUpright(WfvView v)
+// True where the circle is smaller for some latitudes.
+WFV_FN bool wfvFades(WfvView v)
 {
-  return WFV_TILTED ? vec3(0.0, v.tilt.x, -v.tilt.y) : vec3(0.0, 1.0, 0.0);
+  return WFV_FADES && v.stereo.y > v.stereo.x;
 }
 
 // Where on the way of the fade a latitude is, 0 to 1.
 WFV_FN float wfvFadeAt(float latitude, WfvView v)
 {
-  float t = (abs(latitude) - v.stereo.y) / (v.stereo.z - v.stereo.y);
-  return v.stereo.z > v.stereo.y ? max(0.0, min(1.0, t)) : 0.0;
+  float t = (abs(latitude) - v.stereo.x) / (v.stereo.y - v.stereo.x);
+  return v.stereo.y > v.stereo.x ? max(0.0, min(1.0, t)) : 0.0;
 }
 
-// Radius of the circle for rays of this latitude.
+// How far the eye is to the right for rays of this latitude.
 WFV_FN float wfvRadiusAt(float latitude, WfvView v)
 {
   float t = wfvFadeAt(latitude, v);
-  return v.stereo.x * (1.0 - t * t * (3.0 - 2.0 * t));
+  return wfvToRight(v) * (1.0 - t * t * (3.0 - 2.0 * t));
 }
 
 WFV_FN vec3 wfvEyeAt(vec3 direction, WfvView v)
@@ -40,8 +40,8 @@ WFV_FN vec3 wfvEyeAt(vec3 direction, WfvView v)
   vec3 up = wfvUpright(v);
   vec3 side = cross(direction, up);
   float l = length(side); // of at most 1: no square of it is too large
-  float r = v.stereo.x;
-  if (WFV_FADES && v.stereo.z > v.stereo.y)
+  float r = wfvToRight(v);
+  if (wfvFades(v))
   {
     r = wfvRadiusAt(wfvAtan2(dot(direction, up), l), v);
   }
@@ -60,7 +60,7 @@ WFV_FN float wfvTangent(float d, float r)
 WFV_FN float wfvSeenLatitude(float d, float y, WfvView v)
 {
   float low = wfvAtan2(y, d);
-  float high = wfvAtan2(y, wfvTangent(d, v.stereo.x));
+  float high = wfvAtan2(y, wfvTangent(d, wfvToRight(v)));
   float phi = low;
   for (int i = 0; i < WFV_NEWTON_STEPS; i++)
   {
@@ -70,7 +70,7 @@ WFV_FN float wfvSeenLatitude(float d, float y, WfvView v)
     float e = phi - wfvAtan2(y, q);
     low = e > 0.0 ? low : phi;
     high = e > 0.0 ? phi : high;
-    float shrink = 6.0 * t * (1.0 - t) * v.stereo.x / max(v.stereo.z - v.stereo.y, 1e-9);
+    float shrink = 6.0 * t * (1.0 - t) * wfvToRight(v) / max(v.stereo.y - v.stereo.x, 1e-9);
     float slope = 1.0 + y * r * shrink / max(q * (y * y + q * q), 1e-30);
     float next = phi - e / slope;
     phi = next > low && next < high ? next : 0.5 * (low + high);
@@ -84,8 +84,8 @@ WFV_FN WfvSight wfvSee(vec3 p, WfvView v)
   float y = dot(p, up);
   vec3 flat_ = p - up * y;
   float d = wfvHypot(wfvHypot(flat_.x, flat_.y), flat_.z);
-  float r = v.stereo.x;
-  if (WFV_FADES && v.stereo.z > v.stereo.y)
+  float r = wfvToRight(v);
+  if (wfvFades(v))
   {
     r = wfvRadiusAt(wfvSeenLatitude(d, abs(y), v), v);
   }

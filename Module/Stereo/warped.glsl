@@ -5,11 +5,16 @@
 // Source: Ardouin et al. 2014, section 3.5. The rays of this eye are curves: lines of the
 // cube, that the map bends.
 //
-// v.stereo: x  the eye, NDC to the right of the cube's axis (half of iod, signed, and where the
-//              viewer is)
-//           y  distance of the viewer in front of the plane of zero parallax, NDC
-//           z  that plane, NDC depth
-//           w  the eye, NDC above the cube's axis
+// v.halfEyes: half of iod, NDC
+// v.stereo:   x, y  the viewer, between the eyes: NDC to the right of and above the cube's axis
+//             z     distance of the viewer in front of the plane of zero parallax, NDC
+//             w     that plane, NDC depth
+
+// The eye, NDC from the cube's axis.
+WFV_FN vec2 wfvEyeBeforeCube(WfvView v)
+{
+  return vec2(v.stereo.x + wfvToRight(v), v.stereo.y);
+}
 
 WFV_FN WfvSight wfvSee(vec3 p, WfvView v)
 {
@@ -23,14 +28,14 @@ WFV_FN vec3 wfvEyeAt(vec3 direction, WfvView v)
 
 WFV_FN vec2 wfvShift(vec2 ndc, float depth, WfvView v)
 {
-  float k = v.stereo.y / (v.stereo.y + (depth - v.stereo.z));
-  vec2 eye = vec2(v.stereo.x, v.stereo.w);
+  float k = v.stereo.z / (v.stereo.z + (depth - v.stereo.w));
+  vec2 eye = wfvEyeBeforeCube(v);
   return eye + (ndc - eye) * k;
 }
 
 WFV_FN vec2 wfvUnshift(vec2 ndc, float depth, WfvView v)
 {
-  float k = (v.stereo.y + (depth - v.stereo.z)) / v.stereo.y;
-  vec2 eye = vec2(v.stereo.x, v.stereo.w);
+  float k = (v.stereo.z + (depth - v.stereo.w)) / v.stereo.z;
+  vec2 eye = wfvEyeBeforeCube(v);
   return eye + (ndc - eye) * k;
 }

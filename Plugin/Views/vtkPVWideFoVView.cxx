@@ -4,6 +4,7 @@
 #include "DirectionFile.h"
 #include "GridAxesActor.h"
 #include "Projections/Projection.h"
+#include "Stereo/Stereo.h"
 #include "vtkPVWideFoVViewInternals.h"
 #include "vtkWideFoVOverrides.h"
 
@@ -70,7 +71,8 @@ vtkPVWideFoVView::vtkPVWideFoVView()
   in.Pass->SetDelegatePass(in.Delegate);
   // frames of several ranks become smaller by ParaView's own factor, all of them alike
   in.Pass->SetKeepUpdateRate(wfvplugin::HasOneRank());
-  in.Stereo->SetStereoModelToOmnidirectional();
+  const wfv::Projection& map = in.Stereo->GetProjectionDefinition();
+  in.Stereo->SetStereoModel(wfv::UsualStereo(map).Name.c_str());
   in.Reduced->SetDelegatePass(in.Pass);
   this->SynchronizedRenderers->SetRenderPass(in.Reduced);
   // a compass is no part of the scene

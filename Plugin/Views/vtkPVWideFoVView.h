@@ -76,7 +76,7 @@ public:
   ///@{
   /**
    * How the eyes of the view's stereo types differ, see the setters of these names in
-   * vtkWideFoVCamera (default "omnidirectional", whose eyes are 0.065 units apart). Without
+   * vtkWideFoVCamera (default: the model with eyes on a circle, 0.065 units apart). Without
    * stereo rendering they change nothing. What a camera refuses leaves the old value.
    */
   virtual void SetStereoModel(const char* name);

@@ -2,6 +2,7 @@
 // vtkPVWideFoVView: two eyes.
 #include "vtkPVWideFoVView.h"
 
+#include "Stereo/Stereo.h"
 #include "vtkPVWideFoVViewInternals.h"
 
 #include "vtkRenderWindow.h"
@@ -69,7 +70,8 @@ void vtkPVWideFoVView::UpdateStereo()
   }
   vtkWideFoVCamera* const from = this->Internal->Stereo;
   // one eye alone need not be drawn as if it were two
-  camera->SetStereoModel(window->GetStereoRender() ? from->GetStereoModel() : "mono");
+  camera->SetStereoModel(
+    window->GetStereoRender() ? from->GetStereoModel() : wfv::NoStereo().Name.c_str());
   const Numbers now = NumbersOf(from);
   if (now == NumbersOf(camera))
   {

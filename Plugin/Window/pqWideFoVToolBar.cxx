@@ -11,6 +11,7 @@
 #include <pqUndoStack.h>
 #include <pqView.h>
 
+#include <vtkSMProperty.h>
 #include <vtkSMPropertyHelper.h>
 #include <vtkSMStringListDomain.h>
 #include <vtkSMTrace.h>
@@ -20,7 +21,7 @@
 
 namespace
 {
-// What a kind of picture is made with; degrees. Two eyes are omnidirectional ones.
+// What a kind of picture is made with; degrees.
 struct Preset
 {
   const char* Title;
@@ -66,7 +67,7 @@ void Apply(const Preset& preset)
     vtkSMPropertyHelper(proxy, "StereoRender").Set(preset.TwoEyes);
     if (preset.TwoEyes)
     {
-      vtkSMPropertyHelper(proxy, "StereoModel").Set("omnidirectional");
+      proxy->GetProperty("StereoModel")->ResetToXMLDefaults(); // the usual one of such pictures
     }
     proxy->UpdateVTKObjects();
   }

@@ -8,6 +8,7 @@
 #include "Messages.h"
 #include "Plan.h"
 #include "Progress.h"
+#include "StereoChoice.h"
 #include "Summary.h"
 
 #include <algorithm>
@@ -115,7 +116,7 @@ void MeasureErrors(BenchStage& stage, ErrorMeasure& measure, std::vector<Record>
   for (std::size_t i = 0; i < records.size(); ++i)
   {
     BenchEntry& entry = stage.GetEntries()[i];
-    if (entry.Run.Options.Stereo != "mono" || entry.Run.Method == SmoothCubeMap)
+    if (HasTwoEyes(entry.Run.Options) || entry.Run.Method == SmoothCubeMap)
     {
       continue; // the tests compare each eye; pixels of four times as many are not those cast
     }

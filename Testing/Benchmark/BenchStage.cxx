@@ -9,6 +9,7 @@
 #include "MessageCatcher.h"
 #include "Messages.h"
 #include "Passes.h"
+#include "StereoChoice.h"
 
 #include <vtkBoundingBox.h>
 #include <vtkCamera.h>
@@ -157,7 +158,7 @@ namespace
 {
 void DrawEyes(BenchEntry& entry)
 {
-  if (entry.Run.Options.Stereo == "mono")
+  if (!HasTwoEyes(entry.Run.Options))
   {
     entry.Window->Render();
     return;

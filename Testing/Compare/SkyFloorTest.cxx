@@ -38,7 +38,7 @@ ViewRay FloorRay(SkyWindow& window, const View& view, const vec2& ndc)
 {
   double low = -1;
   double high = 1;
-  const bool curved = view.GetStereoModel() && !view.GetStereoModel()->Straight;
+  const bool curved = view.GetStereoModel() && !view.GetStereoModel()->Traits.StraightRays;
   for (int i = 0; curved && i < 60; i++)
   {
     const double middle = 0.5 * (low + high);

@@ -66,7 +66,7 @@ protected:
       EXPECT_EQ(m.UnexplainedPixels, 0) << name << "\n  " << Describe(shot) << "\n"
                                         << Details(shot, Picture->GetView(), m);
       // at the rim of a round map the ray turns without bound: a distance is as right as the place
-      const bool rim = !stereo.Model->Straight &&
+      const bool rim = !stereo.Model->Traits.StraightRays &&
         FindProjection(shot.Projection)->Axis == Family::Azimuthal && m.DepthPx <= StereoTolerance;
       EXPECT_LE(m.MaxDepthRel, rim ? RimDepth : StereoDepthTolerance)
         << name << ", " << m.DepthPx << " px\n  " << Describe(shot);

@@ -140,7 +140,7 @@ Hit Caster::CastCurve(vec2 ndc, double near, double far, int pieces) const
 Hit Caster::Cast(vec2 ndc) const
 {
   const StereoModel* const model = this->TheView.GetStereoModel();
-  if (model && !model->Straight)
+  if (model && !model->Traits.StraightRays)
   {
     return this->CastCurve(ndc, -1, 1, CurvePieces);
   }
@@ -167,7 +167,7 @@ std::vector<Hit> Caster::CastTogether(const std::vector<ViewRay>& rays) const
 void Caster::RenderTile(HitPicture& picture, int left, int top) const
 {
   const StereoModel* const model = this->TheView.GetStereoModel();
-  const bool straight = !model || model->Straight;
+  const bool straight = !model || model->Traits.StraightRays;
   std::vector<ViewRay> rays;
   std::vector<Hit*> hits;
   for (int j = top; j < std::min(top + TileSize, picture.Height); ++j)

@@ -37,7 +37,7 @@ Arc::Arc(const Segment& s, const View& view, const Window& window, const FaceMap
   , Shortest(ShortestStretch)
 {
   const StereoModel* const stereo = view.GetStereoModel();
-  if (stereo && stereo->OwnRays)
+  if (stereo && !stereo->Traits.OneCenter)
   {
     this->SetOwn();
     return;
@@ -70,7 +70,7 @@ void Arc::SetOwn()
   this->Along = length > 0 ? d / length : vec3(0);
   const double from = glm::dot(this->From, this->Along);
   this->Foot = this->From - from * this->Along;
-  const double radius = std::abs(this->TheView->GetParameters().stereo.x);
+  const double radius = wfvFromMiddle(this->TheView->GetParameters());
   this->Softened = std::max(std::hypot(glm::length(this->Foot), radius), LeastSoftened);
   this->Begin = std::atan2(from, this->Softened);
   this->Span = std::atan2(from + length, this->Softened) - this->Begin;

@@ -102,7 +102,7 @@ bool RayCaster::Sees(vec2 ndc, vtkIdType cell) const
 {
   const StereoModel* const model = this->TheView.GetStereoModel();
   const ViewRay ray = this->TheView.Ray(ndc);
-  if (cell < 0 || !ray.Inside || (model && !model->Straight))
+  if (cell < 0 || !ray.Inside || (model && !model->Traits.StraightRays))
   {
     return this->Cast(ndc).Cell == cell;
   }

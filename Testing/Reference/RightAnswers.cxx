@@ -12,7 +12,7 @@ bool IsRightAnswer(const Caster& caster, vec2 ndc, vtkIdType cell)
   const TriangleSoup* const soup = caster.GetSoup();
   const StereoModel* const model = caster.GetView().GetStereoModel();
   const ViewRay ray = caster.GetView().Ray(ndc);
-  if (!soup || !ray.Inside || (model && !model->Straight))
+  if (!soup || !ray.Inside || (model && !model->Traits.StraightRays))
   {
     return false;
   }

@@ -9,7 +9,8 @@ stay short; shaders are .glsl files; every source names its licence; nothing nam
 folder of somebody's machine; what differs between versions of VTK, or between drivers of
 OpenGL, is guarded in Module/Compat alone, and what differs between those of ParaView in
 Plugin/Compat alone; headers declare VTK's classes in VTK's namespace; every variable of a shader
-begins with a value. Prints `path:line: rule: what is wrong` for every breach and exits with 1 when
+begins with a value; no source outside Module/Stereo names a stereo model, or takes the eye for a
+number. Prints `path:line: rule: what is wrong` for every breach and exits with 1 when
 there is one.
 """
 
@@ -79,6 +80,25 @@ VTK_NAMESPACE = re.compile(r"^VTK_ABI_NAMESPACE_(BEGIN|END)\b")
 
 # Of a shader, outside its functions. Arrays are left alone: loops fill them.
 UNBEGUN = re.compile(r"^(?:float|double|u?int|bool|[biud]?vec[234]) (\w+);")
+
+# The models are the shaders of their folder. Everything else asks for traits (StereoTraits) and
+# numbers (StereoNumber); people choose by name, so the camera's header says the names, and setters
+# keep theirs.
+MODELS = "Module/Stereo/"
+ASKS_NO_MODEL = ("Module/", "Plugin/", "Examples/")
+CHOOSES_MODELS = ("Module/Camera/vtkWideFoVCamera.h",)
+SAME_WORDS = re.compile(
+    r"\b(?:[SG]et)?Warped(?:Stereo|Viewer)\b|off-?axis.?projection", re.I  # the latter is VTK's
+)
+
+OWN_NUMBERS = re.compile(r"\.stereo\b")  # of WfvView
+
+# The eye has names, too: nobody reckons with it, nor asks those numbers for a sign.
+EYE_AS_NUMBER = re.compile(
+    r"\.(?:eye|stereo\.\w)\s*(?:[<>]|\*|[!=]=\s*-?\d)"
+    r"|\b(?:abs|sign)\([\w.>-]*\.(?:eye|stereo\.\w)\b"
+    r"|\b(?:float|double)>?\([\w.>-]*\.eye\b"
+)
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(["<])([^">]+)[">]', re.M)
 
@@ -196,6 +216,26 @@ def check_begun(source):
             yield number, "unset", "'%s' begins without a value" % match.group(1)
 
 
+def check_models(source, models):
+    """Only the models know which of them is which; `models`: their names."""
+    path = source.path
+    if not path.startswith(ASKS_NO_MODEL) or path.startswith(MODELS) or path in CHOOSES_MODELS:
+        return
+    if not models or not source.is_kind(CPP + SHADERS + (".in", ".xml")):
+        return
+    # a short one may be a word as well: only what is quoted asks for it
+    names = ['"%s"' % name if len(name) < 5 else name for name in models]
+    asks = re.compile("|".join(re.escape(name) for name in names), re.I)
+    for number, line in enumerate([path] + source.lines):
+        match = asks.search(SAME_WORDS.sub("", line).replace("-", ""))
+        if match:
+            yield max(number, 1), "stereo model", "'%s': ask for its traits" % match.group()
+        elif source.is_kind(SHADERS) and OWN_NUMBERS.search(line):
+            yield number, "stereo model", "the numbers are its own: ask for the eye and halfEyes"
+        elif EYE_AS_NUMBER.search(line):
+            yield number, "stereo model", "an eye has a name: WFV_EYE_LEFT, wfvToRight"
+
+
 CHECKS = (
     check_length, check_shaders, check_licence, check_paths, check_versions, check_namespace,
     check_begun,
@@ -208,11 +248,17 @@ def breaches(root):
     headers = {}
     for source in sources:
         headers.setdefault(os.path.basename(source.path), []).append(source.path)
+    models = [
+        os.path.basename(source.path)[: -len(".glsl")]
+        for source in sources
+        if source.path.startswith(MODELS) and source.is_kind(SHADERS)
+    ]
     for source in sources:
         for check in CHECKS:
             for line, rule, text in check(source):
                 yield "%s:%d: %s: %s" % (source.path, line, rule, text)
-        for line, rule, text in check_includes(source, headers):
+        others = list(check_includes(source, headers)) + list(check_models(source, models))
+        for line, rule, text in others:
             yield "%s:%d: %s: %s" % (source.path, line, rule, text)
 
 

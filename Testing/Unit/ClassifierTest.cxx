@@ -116,13 +116,13 @@ struct Classified
   {
     const WfvView& v = this->TheView.GetParameters();
     const StereoModel* const model = this->TheView.GetStereoModel();
-    const bool own = model && model->OwnRays;
+    const bool own = model && !model->Traits.OneCenter;
     this->V.Map = &this->TheView.GetProjection();
     this->V.View = v;
-    this->V.View.stereo.x = std::abs(v.stereo.x);
+    this->V.View.eye = WFV_EYE_MIDDLE;
     this->V.Tolerance = tolerance;
     this->V.Culls = false;
-    this->V.EyeRadius = own ? std::abs(v.stereo.x) : 0;
+    this->V.EyeRadius = own ? wfvFromMiddle(v) : 0;
     this->V.Limits = std::make_shared<ChordLimits>(
       p, v, LocalBend(p, v), Size, own ? (1 - Classifier::EyeShare) * tolerance : tolerance);
     this->Classes.reset(new Classifier(this->V));

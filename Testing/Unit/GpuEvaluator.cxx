@@ -20,7 +20,7 @@ namespace
 {
 // As many Newton steps as the module's own shaders take.
 const char* const Head = "//VTK::System::Dec\n//VTK::Output::Dec\n"
-                         "#define WFV_FN\n#define WFV_TABLES int\n#define WFV_NEWTON_STEPS 12\n"
+                         "#define WFV_FN\n#define WFV_TABLES int\n"
                          "#define WFV_DEPTH_MAPPING(v) v.depthMapping\n#define WFV_TILTED true\n"
                          "#define WFV_FADES true\n";
 

@@ -60,7 +60,7 @@ std::vector<NamedView> StereoViews()
           StereoOptions s;
           s.Model = &model;
           s.PoleFade = { { fade, 2 * fade } };
-          if (!model.Check(s, p).empty() || (fade > 0 && !model.OwnRays))
+          if (!model.Check(s, p).empty() || (fade > 0 && model.Traits.OneCenter))
           {
             continue;
           }
@@ -290,13 +290,13 @@ TEST(Stereo, OffAxisParallaxIsThatOfTheTalk)
 
 TEST(Stereo, ComfortIsThatOfTheModels)
 {
-  EXPECT_DOUBLE_EQ(OffAxisParallax(0.03, 4, 2), -3);
-  EXPECT_DOUBLE_EQ(OffAxisParallax(0.03, 4, 4), 0);
-  EXPECT_NEAR(OffAxisParallax(0.03, 4, 1e15), 3, StereoRoundTrip);
+  EXPECT_DOUBLE_EQ(Parallax(0.03, 4, 2), -3);
+  EXPECT_DOUBLE_EQ(Parallax(0.03, 4, 4), 0);
+  EXPECT_NEAR(Parallax(0.03, 4, 1e15), 3, StereoRoundTrip);
   // of a screen 2 wide seen from 1, one per cent is 0.02 across
   EXPECT_NEAR(ParallaxAngle(1, 2, 1), 2 * std::atan(0.01) / Degree, StereoRoundTrip);
-  EXPECT_DOUBLE_EQ(OmnidirectionalDisparity(0.065, 0.065), 60);
-  EXPECT_DOUBLE_EQ(OmnidirectionalDisparity(0.065, 0.03), 180);
+  EXPECT_DOUBLE_EQ(CircleDisparity(0.065, 0.065), 60);
+  EXPECT_DOUBLE_EQ(CircleDisparity(0.065, 0.03), 180);
   const std::array<double, 2> budget = DepthBudget(3);
   EXPECT_DOUBLE_EQ(budget[0], 1.5);
   EXPECT_DOUBLE_EQ(budget[1], 300);

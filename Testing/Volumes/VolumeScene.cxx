@@ -380,7 +380,7 @@ VolumeError VolumeScene::Compare()
     {
       const vec2 ndc = reference::PixelToNdc(i + 0.5, j + 0.5, s.Width, s.Height);
       const ViewRay ray = view.Ray(ndc);
-      const bool curved = view.GetStereoModel() && !view.GetStereoModel()->Straight;
+      const bool curved = view.GetStereoModel() && !view.GetStereoModel()->Traits.StraightRays;
       if (!ray.Inside && !curved)
       {
         continue;

@@ -26,8 +26,8 @@ constexpr double LargestStep = 2e-3;
 constexpr double PartOfView = 0.02;
 
 // Sine of the angle from a singular point below which nothing is asked: the stages draw no
-// chords there (WFV_SINGULAR_ANGLE in preclip.glsl).
-constexpr double Singular = 0.03;
+// chords there.
+const double Singular = WFV_SINGULAR_ANGLE - 0.005;
 
 // -z of the directions that a planar map still has a place for.
 constexpr double PlanarEnd = 0.02;

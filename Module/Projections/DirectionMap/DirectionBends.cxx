@@ -13,9 +13,9 @@ using namespace tables;
 
 namespace
 {
-// From pixel to pixel steps change by no more than this part of them, or than a half, a quarter, ..
-// of it: so many degrees of evenness are told apart.
-constexpr double MostBend = 0.05;
+// From pixel to pixel steps change by no more than WFV_CALM_CHANGE of them, or than a half, a
+// quarter,
+// .. of it: so many degrees of evenness are told apart.
 constexpr int Degrees = 8;
 
 // Pixels of a rectangle along and across, together, times their bend: up to this no two of its
@@ -24,7 +24,7 @@ constexpr double OnePiece = 0.9;
 
 double BendOfDegree(int degree)
 {
-  return std::ldexp(MostBend, -degree);
+  return std::ldexp(WFV_CALM_CHANGE, -degree);
 }
 
 // By how many steps along both axes a second difference of directions moves a place.

@@ -19,6 +19,14 @@ const float WFV_BORDER = 1.0000001;
 // azimuths apart, which are places of their own where the map makes a line of the point.
 const float WFV_AT_SINGULARITY = 1e-20;
 
+// Radians from a pole or the antipode, within which no chord stands for an edge.
+const float WFV_SINGULAR_ANGLE = 0.035;
+
+// Whose view it is: of one of two eyes, or of the place between them.
+const int WFV_EYE_LEFT = -1;
+const int WFV_EYE_MIDDLE = 0;
+const int WFV_EYE_RIGHT = 1;
+
 // One view, as the shaders and the CPU share it.
 struct WfvView
 {
@@ -31,7 +39,9 @@ struct WfvView
   float maxAngle; // round maps: angle at the rim of the domain, radians
   int depthMapping; // WFV_DEPTH_LINEAR, ... (depth.glsl)
   float bend;     // how far chords are from their edges: see Bend.h
-  vec4 stereo;    // of the eye: as its stereo model says (Stereo/*.glsl)
+  int eye;        // WFV_EYE_LEFT, ...
+  float halfEyes; // half the distance between the eyes, in the unit of their stereo model
+  vec4 stereo;    // what else the model knows of both, as it says (Stereo/*.glsl)
   vec4 tables;    // direction map: its width and height, cells along a cube's face, longest step
   WFV_TABLES map; // direction map: its tables, in C++; the shaders have textures
 };

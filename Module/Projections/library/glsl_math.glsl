@@ -102,6 +102,10 @@ WFV_FN float wfvLog(float x)
   return 2.0 * s * r + e * 0.69314718055994531;
 }
 
+// Newton steps of an inverse at the most: from half the range, quadratic convergence reaches float32's
+// end in fewer.
+const int WFV_NEWTON_STEPS = 12;
+
 // The step of a Newton iteration after which the next result is float32's last: the
 // error of a step is about the square of the one before.
 const float WFV_ROOT_STEP = 3e-4;

@@ -9,6 +9,24 @@ struct WfvSight
   bool seen;      // some ray of this eye meets the point
 };
 
+// How far the eye is from the middle.
+WFV_FN float wfvFromMiddle(WfvView v)
+{
+  return v.eye == WFV_EYE_MIDDLE ? 0.0 : v.halfEyes;
+}
+
+// How far it is to the right of the middle.
+WFV_FN float wfvToRight(WfvView v)
+{
+  return v.eye == WFV_EYE_LEFT ? -v.halfEyes : wfvFromMiddle(v);
+}
+
+// The vertical in tilted view coordinates.
+WFV_FN vec3 wfvUpright(WfvView v)
+{
+  return WFV_TILTED ? vec3(0.0, v.tilt.x, -v.tilt.y) : vec3(0.0, 1.0, 0.0);
+}
+
 // From one place, whatever the direction.
 WFV_FN WfvSight wfvSightFrom(vec3 p, vec3 eye)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pre-clip of triangles where each ray of an eye begins at a place of its own, on a circle round
-// the origin (Stereo/omnidirectional.glsl). Planes and bounds are those of the view from the
+// the origin (StereoTraits::OneCenter). Planes and bounds are those of the view from the
 // origin; the fragment stage adds what the ray's beginning changes, exactly. What is here makes
 // the shapes large enough: seen from anywhere on the circle, nothing is farther than wfvGrow
 // from where the origin sees it.
@@ -16,7 +16,7 @@ float wfvGrow = 0.0; // radians; half a turn where the triangle is as near as th
 // Radius of the circle in the stage's own units, the largest of all rays.
 float wfvOwnRadius()
 {
-  return abs(wfvView.stereo.x) / wfvScale();
+  return wfvFromMiddle(wfvView) / wfvScale();
 }
 
 // Where the eye sees a point, as if it were the origin.

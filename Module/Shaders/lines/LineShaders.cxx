@@ -14,9 +14,6 @@ using namespace shader;
 
 namespace
 {
-// OpenGL 3.2 lets a geometry stage write so many components, over all its vertices.
-constexpr int MaxComponents = 1024;
-
 // Of one vertex, beside the varyings: position, primitive number, and what
 // line_geometry.glsl writes (3 + 3 + 4 + 4 + 1).
 constexpr int LineComponents = 4 + 1 + 15;
@@ -37,7 +34,7 @@ int LineVertices(const Request& r, const std::vector<Varying>& varyings)
   const bool rays = OwnRays(r);
   const bool cut = r.Projection->Axis == Family::Faces || r.Projection->FlatRim || rays;
   const int own = LineComponents + (cut ? RangeComponents : 0) + (rays ? FootComponents : 0);
-  const int quads = MaxComponents / (4 * (own + CornerComponents(varyings, 2)));
+  const int quads = MostComponents / (4 * (own + CornerComponents(varyings, 2)));
   return 4 * std::min(std::max(quads, FewestQuads), MostQuads);
 }
 

@@ -34,7 +34,7 @@ void wfvInterpolate(); // generated: sets the stock shader's inputs from wfvAlon
 
 // Where a sample lies inside a pixel, from its centre, pixels; one sample: the centre.
 uniform int wfvSamples;
-uniform vec2 wfvSampleOffsets[16];
+uniform vec2 wfvSampleOffsets[WFV_MOST_SAMPLES];
 
 // Pixels by which all samples are moved where their distance is judged: lines along the
 // borders between pixels, which a graticule is full of, then fall on one side of them

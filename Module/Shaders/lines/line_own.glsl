@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Lines, what both stages share where each ray of an eye begins at a place of its own, on a circle
-// round the origin (Stereo/omnidirectional.glsl): the image of a line is that of the directions in
+// round the origin (StereoTraits::OneCenter): the image of a line is that of the directions in
 // which its points are seen, which is no great circle.
 //
 // A point of the line is known by its angle a, as on an arc seen from the origin:
@@ -64,7 +64,7 @@ float wfvOwnWayOf(float a, float s, float far)
 WfvSight wfvOwnSight(float a)
 {
   float far = 1.0 / max(cos(a - wfvArcFoot), WFV_OWN_END);
-  if (WFV_FADES && wfvView.stereo.z > wfvView.stereo.y)
+  if (wfvFades(wfvView))
   {
     WfvSight sight = wfvSee(wfvOwnAhead(a) * (wfvArcDistance * far * wfvScale()), wfvView);
     sight.distance /= wfvScale();
@@ -74,7 +74,7 @@ WfvSight wfvOwnSight(float a)
   vec3 up = wfvUpright(wfvView);
   vec3 p = wfvOwnBegin + s * wfvOwnAlong;
   float y = dot(p, up);
-  float r = wfvView.stereo.x / wfvScale();
+  float r = wfvToRight(wfvView) / wfvScale();
   float way = sqrt(max(wfvOwnWayOf(a, s, far), 0.0));
   return wfvSeeAt(p - up * y, y, max(way, WFV_OWN_WAY * abs(r)), up, r);
 }
@@ -96,7 +96,7 @@ void wfvSetLine()
   wfvOwnBegin = wfvArcDistance * begin;
   vec3 level = wfvOwnBegin - up * dot(wfvOwnBegin, up);
   vec3 along = wfvOwnAlong - up * dot(wfvOwnAlong, up);
-  float r = abs(wfvView.stereo.x) / wfvScale();
+  float r = wfvFromMiddle(wfvView) / wfvScale();
   float l = length(level);
   wfvOwnWay = vec3((l - r) * (l + r), 2.0 * dot(level, along), dot(along, along));
 }

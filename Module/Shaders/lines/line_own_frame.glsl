@@ -39,7 +39,7 @@ bool wfvOwnWindow = false; // nothing less than the window surely holds it
 
 float wfvOwnRadius()
 {
-  return abs(wfvView.stereo.x) / wfvScale();
+  return wfvFromMiddle(wfvView) / wfvScale();
 }
 
 float wfvFromAxis(vec3 p)
@@ -130,7 +130,7 @@ float wfvGapEnd(float seen, float unseen)
 // The angles between which the line is nearer to the axis than the circle; at: where it is nearest.
 vec2 wfvFindGap(float at)
 {
-  if (WFV_FADES && wfvView.stereo.z > wfvView.stereo.y)
+  if (wfvFades(wfvView))
   {
     vec2 ends = wfvArcEnds.xy;
     return vec2(wfvIsSeen(ends.x) ? wfvGapEnd(ends.x, at) : ends.x,

@@ -15,7 +15,7 @@ uniform float wfvPointSize; // pixels
 
 // Where a sample lies inside a pixel, from its centre, pixels; one sample: the centre.
 uniform int wfvSamples;
-uniform vec2 wfvSampleOffsets[16];
+uniform vec2 wfvSampleOffsets[WFV_MOST_SAMPLES];
 
 // Pixels: squares are larger by so much, or a point between two pixels, whose own maps are not quite
 // the same, would be in neither.

@@ -17,9 +17,6 @@ using stock::Edit;
 
 namespace
 {
-// Components that every OpenGL 3.2 lets a geometry stage emit in all.
-constexpr int MostComponents = 1024;
-
 // Of a vertex of the cover, beside the stock shader's own: position, two balls, share,
 // primitive.
 constexpr int QuadricComponents = 4 + 4 + 4 + 2 + 1;

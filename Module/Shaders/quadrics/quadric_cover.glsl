@@ -27,7 +27,7 @@ const float WFV_CAP_SLACK = 1e-5;
 // Radius of the circle on which the rays begin, the stage's own units, rounded up.
 float wfvEyeReach()
 {
-  return 1.0001 * abs(wfvView.stereo.x) / wfvScale();
+  return 1.0001 * wfvFromMiddle(wfvView) / wfvScale();
 }
 
 // Radians: how far from where the origin sees a point an eye on the circle may see it, whose

@@ -14,9 +14,7 @@ out vec4 wfvFirstSteps[];
 out vec4 wfvLastSteps[];
 out float wfvMost[]; // pieces that an edge, or the line beside it, asks for
 
-const int WFV_INTERVALS = 8;
-
-uniform float wfvMaxLevel; // 64, which every OpenGL has, or less
+uniform float wfvMaxLevel; // WFV_MOST_PIECES or less
 
 // Share of the tolerance that a piece may use up: the pre-clip measures it again, with
 // its own safety, and covers by rays what exceeds the tolerance.

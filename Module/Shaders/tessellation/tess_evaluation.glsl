@@ -12,8 +12,6 @@ layout(triangles, equal_spacing, ccw) in;
 in vec4 wfvFirstSteps[]; // of the edge opposite to each corner
 in vec4 wfvLastSteps[];
 
-const int WFV_INTERVALS = 8;
-
 vec3 wfvP[3] = vec3[3](vec3(0.0), vec3(0.0), vec3(0.0));
 vec3 wfvLengths = vec3(0.0);
 

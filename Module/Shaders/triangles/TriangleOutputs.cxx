@@ -12,10 +12,6 @@ namespace shader
 {
 namespace
 {
-// OpenGL lets an invocation of a geometry stage write so many components, over all its vertices;
-// no driver need allow more (GL_MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS), and NVIDIA's does not.
-constexpr int MostComponents = 1024;
-
 // Vertices of all shapes of one triangle, and of one of them.
 constexpr int MostVertices = 14;
 constexpr int ShapeVertices = 4;
@@ -26,11 +22,11 @@ int OwnComponents(const Request& r)
   const bool exact = r.ByRays || r.Stage == wfv::ShaderBuilder::Variant::Exact;
   const bool rays = OwnRays(r);
   const int edges = r.Whole ? 3 * 3 * 2 : 3 * 3; // doubles count twice
-  const int plane = 3 + (rays || Warped(r) ? 3 : 5);
+  const int plane = 3 + (rays || CurvedRays(r) ? 3 : 5);
   const int chords = 3 + 3 + 3 + 4 + 2 + 4 + 1;
   const int order = 3 + 3;
   return 4 + 1 + edges + plane + (exact ? order : chords) + (rays ? 3 * 3 : 0) + r.DebugView +
-    (Warped(r) ? 2 : 0) + (r.MeetsChords ? 3 + 4 + 2 : 0) + (r.SeveralChords ? 3 + 3 * 3 : 0);
+    (CurvedRays(r) ? 2 : 0) + (r.MeetsChords ? 3 + 4 + 2 : 0) + (r.SeveralChords ? 3 + 3 * 3 : 0);
 }
 }
 

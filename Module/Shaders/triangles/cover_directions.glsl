@@ -6,10 +6,6 @@
 // Parts along an edge of a triangle that is larger than a cell, at the most.
 const int WFV_PARTS = 16;
 
-// The largest chord for which the angle over it is at most so many chords.
-const float WFV_CAP_CHORD = 1.0;
-const float WFV_CAP_ANGLE = 1.05;
-
 // The corner i, j of so many parts along an edge.
 vec3 wfvPartCorner(int i, int j, float parts)
 {

@@ -19,7 +19,7 @@ flat in WFV_EDGE wfvEdge0;
 flat in WFV_EDGE wfvEdge1;
 flat in WFV_EDGE wfvEdge2;
 flat in vec3 wfvPlane;
-#if WFV_OWN_RAYS || WFV_WARPED
+#if WFV_OWN_RAYS || WFV_CURVED_RAYS
 flat in vec3 wfvAnchor;
 #elif WFV_DOUBLES
 flat in double wfvOfPoints;
@@ -68,8 +68,8 @@ vec3 wfvChordReach();
 vec3 wfvToChords(vec3 direction, vec3 e, vec3 dx, vec3 dy);
 bool wfvAllInside(vec3 e, vec3 toChords);
 
-#if WFV_WARPED
-WfvRay wfvSurfaceRay(vec2 offset); // warped_fragment.glsl
+#if WFV_CURVED_RAYS
+WfvRay wfvSurfaceRay(vec2 offset); // curved_fragment.glsl
 #else
 // The ray of the map that this pixel sees the surface by.
 WfvRay wfvSurfaceRay(vec2 offset)
@@ -170,7 +170,7 @@ void wfvSetDistance(float rho)
   wfvDepth = wfvDepthInUnits(rho);
 }
 
-#if WFV_OWN_RAYS || WFV_WARPED
+#if WFV_OWN_RAYS || WFV_CURVED_RAYS
 // The plane times a direction: above 0 for one that goes towards it.
 float wfvApproach(vec3 direction)
 {
@@ -284,7 +284,7 @@ bool wfvCoverage(WfvRay ray, vec3 e, vec3 x, vec3 y, bool rim)
   vec3 reach = WFV_PIXEL_SAFETY * (WFV_SAMPLE_REACH + wfvChordReach()) * (abs(x) + abs(y));
 #if WFV_OWN_RAYS
   rim = rim || wfvTurns(ray.direction);
-#elif WFV_WARPED
+#elif WFV_CURVED_RAYS
   rim = true; // every sample has a depth of its own
 #endif
   bool certain = wfvByChord || (!rim && all(greaterThan(abs(e), reach)));

@@ -64,7 +64,7 @@ float wfvEdgeDistance(int i, float e, vec2 slope)
 vec3 wfvEdgeDistances()
 {
   WfvRay ray = wfvSurfaceRay(vec2(0.0));
-#if WFV_WARPED
+#if WFV_CURVED_RAYS
   mat2x3 pixel = mat2x3(wfvSurfaceRay(vec2(1.0, 0.0)).direction - ray.direction,
     wfvSurfaceRay(vec2(0.0, 1.0)).direction - ray.direction);
 #else

@@ -20,10 +20,9 @@ const float WFV_EVEN_BEND = 1.1;
 // Pixels: of an edge that is nearer to its chord nothing else is asked.
 const float WFV_NEAR_CHORD = 0.5;
 
-// Round a pole or the antipode, inside so many pixels or this angle (radians),
-// whichever is more, edges are never drawn as chords.
+// Round a pole or the antipode, inside so many pixels or WFV_SINGULAR_ANGLE, whichever is more, edges are
+// never drawn as chords.
 const float WFV_SINGULAR_PIXELS = 16.0;
-const float WFV_SINGULAR_ANGLE = 0.035;
 
 // An edge that no chord may stand for.
 const float WFV_CURVED = -1.0;

@@ -26,7 +26,7 @@ flat out WFV_EDGE wfvEdge0;  // planes through the eye and the edge opposite to 
 flat out WFV_EDGE wfvEdge1;
 flat out WFV_EDGE wfvEdge2;
 flat out vec3 wfvPlane;  // normal of the triangle, away from the eye
-#if WFV_OWN_RAYS || WFV_WARPED
+#if WFV_OWN_RAYS || WFV_CURVED_RAYS
 flat out vec3 wfvAnchor; // a point of its plane
 #elif WFV_DOUBLES
 flat out double wfvOfPoints; // the plane times any of its points
@@ -119,15 +119,15 @@ void wfvWriteRises()
 #endif
 }
 
-#if WFV_WARPED
-flat out vec2 wfvDepths; // warped_fragment.glsl
+#if WFV_CURVED_RAYS
+flat out vec2 wfvDepths; // curved_fragment.glsl
 vec2 wfvDepthsHere = vec2(0.0); // NDC depths at which the triangle may be
 #endif
 
 void wfvWritePlane()
 {
   wfvPlane = wfvT.xyz;
-#if WFV_OWN_RAYS || WFV_WARPED
+#if WFV_OWN_RAYS || WFV_CURVED_RAYS
   wfvAnchor = wfvA;
 #elif WFV_DOUBLES
   wfvOfPoints = wfvM;
@@ -155,7 +155,7 @@ void wfvWriteFlat()
   wfvPlace2 = wfvP[2];
 #endif
 #endif
-#if WFV_WARPED
+#if WFV_CURVED_RAYS
   wfvDepths = wfvDepthsHere;
 #endif
 #if WFV_OWN_RAYS
@@ -229,8 +229,8 @@ void wfvEndShape()
 #endif
 }
 
-#if WFV_WARPED
-// warped_cover.glsl
+#if WFV_CURVED_RAYS
+// curved_cover.glsl
 void wfvEmit(vec4 position, vec3 bary);
 void wfvEnd();
 #else

@@ -18,7 +18,7 @@ bool wfvBetweenCentres(vec2 low, vec2 high)
 {
   vec2 first = ceil(low + 0.5 * wfvViewport.zw - 0.5);
   vec2 last = floor(high + 0.5 * wfvViewport.zw - 0.5);
-  return WFV_WARPED == 0 && wfvSamples <= 1 && (first.x > last.x || first.y > last.y);
+  return WFV_CURVED_RAYS == 0 && wfvSamples <= 1 && (first.x > last.x || first.y > last.y);
 }
 
 vec2 wfvShape[4]; // pixels of the tile, from its centre

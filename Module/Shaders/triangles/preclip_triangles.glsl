@@ -306,7 +306,7 @@ void main()
 #endif
 #if WFV_OWN_RAYS
   wfvSetOwn(lengths, wfvT.w > 0.0 ? 1.0 : -1.0);
-#elif WFV_WARPED
+#elif WFV_CURVED_RAYS
   wfvSetDepths(lengths);
 #endif
 #if !WFV_OWN_RAYS

@@ -4,7 +4,7 @@
 
 // Where a sample lies inside a pixel, from its centre, pixels; one sample: the centre.
 uniform int wfvSamples;
-uniform vec2 wfvSampleOffsets[16];
+uniform vec2 wfvSampleOffsets[WFV_MOST_SAMPLES];
 
 // NDC of the place so many pixels beside the centre of the fragment.
 vec2 wfvPlaceBeside(vec2 offset)

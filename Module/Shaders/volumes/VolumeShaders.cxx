@@ -69,7 +69,7 @@ std::string RewriteLights(const Request& r, const Facts& facts, std::string& fra
 
 bool Curves(const Request& r)
 {
-  return r.Stereo && !r.Stereo->Straight;
+  return r.Stereo && !r.Stereo->Traits.StraightRays;
 }
 
 // Where a pixel sees along a curve: samples are moved there.
@@ -82,7 +82,7 @@ std::string RewriteMarch(Found must, std::string& fragment)
   stock::Replace(
     fragment, Edit::VolumeClip, "bool wfvStockAdjustSampleRange(", clips ? must : Found::May);
   return Define("WFV_SLICES", Has(fragment, "in_slicePlaneNormal")) + Define("WFV_CLIPS", clips) +
-    Define("WFV_HEADLIGHT", Has(fragment, "vec3 g_ldir[")) + warped_ray_glsl + volume_curve_glsl;
+    Define("WFV_HEADLIGHT", Has(fragment, "vec3 g_ldir[")) + curved_ray_glsl + volume_curve_glsl;
 }
 }
 
@@ -102,7 +102,7 @@ void Finish(const Request& r, const Facts& facts, std::string& geometry, std::st
   const std::string lights = RewriteLights(r, facts, fragment);
   const std::string march = Curves(r) ? RewriteMarch(must, fragment) : "";
   const int matrices = CountMatrices(fragment);
-  const bool eyes = r.Stereo && r.Stereo->Straight;
+  const bool eyes = r.Stereo && r.Stereo->Traits.StraightRays;
   // declared first, for what it replaces is called all over the text; the rest has VTK's uniforms
   wfv::ShaderBuilder::Declare(fragment,
     ViewSource(r) + Define("WFV_CURVES", Curves(r)) + ray_fragment_glsl + volume_fragment_glsl);

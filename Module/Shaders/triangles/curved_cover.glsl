@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pre-clip of triangles of a warped volume: a shape that holds the picture of the map becomes
-// the rectangle that holds it behind the second projection, at every depth of the triangle.
+// Pre-clip of triangles of an eye whose rays are curves: a shape that holds the picture of the map
+// becomes the rectangle that holds it behind the second projection, at every depth of the triangle.
 
 // The shape that is being emitted, NDC of the picture.
 vec2 wfvShapeLow = vec2(1e9);

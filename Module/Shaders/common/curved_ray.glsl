@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a pixel of an eye's picture of a warped volume sees at a depth.
+// What a pixel sees at a depth, of an eye whose rays are lines of the cube of the map with its depth.
 
-// The ray of the map, for a place of the picture and a depth; outside where the volume ends.
+// The ray of the map, for a place of the picture and a depth; outside where the cube ends.
 WfvRay wfvRayOfDepth(vec2 place, float depth)
 {
   vec2 ndc = wfvUnshift(place, depth, wfvView);

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fragment side of triangles of a warped volume: what a pixel of an eye's picture sees is a line
-// of the volume, and a curve of the scene. It meets the triangle's plane at a depth that is found
-// by false position (Illinois), between the depths at which the triangle may be; with the ray of
-// the map at that depth everything goes on as without stereo.
+// Fragment side of triangles of an eye whose rays are curves: what a pixel of its picture sees is a
+// line of the cube of the map with its depth, and a curve of the scene. It meets the triangle's plane
+// at a depth that is found by false position (Illinois), between the depths at which the triangle may
+// be; with the ray of the map at that depth everything goes on as without stereo.
 
 flat in vec2 wfvDepths; // NDC depths at which the triangle may be
 
 // Parts of these depths: a curve that bends much, or leaves the map, may meet the plane twice.
-const int WFV_WARPED_PARTS = 8;
+const int WFV_CURVE_PARTS = 8;
 
 // Steps of the search in one of them: to float32's end at surfaces not seen edge-on.
-const int WFV_WARPED_STEPS = 8;
+const int WFV_CURVE_STEPS = 8;
 
 // The depths of the curve that may meet the triangle, from t = 0 to 1.
 vec2 wfvSpan = vec2(0.0);
@@ -65,7 +65,7 @@ float wfvBehind(vec2 place, float t)
   return dot(wfvPlane, rho * wfvRayOfDepth(place, depth).direction - wfvAnchor);
 }
 
-// Whether the volume has the place of the curve at t.
+// Whether the cube has the place of the curve at t.
 bool wfvInsideAt(vec2 place, float t)
 {
 #if WFV_ROUND
@@ -77,15 +77,15 @@ bool wfvInsideAt(vec2 place, float t)
 }
 
 // The first of the parts of the span at whose ends the curve is on different sides of the plane,
-// and inside the volume at one of them at least; x above y: none.
+// and inside the cube at one of them at least; x above y: none.
 vec2 wfvCrossedPart(vec2 place)
 {
   vec2 part = vec2(1.0, -1.0);
   float before = wfvBehind(place, 0.0);
   bool inside = wfvInsideAt(place, 0.0);
-  for (int i = 1; i <= WFV_WARPED_PARTS; i++)
+  for (int i = 1; i <= WFV_CURVE_PARTS; i++)
   {
-    vec2 ends = vec2(float(i - 1), float(i)) / float(WFV_WARPED_PARTS);
+    vec2 ends = vec2(float(i - 1), float(i)) / float(WFV_CURVE_PARTS);
     float here = wfvBehind(place, ends.y);
     bool next = wfvInsideAt(place, ends.y);
     bool crosses = (before <= 0.0) != (here <= 0.0) && (inside || next);
@@ -108,7 +108,7 @@ WfvRay wfvSurfaceRay(vec2 offset)
   float side = 0.0;
   float end = abs(f.x) < abs(f.y) ? z.x : z.y;
   float middle = end;
-  for (int i = 0; i < WFV_WARPED_STEPS; i++)
+  for (int i = 0; i < WFV_CURVE_STEPS; i++)
   {
     middle = crosses ? clamp(z.x - f.x * (z.y - z.x) / (f.y - f.x), z.x, z.y) : end;
     float at = wfvBehind(place, middle);

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the stages' C++ and their shaders both know: compiled as both (Shaders/Limits.h).
+
+// Samples of a pixel that are looked at, at the most.
+const int WFV_MOST_SAMPLES = 16;
+
+// Pieces of an edge that is tessellated, at the most: so many every OpenGL has.
+const int WFV_MOST_PIECES = 64;
+
+// How many chords stand for the edges of a triangle is one number: so many bits for the edge opposite
+// to each corner.
+const int WFV_CHORD_BITS = 5;
+
+// The part of that number which is of one edge.
+WFV_FN int wfvCodeOfChords(int edge, int chords)
+{
+  return chords << (WFV_CHORD_BITS * edge);
+}
+
+WFV_FN int wfvChordsInCode(int edge, int code)
+{
+  return (code >> (WFV_CHORD_BITS * edge)) & ((1 << WFV_CHORD_BITS) - 1);
+}
