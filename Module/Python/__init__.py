@@ -2,7 +2,7 @@
 """Wide field-of-view rendering for VTK.
 
 Every class of the module under its VTK name, ready to draw: importing the package
-loads VTK's OpenGL backend and text rendering as well.
+loads VTK's OpenGL backend and text rendering as well. `render` makes a picture in one call.
 """
 
 from vtkmodules.vtkCommonCore import vtkVersion as _vtkVersion
@@ -23,3 +23,4 @@ import vtkmodules.vtkRenderingFreeType  # noqa: E402,F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: E402,F401
 
 from .vtkRenderingWideFoV import *  # noqa: E402,F401,F403
+from ._render import render  # noqa: E402,F401
