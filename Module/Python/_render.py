@@ -128,14 +128,13 @@ def _set_view(camera, projection, hfov, vfov, fov, tilt) -> None:
         raise ValueError("render: " + messages.texts[0])
 
 
-def _set_pass(renderer, technique: str, tolerance: float) -> None:
+def _set_pass(wide: vtkWideFoVPass, camera, technique: str, tolerance: float) -> None:
     if technique not in TECHNIQUES:
         raise ValueError("render: no technique '%s', but %s" % (technique, ", ".join(TECHNIQUES)))
     (tolerance,) = _numbers("tolerance", [tolerance], 1)
-    wide = renderer.GetPass()
     wide.SetTechnique(TECHNIQUES[technique])
     wide.SetTolerance(tolerance)
-    renderer.GetActiveCamera().SetExactPerspective(wide.IsExact())
+    camera.SetExactPerspective(wide.IsExact())
 
 
 def _read(window: vtkRenderWindow, size: Tuple[int, int]) -> numpy.ndarray:
@@ -199,7 +198,7 @@ def render(
         renderer.AddViewProp(prop)
     renderer.SetBackground(_numbers("background", background, 3))
     _set_view(renderer.GetActiveCamera(), projection, hfov, vfov, fov, tilt)
-    _set_pass(renderer, technique, tolerance)
+    _set_pass(renderer.GetPass(), renderer.GetActiveCamera(), technique, tolerance)
     _aim(renderer, eye, direction, look_at, up)
     if prepare is not None:
         prepare(renderer)
