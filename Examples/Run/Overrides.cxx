@@ -73,7 +73,7 @@ RunFactory::RunFactory()
     this->RegisterOverride(
       "vtkCamera", "vtkWideFoVCamera", what, 1, []() -> vtkObject* { return RunCamera::New(); });
   }
-  if (wishes.Stereo != "mono")
+  if (wishes.Stereo->Traits.TwoEyes)
   {
     PutFirst("vtkRenderWindow");
     this->RegisterOverride("vtkRenderWindow", StereoWindow, what, 1, &MakeStereoWindow);

@@ -23,7 +23,7 @@ RunCamera::RunCamera()
 {
   const Wishes& wishes = TheWishes();
   this->SetProjection(wishes.Projection.c_str());
-  this->SetStereoModel(wishes.Stereo.c_str());
+  this->SetStereoModel(wishes.Stereo->Name.c_str());
   this->SetInterpupillaryDistance(wishes.EyeDistance.value_or(this->GetInterpupillaryDistance()));
   this->SetHorizontalFieldOfView(wishes.HorizontalFov.value_or(this->GetHorizontalFieldOfView()));
   this->SetVerticalFieldOfView(wishes.VerticalFov.value_or(this->GetVerticalFieldOfView()));

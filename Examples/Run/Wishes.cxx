@@ -4,7 +4,6 @@
 #include "Messages.h"
 #include "OptionValues.h"
 #include "Projections/Projection.h"
-#include "Stereo/Stereo.h"
 
 namespace widefov
 {
@@ -50,7 +49,7 @@ void TakeProjection(Wishes& wishes, const std::string& name, const std::string& 
 void TakeStereo(Wishes& wishes, const std::string& name, const std::string& value)
 {
   CheckChoice(name, value, StereoNames());
-  wishes.Stereo = value;
+  wishes.Stereo = wfv::FindStereoModel(value);
 }
 
 void TakeInside(Wishes& wishes, const std::string& name, const std::string& value)
@@ -95,8 +94,9 @@ const std::vector<Wish>& AllWishes()
     { "--projection", "WIDEFOV_PROJECTION", "NAME", "what widefov-render --list-projections lists",
       &TakeProjection },
     { "--stereo", "WIDEFOV_STEREO", "NAME",
-      "mono, warped, omnidirectional or offaxis, seen through red and cyan glasses", &TakeStereo },
-    { "--ipd", "WIDEFOV_IPD", "D", "omnidirectional: distance between the eyes, scene units",
+      "a model that widefov-render --help lists, seen through red and cyan glasses", &TakeStereo },
+    { "--ipd", "WIDEFOV_IPD", "D",
+      "distance between the eyes, scene units, of a model that has one",
       &TakeNumber<&Wishes::EyeDistance, Distances> },
     { "--hfov", "WIDEFOV_HFOV", "DEG", "horizontal field of view",
       &TakeNumber<&Wishes::HorizontalFov, Angles> },

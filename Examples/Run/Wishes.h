@@ -4,6 +4,8 @@
 #ifndef WideFoVWishes_h
 #define WideFoVWishes_h
 
+#include "Stereo/Stereo.h"
+
 #include <functional>
 #include <optional>
 #include <string>
@@ -14,13 +16,13 @@ namespace widefov
 struct Wishes
 {
   std::string Projection = "equirectangular";
-  std::string Stereo = "mono";
+  const wfv::StereoModel* Stereo = &wfv::NoStereo();
   std::optional<double> HorizontalFov, VerticalFov, Fov, Tilt; // degrees
   std::optional<double> EyeDistance;                           // scene units
   bool Inside = false;                                         // the eye is at the focal point
 
   // Whether stock VTK's camera serves.
-  bool IsFlat() const { return this->Projection == "perspective" && this->Stereo == "mono"; }
+  bool IsFlat() const { return this->Projection == "perspective" && !this->Stereo->Traits.TwoEyes; }
 };
 
 // One of the options, under both of its names.
