@@ -40,20 +40,16 @@ class VTKRENDERINGWIDEFOV_EXPORT vtkWideFoVCamera : public vtkOpenGLCamera
 {
 public:
   ///@{
-  /**
-   * Standard methods of a VTK class.
-   */
+  /// Standard methods of a VTK class.
   static vtkWideFoVCamera* New();
   vtkAbstractTypeMacro(vtkWideFoVCamera, vtkOpenGLCamera);
   void PrintSelf(ostream& os, vtkIndent indent) override;
   ///@}
 
   ///@{
-  /**
-   * The projection, by name (default "equirectangular"). An unknown name is refused with an error
-   * that lists the known ones. Fields of view outside the range of the new projection are clamped
-   * to it.
-   */
+  /// The projection, by name (default "equirectangular"). An unknown name is refused with an error
+  /// that lists the known ones. Fields of view outside the range of the new projection are clamped
+  /// to it.
   virtual void SetProjection(const char* name);
   virtual const char* GetProjection();
   void SetProjectionToEquirectangular() { this->SetProjection("equirectangular"); }
@@ -79,27 +75,21 @@ public:
   ///@}
 
   ///@{
-  /**
-   * The projections there are.
-   */
+  /// The projections there are.
   static int GetNumberOfProjections();
   static const char* GetProjectionName(int index);
   ///@}
 
   ///@{
-  /**
-   * Fields of view in degrees, above 0 (defaults 360 and 180), clamped with a warning to the range
-   * of the projection. A round projection (azimuthal) uses the horizontal one alone.
-   */
+  /// Fields of view in degrees, above 0 (defaults 360 and 180), clamped with a warning to the range
+  /// of the projection. A round projection (azimuthal) uses the horizontal one alone.
   virtual void SetHorizontalFieldOfView(double degrees);
   virtual double GetHorizontalFieldOfView();
   virtual void SetVerticalFieldOfView(double degrees);
   virtual double GetVerticalFieldOfView();
   ///@}
 
-  /**
-   * The field of view of a round projection: the full angle across the circle.
-   */
+  /// The field of view of a round projection: the full angle across the circle.
   virtual void SetFieldOfView(double degrees);
 
   ///@{
@@ -108,19 +98,18 @@ public:
    * the horizontal one of round projections, or where UseHorizontalViewAngle says so. To set it
    * changes both fields by one factor (of a perspective: the sides of the picture), and to zoom
    * divides it. These are not virtual in vtkCamera: what is set through a pointer to vtkCamera
-   * changes nothing, with one warning. GetViewAngle stays vtkCamera's own, 30: what places a camera
-   * by it, as vtkRenderer::ResetCamera does, places a wide one as a perspective of that angle.
+   * changes nothing, with one warning. Between frames GetViewAngle is vtkCamera's own, 30: what
+   * places a camera by it, as vtkRenderer::ResetCamera does, places a wide one as a perspective of
+   * that angle.
    */
   void SetViewAngle(double degrees);
   void Zoom(double factor);
   ///@}
 
   ///@{
-  /**
-   * How far the axis of the projection is raised from the direction of view towards view up, in
-   * degrees (default 0; 90 puts the zenith at the centre of a dome picture and the direction of
-   * view at its bottom). Clamped to [-180, 180].
-   */
+  /// How far the axis of the projection is raised from the direction of view towards view up, in
+  /// degrees (default 0; 90 puts the zenith at the centre of a dome picture and the direction of
+  /// view at its bottom). Clamped to [-180, 180].
   virtual void SetTilt(double degrees);
   virtual double GetTilt();
   ///@}
@@ -152,10 +141,8 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Radii of the near and far clip spheres, scene units, 0 < near < far (anything else is refused
-   * with an error). Setting them switches AutomaticClipRadii off.
-   */
+  /// Radii of the near and far clip spheres, scene units, 0 < near < far (anything else is refused
+  /// with an error). Setting them switches AutomaticClipRadii off.
   virtual void SetClipRadii(double nearRadius, double farRadius);
   virtual void GetClipRadii(double radii[2]);
   double GetNearClipRadius();
@@ -163,25 +150,19 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Derive the clip spheres from the bounds of the visible props before each frame (default on).
-   */
+  /// Derive the clip spheres from the bounds of the visible props before each frame (default on).
   vtkSetMacro(AutomaticClipRadii, vtkTypeBool);
   vtkGetMacro(AutomaticClipRadii, vtkTypeBool);
   vtkBooleanMacro(AutomaticClipRadii, vtkTypeBool);
   ///@}
 
-  /**
-   * Set the clip radii so that what the view may show of the bounds (xmin, xmax, .., zmax; world)
-   * lies between them. Uninitialized bounds change nothing.
-   */
+  /// Set the clip radii so that what the view may show of the bounds (xmin, xmax, .., zmax; world)
+  /// lies between them. Uninitialized bounds change nothing.
   virtual void ResetClipRadii(const double bounds[6]);
 
-  /**
-   * How depth grows with the distance rho from the eye, from the near to the far sphere. All of
-   * them grow, so that whatever of VTK compares, clears or reads depth goes on working; reversing
-   * the comparison itself is not possible in the stock passes, which set it themselves.
-   */
+  /// How depth grows with the distance rho from the eye, from the near to the far sphere. All of
+  /// them grow, so that whatever of VTK compares, clears or reads depth goes on working; reversing
+  /// the comparison itself is not possible in the stock passes, which set it themselves.
   enum DepthMappings
   {
     LINEAR = 0,  ///< (rho - near) / (far - near): the same step everywhere
@@ -190,10 +171,8 @@ public:
   };
 
   ///@{
-  /**
-   * The depth mapping (default LINEAR). Of a perspective that stock VTK draws it is stock VTK's.
-   * The mappings other than LINEAR write depth in the fragment stage.
-   */
+  /// The depth mapping (default LINEAR). Of a perspective that stock VTK draws it is stock VTK's.
+  /// The mappings other than LINEAR write depth in the fragment stage.
   virtual void SetDepthMapping(int mapping);
   virtual int GetDepthMapping();
   void SetDepthMappingToLinear() { this->SetDepthMapping(LINEAR); }
@@ -221,10 +200,8 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Omnidirectional: the distance between the eyes, scene units, at least 0 (default 0.065,
-   * people's in metres). What is nearer to the circle's axis than half of it is not seen.
-   */
+  /// Omnidirectional: the distance between the eyes, scene units, at least 0 (default 0.065,
+  /// people's in metres). What is nearer to the circle's axis than half of it is not seen.
   virtual void SetInterpupillaryDistance(double distance);
   virtual double GetInterpupillaryDistance();
   void SetEyeSeparation(double distance) override; ///< vtkCamera's word for it
@@ -232,11 +209,9 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Omnidirectional: latitudes in degrees, 0 to 90, between which the eyes' distance shrinks
-   * smoothly to nothing, for there a circle's two eyes turn about (default: off, full distance
-   * everywhere). The second is at least the first; anything else is refused with an error.
-   */
+  /// Omnidirectional: latitudes in degrees, 0 to 90, between which the eyes' distance shrinks
+  /// smoothly to nothing, for there a circle's two eyes turn about (default: off, full distance
+  /// everywhere). The second is at least the first; anything else is refused with an error.
   virtual void SetPoleFade(double start, double end);
   virtual void ClearPoleFade() { this->SetPoleFade(0, 0); }
   virtual void GetPoleFade(double latitudes[2]);
@@ -253,18 +228,14 @@ public:
   virtual void GetWarpedStereo(double values[3]);
   ///@}
 
-  /**
-   * Where the viewer is to the right of and above the cube's axis (NDC, default 0, 0), for tracked
-   * heads. What is not finite is refused with an error.
-   */
+  /// Where the viewer is to the right of and above the cube's axis (NDC, default 0, 0), for tracked
+  /// heads. What is not finite is refused with an error.
   virtual void SetWarpedViewer(double x, double y);
 
   ///@{
-  /**
-   * Off-axis: the parallax of what is infinitely far away, as a fraction of the picture's width
-   * (default 0.03, clamped to [0, 0.5]), and the distance that has none, scene units, above 0
-   * (default 10; anything else is refused with an error).
-   */
+  /// Off-axis: the parallax of what is infinitely far away, as a fraction of the picture's width
+  /// (default 0.03, clamped to [0, 0.5]), and the distance that has none, scene units, above 0
+  /// (default 10; anything else is refused with an error).
   virtual void SetSeparation(double fraction);
   virtual double GetSeparation();
   virtual void SetConvergence(double distance);
@@ -311,11 +282,9 @@ public:
   virtual double GetEyeReach();
 
   ///@{
-  /**
-   * Whether the techniques draw the projection "perspective" as they do all others (default off:
-   * stock VTK draws it). Where its corners are more than 80 degrees from its axis, the axis is not
-   * in the middle, or there is a stereo model, stock VTK does all the same.
-   */
+  /// Whether the techniques draw the projection "perspective" as they do all others (default off:
+  /// stock VTK draws it). Where its corners are more than 80 degrees from its axis, the axis is not
+  /// in the middle, or there is a stereo model, stock VTK does all the same.
   vtkSetMacro(ExactPerspective, vtkTypeBool);
   vtkGetMacro(ExactPerspective, vtkTypeBool);
   ///@}
@@ -324,26 +293,20 @@ public:
   bool IsWide();
 
   ///@{
-  /**
-   * World coordinates to NDC (x, y, depth in [-1, 1]) and back, in a viewport of the given aspect
-   * (width / height). The return value tells whether the point is in the picture (WorldToNDC), or
-   * the map has a direction there (NDCToWorld).
-   */
+  /// World coordinates to NDC (x, y, depth in [-1, 1]) and back, in a viewport of the given aspect
+  /// (width / height). The return value tells whether the point is in the picture (WorldToNDC), or
+  /// the map has a direction there (NDCToWorld).
   bool WorldToNDC(const double world[3], double aspect, double ndc[3]);
   bool NDCToWorld(const double ndc[3], double aspect, double world[3]);
   ///@}
 
-  /**
-   * The ray through a point of the picture: where it starts and its unit direction, in world
-   * coordinates. False where the map has no direction.
-   */
+  /// The ray through a point of the picture: where it starts and its unit direction, in world
+  /// coordinates. False where the map has no direction.
   bool NDCToRay(const double ndc[2], double aspect, double origin[3], double direction[3]);
 
 #ifndef __VTK_WRAP__
-  /**
-   * Where the present eye of a perspective is, view coordinates; 0, 0, 0 without stereo and of
-   * wide projections, whose rays begin where NDCToRay says.
-   */
+  /// Where the present eye of a perspective is, view coordinates; 0, 0, 0 without stereo and of
+  /// wide projections, whose rays begin where NDCToRay says.
   void GetPerspectiveEye(double aspect, float eye[3]);
 
   /// The same as SetDirectionMap of a picture, with tables that several cameras may share.
@@ -359,10 +322,8 @@ public:
   /// Whether the view plane has no normal: for labels that ask it what is behind it.
   void SetNothingBehind(bool nothing);
 
-  /**
-   * The view as two functions, in view coordinates (see Projections/Projection.h). Valid until the
-   * camera is changed or another aspect is asked for.
-   */
+  /// The view as two functions, in view coordinates (see Projections/Projection.h). Valid until the
+  /// camera is changed or another aspect is asked for.
   const wfv::View& GetView(double aspect);
 
   /// The projection that was set, as the registry has it.
@@ -385,9 +346,7 @@ public:
   ///@}
 
   ///@{
-  /**
-   * As vtkCamera's, and the wide view with them where the source has one.
-   */
+  /// As vtkCamera's, and the wide view with them where the source has one.
   void ShallowCopy(vtkCamera* source);
   void DeepCopy(vtkCamera* source);
   ///@}
@@ -405,9 +364,7 @@ public:
   ///@}
 
   ///@{
-  /**
-   * What the stock pipeline asks for. The projection matrix of a wide camera is the identity.
-   */
+  /// What the stock pipeline asks for. The projection matrix of a wide camera is the identity.
   void Render(vtkRenderer* renderer) override;
   void UpdateViewport(vtkRenderer* renderer) override;
   void GetKeyMatrices(vtkRenderer* renderer, vtkMatrix4x4*& wcvc, vtkMatrix3x3*& normals,
@@ -419,10 +376,8 @@ protected:
   vtkWideFoVCamera();
   ~vtkWideFoVCamera() override;
 
-  /**
-   * A camera with this one's view. VTK's screenshots draw with a new instance that only
-   * vtkCamera's own, non-virtual copy functions fill.
-   */
+  /// A camera with this one's view. VTK's screenshots draw with a new instance that only
+  /// vtkCamera's own, non-virtual copy functions fill.
   vtkObjectBase* NewInstanceInternal() const override;
 
   virtual void CopyView(const vtkWideFoVCamera* source);

@@ -23,8 +23,6 @@ from sources import CPP, SHADERS, find_sources
 
 MAX_FUNCTION_LINES = 39  # "under 40": what fits a screen
 MAX_SOURCE_LINES = 450  # "about 400": one idea a file
-# Of a public header, which says of each call what it is for: these lines are not counted.
-DOCSTRING = re.compile(r"^ *(///|/\*\*|\*/|\* ).*$", re.MULTILINE)
 
 # The floors of the module, from the ground up; those in one row do not know each other. A folder
 # includes from itself and the floors below it. On the roof are the public classes.
@@ -140,9 +138,8 @@ def check_length(source):
     """Short functions, short sources."""
     if not source.is_code:
         return
-    lines = len(source.lines) - DOCSTRING.subn("", source.text)[1]
-    if lines > MAX_SOURCE_LINES:
-        text = "%d lines, at most %d" % (lines, MAX_SOURCE_LINES)
+    if len(source.lines) > MAX_SOURCE_LINES:
+        text = "%d lines, at most %d" % (len(source.lines), MAX_SOURCE_LINES)
         yield MAX_SOURCE_LINES + 1, "source length", text
     functions = []
     if source.is_kind(CPP + SHADERS):
