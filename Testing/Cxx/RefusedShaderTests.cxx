@@ -88,9 +88,7 @@ struct Scene
   std::vector<unsigned char> Draw()
   {
     this->Test.Window->Render();
-    const TestPixels pixels(this->Test.Window);
-    const unsigned char* const first = pixels.At(0, 0);
-    return { first, first + pixels.Data->GetNumberOfValues() };
+    return TestPixels(this->Test.Window).Copy();
   }
 
   WideFoVTestWindow Test;

@@ -210,3 +210,9 @@ const unsigned char* TestPixels::At(int x, int y) const
 {
   return this->Data->GetPointer(3 * (static_cast<vtkIdType>(y) * this->Width + x));
 }
+
+std::vector<unsigned char> TestPixels::Copy() const
+{
+  const unsigned char* const first = this->At(0, 0);
+  return { first, first + this->Data->GetNumberOfValues() };
+}

@@ -11,6 +11,8 @@
 #include "vtkWideFoVPass.h"
 #include "vtkWideFoVRenderer.h"
 
+#include <vector>
+
 VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
 class vtkAlgorithm;
@@ -50,6 +52,7 @@ struct TestPixels
 {
   explicit TestPixels(vtkRenderWindow* window);
   const unsigned char* At(int x, int y) const;
+  std::vector<unsigned char> Copy() const; // of all, three numbers a pixel
   int Width;
   int Height;
   vtkSmartPointer<class vtkUnsignedCharArray> Data;

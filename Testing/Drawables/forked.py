@@ -30,6 +30,19 @@ def run(function, name, seconds=120):
     return json.loads(text)
 
 
+def judge_all(names, judge):
+    """judge(name) is what is wrong, a list of texts, each asked in a process of its own; prints it, and
+    returns the exit code."""
+    wrong = 0
+    for name in names:
+        faults = run(judge, name)
+        faults = [faults["crash"]] if isinstance(faults, dict) else faults
+        wrong += bool(faults)
+        print("%-45s %s" % (name, "; ".join(faults) or "as it should be"), flush=True)
+    print("%d are wrong" % wrong)
+    return 1 if wrong else 0
+
+
 def answer(function, name, writer):
     code = 1
     try:

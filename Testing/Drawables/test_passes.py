@@ -179,14 +179,7 @@ def main(folder, *names):
 
     import draw  # noqa: F401, loaded once for all
 
-    wrong = 0
-    for name in names or forked.run(lambda _: sorted(cases()), ""):
-        faults = forked.run(judge, name)
-        faults = [faults["crash"]] if isinstance(faults, dict) else faults
-        wrong += bool(faults)
-        print("%-40s %s" % (name, "; ".join(faults) or "as it should be"), flush=True)
-    print("%d are wrong" % wrong)
-    return 1 if wrong else 0
+    return forked.judge_all(names or forked.run(lambda _: sorted(cases()), ""), judge)
 
 
 if __name__ == "__main__":
