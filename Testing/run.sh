@@ -27,7 +27,7 @@ run_tests() {
   fi
   ran=yes
   bash Utilities/with-display.sh --for "$1" ctest --test-dir "$1" --output-on-failure --no-tests=error \
-    --timeout 900 --parallel "$(nproc)" "${@:2}"
+    --timeout 900 --parallel "$(($(nproc) + 1))" "${@:2}" # some wait for windows and servers
 }
 
 if [[ "$flavours" == *" vtk "* ]]; then
