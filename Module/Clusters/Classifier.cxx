@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Clusters/Classifier.h"
 
+#include "Projections/StereoModel.h"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace wfv
@@ -15,10 +18,18 @@ constexpr double Beside = 1e-5;
 // a bound.
 constexpr double LeastAhead = 0.02;
 
-// Of rays that begin on a circle: how many of its radii a triangle is away at least, and how many
-// of its edges is its distance from the circle's axis. Nearer ones are ray-tested.
-constexpr double LeastRadii = 34; // so that another cell at the most is looked at
+// Of rays that begin on a circle: how many of its radii, and of its edges, a triangle is away from
+// the circle's axis at least. Nearer ones are ray-tested.
+constexpr double LeastRadii = 1.5;
 constexpr double LeastEdges = 4;
+
+// Over the sine of the angle between a point's direction and that of the ray that meets it: what
+// the level distance and the height add, where the former is LeastRadii or more.
+constexpr double AsideSafety = 1.4;
+
+// And how many times longer than a bound for all directions says an edge may be, squared, where
+// places of it are looked at.
+constexpr double MostTimesLonger2 = 8 * 8;
 
 // Radians, that a triangle of several chords is long at the most.
 constexpr double LongestSplit = 1;
@@ -39,8 +50,8 @@ bool ClassifierView::operator==(const ClassifierView& o) const
   return this->Map == o.Map && a.halfFov == b.halfFov && a.scale == b.scale && a.tilt == b.tilt &&
     a.radii == b.radii && a.lens == b.lens && a.lens5 == b.lens5 && a.maxAngle == b.maxAngle &&
     a.map == b.map && this->Part.Low == o.Part.Low && this->Part.High == o.Part.High &&
-    this->Limits == o.Limits && this->Culls == o.Culls && this->EyeRadius == o.EyeRadius &&
-    this->Reach == o.Reach;
+    this->Limits == o.Limits && this->Stereo == o.Stereo && this->Culls == o.Culls &&
+    this->EyeRadius == o.EyeRadius && this->Reach == o.Reach;
 }
 
 Classifier::Classifier(const ClassifierView& view)
@@ -128,29 +139,80 @@ bool Classifier::SphereMayTear(const vec3& c, double radius, double angle) const
   }
 }
 
+// Whether the distance of an edge from the axis of the circle is little beside its length.
+bool Classifier::IsNearAxis(const vec3& p, double edge2) const
+{
+  const WfvView& v = this->V.View;
+  const double height = glm::dot(p, vec3(0, v.tilt.x, -v.tilt.y));
+  return !(glm::dot(p, p) - height * height - edge2 > LeastEdges * LeastEdges * edge2);
+}
+
 // Seen by rays that begin on a circle an edge is no great circle: from each place another ray
 // looks, by as much as the circle turns between them. True where that moves it by too much.
 bool Classifier::BendsFromEye(const vec3& p, const vec3& q) const
 {
   const WfvView& v = this->V.View;
-  const vec3 up(0, v.tilt.x, -v.tilt.y);
   const vec3 way = q - p;
   const double edge2 = glm::dot(way, way);
-  const double height = glm::dot(p, up);
-  const double level2 = glm::dot(p, p) - height * height - edge2;
-  if (!(level2 > LeastEdges * LeastEdges * edge2))
+  if (this->IsNearAxis(p, edge2))
   {
     return true;
   }
+  const double height = glm::dot(p, vec3(0, v.tilt.x, -v.tilt.y));
+  const double level2 = glm::dot(p, p) - height * height - edge2;
   const double off = this->V.EyeRadius * edge2 / level2 / glm::length(p);
   return !(off * this->V.Limits->StretchAt(p) <= EyeShare * this->V.Tolerance);
 }
 
-// Rays that begin on a circle look a little aside of the direction from its middle.
+// Rays that begin on a circle look aside of the direction from its middle, and see an edge under a
+// larger angle than it does.
 double Classifier::LimitAt(const vec3& p) const
 {
-  return this->V.EyeRadius > 0 ? this->V.Limits->LeastAround(p, 1 / LeastRadii)
-                               : this->V.Limits->At(p);
+  if (!(this->V.EyeRadius > 0))
+  {
+    return this->V.Limits->At(p);
+  }
+  const WfvView& v = this->V.View;
+  const double height = glm::dot(p, vec3(0, v.tilt.x, -v.tilt.y));
+  const double away2 = glm::dot(p, p);
+  const double level = std::sqrt(std::max(0.0, away2 - height * height));
+  if (!(level > LeastRadii * this->V.EyeRadius))
+  {
+    return 0;
+  }
+  const double sine = AsideSafety * this->V.EyeRadius / std::sqrt(away2);
+  const double larger = 1 + AsideSafety * this->V.EyeRadius / level;
+  return this->V.Limits->LeastAround(p, sine) / (larger * larger);
+}
+
+// Whether the chord of an edge stands for it in the pictures of both eyes, whose rays begin on a
+// circle. reach2: as of ChordsOf.
+bool Classifier::HasChordFromEyes(const vec3& p, const vec3& q, double reach2) const
+{
+  const vec3 way = q - p;
+  const double length2 = glm::dot(way, way);
+  if (length2 <= reach2 && !this->BendsFromEye(p, q))
+  {
+    return true;
+  }
+  if (!(length2 <= MostTimesLonger2 * reach2) || this->IsNearAxis(p, length2))
+  {
+    return false;
+  }
+  bool near = true;
+  for (const int eye : { WFV_EYE_LEFT, WFV_EYE_RIGHT })
+  {
+    WfvView v = this->V.View;
+    v.eye = eye;
+    std::array<vec3, 5> seen;
+    for (std::size_t i = 0; i < seen.size(); i++)
+    {
+      const WfvSight s = this->V.Stereo->See(p + 0.25 * double(i) * way, v);
+      seen[i] = s.distance * s.direction;
+    }
+    near = near && this->V.Limits->AreNearChord(seen);
+  }
+  return near;
 }
 
 // Seen from the eye no part of an edge looks longer than it would at its nearer end.
@@ -163,8 +225,7 @@ bool Classifier::FitChords(const vec3& p, const vec3& q, int chords) const
   {
     const vec3 at = i < chords ? p + double(i) * step : q;
     const double here = this->LimitAt(at) * glm::dot(at, at);
-    if (!(step2 <= std::min(before, here)) ||
-      (this->V.EyeRadius > 0 && this->BendsFromEye(at - step, at)))
+    if (!(step2 <= std::min(before, here)))
     {
       return false;
     }
@@ -178,7 +239,8 @@ int Classifier::ChordsOf(const vec3& p, const vec3& q, double reach2) const
 {
   const vec3 way = q - p;
   const double length2 = glm::dot(way, way);
-  if (length2 <= reach2 && !(this->V.EyeRadius > 0))
+  const bool own = this->V.EyeRadius > 0;
+  if (length2 <= reach2 && !own)
   {
     return 1;
   }
@@ -190,20 +252,22 @@ int Classifier::ChordsOf(const vec3& p, const vec3& q, double reach2) const
   const bool ordered = p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : p.z < q.z;
   const vec3& from = ordered ? p : q;
   const vec3& to = ordered ? q : p;
+  if (own)
+  {
+    // where each pixel's ray begins elsewhere, the fragment stage does not find one of several
+    return this->HasChordFromEyes(from, to, reach2) ? 1 : 0;
+  }
   constexpr double longer = ChordLimits::MostLonger * ChordLimits::MostLonger;
-  if (length2 <= longer * reach2 && !(this->V.EyeRadius > 0) &&
-    this->V.Limits->IsNearChord(from, to))
+  if (length2 <= longer * reach2 && this->V.Limits->IsNearChord(from, to))
   {
     return 1;
   }
   int chords = std::max(1, static_cast<int>(std::ceil(std::sqrt(length2 / reach2))));
-  // where each pixel's ray begins elsewhere, the fragment stage does not find one of several
-  const int most = this->V.EyeRadius > 0 ? 1 : MostChords;
-  while (chords <= most && !this->FitChords(from, to, chords))
+  while (chords <= MostChords && !this->FitChords(from, to, chords))
   {
     chords++;
   }
-  return chords <= most ? chords : 0;
+  return chords <= MostChords ? chords : 0;
 }
 
 // Whether nothing speaks against it but how long the edges are.

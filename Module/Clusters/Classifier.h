@@ -29,8 +29,9 @@ struct ClassifierView
   std::shared_ptr<const ChordLimits> Limits; // none: nothing is projected
   double Tolerance = 0.25;                   // pixels; that of Limits
   bool Culls = true;
-  double EyeRadius = 0; // of the circle that rays begin on, scene units
-  double Reach = 0;     // of the rays' beginnings from the origin, scene units
+  double EyeRadius = 0;                // of the circle that rays begin on, scene units
+  const StereoModel* Stereo = nullptr; // where there is such a circle
+  double Reach = 0;                    // of the rays' beginnings from the origin, scene units
 
   bool operator==(const ClassifierView& other) const;
 };
@@ -73,7 +74,9 @@ private:
   bool MayTear(const vec3 p[3], double farthest, double angle) const;
   bool SphereMayTear(const vec3& centre, double radius, double angle) const;
   bool IsOnOneFace(const vec3 p[3], double beside) const;
+  bool IsNearAxis(const vec3& p, double edge2) const;
   bool BendsFromEye(const vec3& p, const vec3& q) const;
+  bool HasChordFromEyes(const vec3& p, const vec3& q, double reach2) const;
 
   const ClassifierView& V;
   Family Axis;

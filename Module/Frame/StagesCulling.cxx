@@ -251,6 +251,7 @@ bool wfv::Stages::GetClassifierView(
   const bool own =
     this->Stereo && !this->Stereo->Traits.OneCenter && !this->Stereo->Fades(this->View);
   view.EyeRadius = own ? wfv::wfvFromMiddle(this->View) : 0;
+  view.Stereo = own ? this->Stereo : nullptr;
   // what shines through would be twice where two ways of drawing meet, and is mixed in its own
   // order
   const bool projects = this->Technique == wfv::TechniqueAuto && AllowsChords(this->Tolerance) &&

@@ -184,9 +184,31 @@ bool ChordLimits::IsNearChord(const vec3& p, const vec3& q) const
   return MiddleSafety * off <= this->Tolerance * glm::length(chord);
 }
 
-float ChordLimits::NearSingularity(const vec3& direction) const
+bool ChordLimits::AreNearChord(const std::array<vec3, 5>& places) const
 {
-  const double sine = SineToSingularity(this->Axis, glm::normalize(direction));
+  const vec3 way = places[4] - places[0];
+  const double nearest2 = std::min(glm::dot(places[0], places[0]), glm::dot(places[4], places[4]));
+  if (!(glm::dot(way, way) <= LongestChord * LongestChord * nearest2))
+  {
+    return false;
+  }
+  const vec2 from = this->PlaceOf(places[0]);
+  const vec2 chord = this->PlaceOf(places[4]) - from;
+  double off = 0;
+  for (std::size_t i = 1; i < 4; i++)
+  {
+    off = std::max(off, glm::length(this->PlaceOf(places[i]) - from - 0.25 * double(i) * chord));
+  }
+  return MiddleSafety * off <= this->Tolerance;
+}
+
+float ChordLimits::NearSingularity(const vec3& direction, double aside) const
+{
+  const double sine = SineToSingularity(this->Axis, glm::normalize(direction)) - aside;
+  if (!(sine > 0))
+  {
+    return 0;
+  }
   const double sine2 = sine * sine;
   constexpr double share = (1 - Farther) * (1 - Farther);
   constexpr double longest = LongestChord * LongestChord;
@@ -195,12 +217,17 @@ float ChordLimits::NearSingularity(const vec3& direction) const
 
 float ChordLimits::LeastAround(const vec3& direction, double sine) const
 {
+  if (this->IsBesideSingularity(direction, sine))
+  {
+    return 0;
+  }
   double reach = NarrowestCell;
   for (int ring = 0; ring < Rings; ring++, reach *= 2)
   {
     if (sine <= reach)
     {
-      return this->Least[ring][LocalBend::CellOf(direction)];
+      const float least = this->Least[ring][LocalBend::CellOf(direction)];
+      return least < Coarse ? std::max(least, this->NearSingularity(direction, sine)) : least;
     }
   }
   return 0;

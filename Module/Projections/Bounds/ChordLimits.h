@@ -5,6 +5,7 @@
 
 #include "Projections/Bounds/LocalBend.h"
 
+#include <array>
 #include <vector>
 
 namespace wfv
@@ -51,6 +52,10 @@ public:
   bool IsNearChord(const vec3& p, const vec3& q) const;
   static constexpr double MostLonger = 2;
 
+  // Whether places of an edge, its ends and three between at equal steps, as rays see them, are in
+  // the picture at equal steps of its chord.
+  bool AreNearChord(const std::array<vec3, 5>& places) const;
+
   // Radians from a rim, a seam or a border of two faces: nearer, a pixel's neighbours may be no
   // neighbours on the map, so how its ray changes is not known, and with it on which side of a
   // chord it is.
@@ -74,7 +79,8 @@ private:
   static constexpr float Coarse = 0.02f * 0.02f;
 
   // By the bound of wfv::Bend, which knows how near a direction is.
-  float NearSingularity(const vec3& direction) const;
+  // aside: the sine of an angle to go nearer.
+  float NearSingularity(const vec3& direction, double aside = 0) const;
 
   void SpreadLimits(); // to Least
 

@@ -5,8 +5,13 @@
 // the shapes large enough: seen from anywhere on the circle, nothing is farther than wfvGrow
 // from where the origin sees it.
 
-// Radii of the circle: an edge that passes its axis nearer than so many has no chord.
+// Radii of the circle: an edge that passes its axis nearer than so many has no chord, unless it is
+// short beside that distance and farther than the fewer.
 const float WFV_OWN_NEAR = 16.0;
+const float WFV_OWN_NEAREST = 1.5;
+
+// Edges: what is short.
+const float WFV_OWN_EDGES = 4.0;
 
 // Cosine of the angle that an edge with a chord is seen under at the most.
 const float WFV_OWN_SHORT = 0.5;
@@ -31,6 +36,15 @@ vec3 wfvSeenPlace(vec3 p)
 bool wfvOwnNothing()
 {
   return !(max(abs(wfvT.x), max(abs(wfvT.y), abs(wfvT.z))) > 0.0);
+}
+
+// True where all of the triangle is nearer to the axis than the circle: no ray passes there.
+bool wfvOwnUnseen()
+{
+  vec3 up = wfvUpright(wfvView);
+  float far = max(length(cross(wfvP[0], up)),
+    max(length(cross(wfvP[1], up)), length(cross(wfvP[2], up))));
+  return !WFV_FADES && far < 0.999 * abs(wfvToRight(wfvView)) / wfvScale();
 }
 
 // The triangle's least distance from the origin: that of its plane, or what its corners and
@@ -82,6 +96,61 @@ vec2 wfvOwnLatitudes(vec2 a)
   return vec2(level && a.x > 0.0 ? a.x : a.x - wfvGrow, level && a.y < 0.0 ? a.y : a.y + wfvGrow);
 }
 
+// Square of the least distance of the edge a, b from the axis of the circle.
+float wfvOwnAxisSquared(vec3 a, vec3 b)
+{
+  vec3 up = wfvUpright(wfvView);
+  vec3 p = a - up * dot(a, up);
+  vec3 d = (b - up * dot(b, up)) - p;
+  float t = clamp(-dot(p, d) / max(dot(d, d), 1e-30), 0.0, 1.0);
+  vec3 nearest = p + t * d;
+  return dot(nearest, nearest);
+}
+
+// Relative slack of distances from the axis of the circle.
+const float WFV_OWN_SLACK = 1e-4;
+
+// Radians by which the azimuths turn between what is seen from the origin and by this eye, least and
+// most, to either side; and the latitudes between which the eye sees the triangle.
+vec2 wfvOwnTurns = vec2(0.0);
+vec2 wfvOwnBand = vec2(0.0);
+
+// The distance of the triangle from the axis of the circle, least and most. Not of one that the axis
+// meets.
+vec2 wfvOwnLevels()
+{
+  vec3 up = wfvUpright(wfvView);
+  float near = min(wfvOwnAxisSquared(wfvP[0], wfvP[1]),
+    min(wfvOwnAxisSquared(wfvP[1], wfvP[2]), wfvOwnAxisSquared(wfvP[2], wfvP[0])));
+  float far = max(length(cross(wfvP[0], up)),
+    max(length(cross(wfvP[1], up)), length(cross(wfvP[2], up))));
+  return vec2(sqrt(near) * (1.0 - WFV_OWN_SLACK), far * (1.0 + WFV_OWN_SLACK));
+}
+
+// Sets these two, of angles as seen from the origin, whose pole is the circle's axis where the map is
+// not tilted: then a place at the distance d from the axis is turned by asin(r / d), away from where
+// the eye is, and its level way from the circle is sqrt(d * d - r * r).
+void wfvOwnSet(vec4 a, bool pole)
+{
+  float turn = wfvGrowAzimuth(0.5 * WFV_PI - max(abs(a.y), abs(a.w)));
+  wfvOwnTurns = vec2(-turn, turn);
+  wfvOwnBand = wfvOwnLatitudes(a.yw);
+  float r = wfvOwnRadius();
+  vec2 levels = wfvOwnLevels();
+  if (WFV_TILTED || WFV_FADES || pole || !(levels.x > (1.0 + WFV_OWN_SLACK) * r))
+  {
+    return;
+  }
+  vec2 ways = sqrt((levels - r) * (levels + r));
+  vec2 turns = vec2(wfvAtan2(r, ways.y), wfvAtan2(r, ways.x));
+  wfvOwnTurns = wfvToRight(wfvView) > 0.0 ? -turns.yx : turns;
+  wfvOwnTurns += vec2(-WFV_ANGLE_PAD, WFV_ANGLE_PAD);
+  float low = min(wfvP[0].y, min(wfvP[1].y, wfvP[2].y));
+  float high = max(wfvP[0].y, max(wfvP[1].y, wfvP[2].y));
+  wfvOwnBand = vec2(max(wfvOwnBand.x, wfvAtan2(low, low < 0.0 ? ways.x : ways.y) - WFV_ANGLE_PAD),
+    min(wfvOwnBand.y, wfvAtan2(high, high < 0.0 ? ways.y : ways.x) + WFV_ANGLE_PAD));
+}
+
 // The easy bound (wfvEasy) of a triangle that is seen from the circle. How much farther than from
 // the origin its corners may be from a singular point, radians, and how far its edges are off the
 // great circles between them, times the way a place of the map moves: pixels at sine 1; y is endless where the triangle is as
@@ -129,17 +198,6 @@ bool wfvOwnReachesSeam()
 #endif
 }
 
-// Square of the least distance of the edge a, b from the axis of the circle.
-float wfvOwnAxisSquared(vec3 a, vec3 b)
-{
-  vec3 up = wfvUpright(wfvView);
-  vec3 p = a - up * dot(a, up);
-  vec3 d = (b - up * dot(b, up)) - p;
-  float t = clamp(-dot(p, d) / max(dot(d, d), 1e-30), 0.0, 1.0);
-  vec3 nearest = p + t * d;
-  return dot(nearest, nearest);
-}
-
 // The point of an edge whose direction is halfway between those of a and b.
 vec3 wfvOwnBetween(vec3 a, vec3 b)
 {
@@ -159,8 +217,10 @@ float wfvOwnEdgeError(vec3 a, vec3 b)
 // As wfvChordError, of an edge as this eye sees it: y alone is asked for.
 vec2 wfvOwnChordError(vec3 a, vec3 b)
 {
-  float near = WFV_OWN_NEAR * wfvOwnRadius();
-  if (!(wfvOwnAxisSquared(a, b) > near * near))
+  float r = wfvOwnRadius();
+  float axis = wfvOwnAxisSquared(a, b);
+  float edge = WFV_OWN_EDGES * WFV_OWN_EDGES * dot(b - a, b - a);
+  if (!(axis > (axis > edge ? WFV_OWN_NEAREST * WFV_OWN_NEAREST : WFV_OWN_NEAR * WFV_OWN_NEAR) * r * r))
   {
     return vec2(WFV_CURVED, WFV_UNKNOWN);
   }

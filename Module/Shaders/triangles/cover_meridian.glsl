@@ -14,10 +14,8 @@ const float WFV_UPRIGHT = 1e-6;
 const float WFV_COLUMN_SNAP = 1.0 / 64.0;
 
 #if WFV_OWN_RAYS
-// Radians: a column widened by more on both sides is no longer less than half a turn wide.
-const float WFV_WIDEST_TURN = 0.9;
-
-float wfvTurnPad = 0.0; // radians of azimuth that the bounds are widened by
+// Radians: a column widened by more is no longer less than half a turn wide.
+const float WFV_WIDEST_TURN = 1.8;
 #endif
 
 // Range of the tangent of the latitude that one edge leaves the triangle between two
@@ -39,10 +37,6 @@ vec2 wfvEdgeRange(vec3 n, vec2 lambda)
   return n.y > 0.0 ? vec2(-high / n.y, 1e30) : vec2(-1e30, high / -n.y);
 }
 
-#if WFV_OWN_RAYS
-vec2 wfvLatitudes = vec2(0.0); // of all of the triangle, seen from the circle
-#endif
-
 // NDC of the lowest and the highest latitude of the triangle between two longitudes, or as near to
 // them as a rasterizer moves them; none where it is not asked for.
 vec2 wfvColumn(vec2 lambda, bool asked)
@@ -59,8 +53,8 @@ vec2 wfvColumn(vec2 lambda, bool asked)
   for (int i = asked ? 3 : 0; i > 0; i--) // see wfvMustCover
   {
 #if WFV_OWN_RAYS
-    vec2 edge = wfvEdgeRange(plane, lambda + vec2(-wfvTurnPad, wfvTurnPad));
-    edge = wfvTurnPad < WFV_WIDEST_TURN ? edge : vec2(-1e30, 1e30);
+    vec2 edge = wfvEdgeRange(plane, lambda - wfvOwnTurns.yx);
+    edge = wfvOwnTurns.y - wfvOwnTurns.x < WFV_WIDEST_TURN ? edge : vec2(-1e30, 1e30);
 #else
     vec2 edge = wfvEdgeRange(plane, lambda);
 #endif
@@ -74,7 +68,7 @@ vec2 wfvColumn(vec2 lambda, bool asked)
   }
   vec2 phi = vec2(wfvAtan2(r.x, 1.0) - pad, wfvAtan2(r.y, 1.0) + pad);
 #if WFV_OWN_RAYS
-  phi = clamp(phi, wfvLatitudes.x, wfvLatitudes.y);
+  phi = clamp(phi, wfvOwnBand.x, wfvOwnBand.y);
 #endif
   phi = clamp(phi, -0.5 * WFV_PI, 0.5 * WFV_PI);
   vec4 b = wfvBounds(vec4(lambda.x, phi.x, lambda.y, phi.y), wfvView);
@@ -146,11 +140,10 @@ void wfvCover(bool front)
     !wfvCornerAtPole(vec3(0.0, 1.0, 0.0));
   vec4 a = wfvAngularBounds(vec3(0.0, 1.0, 0.0));
 #if WFV_OWN_RAYS
-  wfvTurnPad = wfvGrowAzimuth(0.5 * WFV_PI - max(abs(a.y), abs(a.w)));
-  a += vec4(-wfvTurnPad, 0.0, wfvTurnPad, 0.0);
-  wfvLatitudes = wfvOwnLatitudes(a.yw);
-  wfvLatitudes.x = wfvHolds(1, -1.0) ? -0.5 * WFV_PI : wfvLatitudes.x;
-  wfvLatitudes.y = wfvHolds(1, 1.0) ? 0.5 * WFV_PI : wfvLatitudes.y;
+  wfvOwnSet(a, wfvHolds(1, 1.0) || wfvHolds(1, -1.0));
+  a += vec4(wfvOwnTurns.x, 0.0, wfvOwnTurns.y, 0.0);
+  wfvOwnBand.x = wfvHolds(1, -1.0) ? -0.5 * WFV_PI : wfvOwnBand.x;
+  wfvOwnBand.y = wfvHolds(1, 1.0) ? 0.5 * WFV_PI : wfvOwnBand.y;
 #endif
   bool round_ = pole || a.z - a.x >= 2.0 * WFV_PI;
   vec2 here = round_ ? vec2(-WFV_PI, WFV_PI) : vec2(max(a.x, -WFV_PI), min(a.z, WFV_PI));
@@ -178,9 +171,8 @@ void wfvCover(bool front)
   bool south = wfvHolds(1, -1.0);
   vec4 a = wfvAngularBounds(vec3(0.0, 1.0, 0.0));
 #if WFV_OWN_RAYS
-  vec2 latitudes = wfvOwnLatitudes(a.yw);
-  a = wfvGrowAngles(a, 0.5 * WFV_PI - max(abs(a.y), abs(a.w)));
-  a.yw = latitudes;
+  wfvOwnSet(a, north || south);
+  a = vec4(a.x + wfvOwnTurns.x, wfvOwnBand.x, a.z + wfvOwnTurns.y, wfvOwnBand.y);
 #endif
   a = vec4(a.x, south ? -0.5 * WFV_PI : max(a.y, -0.5 * WFV_PI), a.z,
     north ? 0.5 * WFV_PI : min(a.w, 0.5 * WFV_PI));

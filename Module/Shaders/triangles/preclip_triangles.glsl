@@ -96,7 +96,9 @@ bool wfvOutside(vec3 lengths)
   {
     return true;
   }
-#if !WFV_ROUND || WFV_OWN_RAYS
+#if WFV_OWN_RAYS
+  return wfvOwnUnseen();
+#elif !WFV_ROUND
   return false;
 #else
   vec3 cosines = -vec3(wfvP[0].z, wfvP[1].z, wfvP[2].z) / lengths;
