@@ -169,6 +169,13 @@ bool vtkWideFoVPass::IsExact()
   return IsExactTechnique(this->Technique, this->Tolerance);
 }
 
+const char* vtkWideFoVPass::GetTechniqueAsString(int technique)
+{
+  const std::vector<wfv::TechniqueEntry>& all = wfv::Techniques();
+  const bool known = technique >= 0 && technique < static_cast<int>(all.size());
+  return known ? all[static_cast<std::size_t>(technique)].Name.c_str() : nullptr;
+}
+
 bool vtkWideFoVPass::IsExactTechnique(int technique, double tolerance)
 {
   return wfv::Stages::IsExactTechnique(technique, tolerance);

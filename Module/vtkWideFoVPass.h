@@ -72,6 +72,12 @@ public:
   void SetTechniqueToVertex() { this->SetTechnique(VERTEX); }
   ///@}
 
+  /**
+   * The name that a technique has on command lines, such as "auto"; nullptr where there is none of
+   * that number.
+   */
+  static const char* GetTechniqueAsString(int technique);
+
   ///@{
   /**
    * Largest distance, in pixels, between a drawn edge and its true curve (default 0.25, clamped to

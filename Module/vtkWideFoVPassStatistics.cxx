@@ -7,8 +7,6 @@
 
 namespace
 {
-const char* const Names[] = { "auto", "exact", "tessellate", "preclip", "vertex" };
-
 void AddLine(std::string& text, const char* format, ...)
 {
   char line[160];
@@ -27,7 +25,7 @@ std::string vtkWideFoVPass::GetStatistics()
     this->TakeCounts();
   }
   std::string text;
-  AddLine(text, "%s, tolerance %g px%s", Names[this->Technique], this->Tolerance,
+  AddLine(text, "%s, tolerance %g px%s", GetTechniqueAsString(this->Technique), this->Tolerance,
     this->Relaxation > 0 ? ", relaxed" : "");
   AddLine(
     text, "props: %d drawn, %d left out", this->NumberOfDrawnProps, this->NumberOfCulledProps);
