@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWideFoVPass: what a wide frame draws, and to where.
 #include "Camera/Tile.h"
+#include "Drawables/Kinds/DrawableKinds.h"
 #include "Drawables/Sky.h"
 #include "Frame/BlockClusters.h"
 #include "Frame/FlatDraws.h"
@@ -44,8 +45,7 @@ namespace
 bool LeavesOutWhatIsBehind(vtkProp* prop)
 {
   auto* const actor = vtkActor2D::SafeDownCast(prop);
-  vtkMapper2D* const mapper = actor ? actor->GetMapper() : nullptr;
-  return mapper && mapper->IsA("vtkLabelPlacementMapper");
+  return actor && wfv::HasTrait(actor->GetMapper(), wfv::InFrontOnly);
 }
 }
 

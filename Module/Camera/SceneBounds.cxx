@@ -1,80 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Camera/SceneBounds.h"
 
-#include "Compat/Splats.h"
+#include "Drawables/Kinds/DrawableKinds.h"
 
 #include "vtkActor.h"
 #include "vtkBillboardTextActor3D.h"
 #include "vtkBoundingBox.h"
-#include "vtkDataArray.h"
+#include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
-#include "vtkOpenGLSphereMapper.h"
-#include "vtkOpenGLStickMapper.h"
-#include "vtkPointData.h"
-#include "vtkPolyData.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace
 {
-// The names of these arrays are for the mappers alone.
-class BallAccess : public vtkOpenGLSphereMapper
-{
-public:
-  static const char* Name(vtkOpenGLSphereMapper* m) { return m->*(&BallAccess::ScaleArray); }
-};
-
-class StickAccess : public vtkOpenGLStickMapper
-{
-public:
-  static const char* Name(vtkOpenGLStickMapper* m) { return m->*(&StickAccess::ScaleArray); }
-};
-
-// The largest value of a component of a point array, or the one given where there is none.
-double Largest(vtkPolyData* data, const char* name, int component, double otherwise)
-{
-  vtkDataArray* array = data && name ? data->GetPointData()->GetArray(name) : nullptr;
-  if (!array || component >= array->GetNumberOfComponents())
-  {
-    return otherwise;
-  }
-  double range[2];
-  array->GetRange(range, component);
-  return std::max(0.0, range[1]);
-}
-
-double ReachOfMapper(vtkMapper* mapper)
-{
-  // most are these, and to ask of what class something is takes long
-  const char* const name = mapper->GetClassName();
-  if (!std::strcmp(name, "vtkOpenGLPolyDataMapper") ||
-    !std::strcmp(name, "vtkWideFoVPolyDataMapper"))
-  {
-    return 0;
-  }
-  if (auto* balls = vtkOpenGLSphereMapper::SafeDownCast(mapper))
-  {
-    return Largest(balls->GetInput(), BallAccess::Name(balls), 0, balls->GetRadius());
-  }
-  if (auto* sticks = vtkOpenGLStickMapper::SafeDownCast(mapper))
-  {
-    const char* name = StickAccess::Name(sticks);
-    return Largest(sticks->GetInput(), name, 1, 0) + 0.5 * Largest(sticks->GetInput(), name, 0, 0);
-  }
-  if (auto* splats = vtkPointGaussianMapper::SafeDownCast(mapper))
-  {
-    return splats->GetScaleFactor() * wfv::SplatBound(splats) *
-      Largest(splats->GetInput(), splats->GetScaleArray(), 0, 1);
-  }
-  return 0;
-}
-
 // Of tubes and points as spheres, over their distance: a pixel of a map is seen under no
 // more than this, but at places where maps shrink.
 double ReachOfPixels(vtkProperty* property, vtkRenderer* renderer)
@@ -110,7 +53,7 @@ double ReachOfActor(vtkActor* actor, vtkRenderer* renderer, double farthest)
     return ReachBesideBounds(actor);
   }
   const double pixels = farthest * ReachOfPixels(actor->GetProperty(), renderer);
-  return std::max(ReachOfMapper(actor->GetMapper()), pixels);
+  return std::max(wfv::ReachBeyondBounds(actor->GetMapper()), pixels);
 }
 
 // Of the actors in something that is more than one. Such a collection may hold other props as well.

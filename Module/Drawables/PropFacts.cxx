@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawables/PropFacts.h"
 
+#include "Drawables/Kinds/DrawableKinds.h"
+
 #include "vtkActor.h"
 #include "vtkFollower.h"
 #include "vtkMapper.h"
@@ -9,22 +11,12 @@
 #include "vtkShaderProperty.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace wfv
 {
 bool IsStockActor(vtkActor* actor)
 {
-  vtkMapper* const mapper = actor->GetMapper();
-  const char* const name = mapper ? mapper->GetClassName() : "";
-  return std::strcmp(actor->GetClassName(), "vtkOpenGLActor") == 0 &&
-    (std::strcmp(name, "vtkOpenGLPolyDataMapper") == 0 ||
-      std::strcmp(name, "vtkWideFoVPolyDataMapper") == 0);
-}
-
-bool IsOwnMapper(vtkObjectBase* mapper)
-{
-  return mapper && mapper->IsA("vtkWideFoVPolyDataMapper");
+  return HasTrait(actor, StockActor) && HasTrait(actor->GetMapper(), StockMesh);
 }
 
 // A ball round the place that they turn about.

@@ -9,7 +9,6 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
-class vtkObjectBase;
 class vtkProp;
 VTK_ABI_NAMESPACE_END
 
@@ -18,9 +17,6 @@ namespace wfv
 // An actor of VTK's own class with the stock mapper of polydata or ours; followers and levels of
 // detail draw another actor.
 bool IsStockActor(vtkActor* actor);
-
-// vtkWideFoVPolyDataMapper, which draws patches and classifies the clusters of its mesh.
-bool IsOwnMapper(vtkObjectBase* mapper);
 
 // Shaders of a user's own may move vertices anywhere.
 bool HasOwnShaders(vtkActor* actor);

@@ -3,6 +3,7 @@
 
 #include "Compat/Reports.h"
 #include "Compat/SmartMapper.h"
+#include "Drawables/Kinds/DrawableKinds.h"
 
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkLight.h"
@@ -98,11 +99,7 @@ int FindDirectional(vtkRenderer* renderer)
 // Those that draw by GPU ray casting, unless told otherwise.
 bool IsByGpu(vtkAbstractVolumeMapper* mapper)
 {
-  if (mapper->IsA("vtkSmartVolumeMapper"))
-  {
-    return wfv::MayDrawByGpu(mapper);
-  }
-  return mapper->IsA("vtkGPUVolumeRayCastMapper") || mapper->IsA("vtkMultiBlockVolumeMapper");
+  return HasTrait(mapper, GpuRays) && (!HasTrait(mapper, MayChoose) || MayDrawByGpu(mapper));
 }
 
 }

@@ -4,6 +4,7 @@
 #include "Camera/Tile.h"
 #include "Camera/vtkWideFoVCamera.h"
 #include "Compat/StockText.h"
+#include "Drawables/StockFacts.h"
 #include "Drawables/Volumes.h"
 #include "Shaders/ShaderBuilder.h"
 #include "WideFoVGlsl.h"

@@ -2,9 +2,9 @@
 // wfv::Stages: what a view need not draw, and what clusters are classified by.
 #include "Frame/Stages.h"
 
-#include "Compat/CompositeMapper.h"
 #include "Compat/Reports.h"
 #include "Drawables/IndexLimit.h"
+#include "Drawables/Kinds/DrawableKinds.h"
 #include "Drawables/Volumes.h"
 #include "Frame/ClusterDraw.h"
 #include "Frame/Technique.h"
@@ -23,7 +23,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <string>
 
 namespace
@@ -44,13 +43,9 @@ bool KeepsItsBounds(vtkActor* actor)
   {
     return false;
   }
-  const char* const name = mapper->GetClassName();
-  const char* const known[] = { "vtkOpenGLPolyDataMapper", "vtkWideFoVPolyDataMapper" };
   vtkProperty* const property = actor->GetProperty();
-  return (wfv::IsStockComposite(mapper) ||
-           std::any_of(std::begin(known), std::end(known),
-             [name](const char* other) { return std::strcmp(name, other) == 0; })) &&
-    !property->GetRenderLinesAsTubes() && !property->GetRenderPointsAsSpheres();
+  return wfv::HasTrait(mapper, wfv::InBounds) && !property->GetRenderLinesAsTubes() &&
+    !property->GetRenderPointsAsSpheres();
 }
 
 // Lines and points, which are as wide as they are told; of blocks it is not known.

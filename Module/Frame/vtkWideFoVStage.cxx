@@ -2,13 +2,13 @@
 #include "Frame/vtkWideFoVStage.h"
 
 #include "Camera/Tile.h"
-#include "Compat/CompositeMapper.h"
 #include "Compat/Gl.h"
 #include "Compat/StockText.h"
 #include "Drawables/Discontinuity.h"
+#include "Drawables/Kinds/DrawableKinds.h"
 #include "Drawables/LineMapper.h"
-#include "Drawables/PropFacts.h"
 #include "Drawables/QuadricKind.h"
+#include "Drawables/StockFacts.h"
 #include "Frame/ClusterDraw.h"
 #include "Frame/DirectionTextures.h"
 #include "Frame/Eye.h"
@@ -83,10 +83,8 @@ private:
   static wfv::ShaderBuilder::Material DescribeMaterial(vtkOpenGLPolyDataMapper* mapper,
     vtkRenderer* renderer, vtkActor* actor, const vtkOpenGLHelper* buffer)
   {
-    static const std::set<std::string> simple{ "vtkOpenGLPolyDataMapper",
-      "vtkWideFoVPolyDataMapper", "vtkOpenGLGlyph3DHelper" };
-    const std::string name = mapper->GetClassName();
-    const bool known = simple.count(name) > 0 || wfv::DrawsBlocks(mapper);
+    const bool simple = wfv::HasTrait(mapper, wfv::OneMaterial);
+    const bool known = simple || wfv::HasTrait(mapper, wfv::DrawsBlocks);
     const bool surface = buffer && !(mapper->*(&MapperAccess::DrawingSelection)) &&
       (buffer->PrimitiveType == PrimitiveTris || buffer->PrimitiveType == PrimitiveTriStrips);
     wfv::ShaderBuilder::Material material;
@@ -97,7 +95,7 @@ private:
       material.NoDiffuse = property->GetDiffuse() == 0;
       material.FullDiffuse = property->GetDiffuse() == 1;
       material.NoSpecular = property->GetSpecular() == 0;
-      material.Opaque = property->GetOpacity() == 1 && simple.count(name) > 0;
+      material.Opaque = property->GetOpacity() == 1 && simple;
     }
     return material;
   }
@@ -262,7 +260,7 @@ wfv::ShaderBuilder::Request vtkWideFoVStage::MakeRequest(
     request.Stage = wfv::HasFewLines(polydata) ? Variant::Exact : chords;
   }
   // only our own mapper draws patches; the pieces' edges must not show as the cell's
-  const bool patches = wfv::IsOwnMapper(mapper) &&
+  const bool patches = wfv::HasTrait(mapper, wfv::OwnMesh) &&
     request.Kind == wfv::ShaderBuilder::Primitive::Triangles && !request.Edges;
   if (request.Stage == Variant::Tessellate && !patches)
   {
@@ -294,8 +292,9 @@ namespace
 // asked for.
 bool MayClassify(vtkAbstractMapper* mapper)
 {
-  vtkPolyData* const mesh =
-    wfv::IsOwnMapper(mapper) ? static_cast<vtkPolyDataMapper*>(mapper)->GetInput() : nullptr;
+  vtkPolyData* const mesh = wfv::HasTrait(mapper, wfv::OwnMesh)
+    ? static_cast<vtkPolyDataMapper*>(mapper)->GetInput()
+    : nullptr;
   return !mesh || wfv::ClusterDraw::IsWorthIt(mesh);
 }
 }
@@ -312,7 +311,8 @@ bool vtkWideFoVStage::PostReplaceShaderValues(std::string& vertexShader,
   }
   wfv::ShaderBuilder::Request request = this->MakeRequest(mapper, prop);
   const bool triangles = request.Kind == wfv::ShaderBuilder::Primitive::Triangles;
-  const bool classifies = triangles && (wfv::IsOwnMapper(mapper) || wfv::ClassifiesBlocks(mapper));
+  const bool classifies = triangles &&
+    (wfv::HasTrait(mapper, wfv::OwnMesh) || wfv::HasTrait(mapper, wfv::ClassifiesBlocks));
   request.MeetsChords = classifies && this->MeetsChords && !request.Edges && MayClassify(mapper);
   request.SeveralChords = request.MeetsChords && this->SeveralChords;
   const bool others = wfv::IsEditedFurther(this, prop);

@@ -10,7 +10,8 @@ folder of somebody's machine; what differs between versions of VTK, or between d
 OpenGL, is guarded in Module/Compat alone, and what differs between those of ParaView in
 Plugin/Compat alone; headers declare VTK's classes in VTK's namespace; every variable of a shader
 begins with a value; no source outside Module/Stereo names a stereo model, or takes the eye for a
-number. Prints `path:line: rule: what is wrong` for every breach and exits with 1 when
+number; only Module/Drawables/Kinds, and Compat, ask for a mapper or an actor by the name of its
+class. Prints `path:line: rule: what is wrong` for every breach and exits with 1 when
 there is one.
 """
 
@@ -29,6 +30,7 @@ MAX_SOURCE_LINES = 450  # "about 400": one idea a file
 FLOORS = (
     ("Module/Projections",),
     ("Module/Stereo", "Module/Compat"),
+    ("Module/Drawables/Kinds",),
     ("Module/Camera", "Module/Clusters"),
     ("Module/Shaders",),
     ("Module/Drawables",),
@@ -97,6 +99,10 @@ EYE_AS_NUMBER = re.compile(
     r"|\b(?:abs|sign)\([\w.>-]*\.(?:eye|stereo\.\w)\b"
     r"|\b(?:float|double)>?\([\w.>-]*\.eye\b"
 )
+
+# What a kind of drawable is, is asked for by its traits.
+KIND = re.compile(r'(?:IsA\(|strcmp\(.*|[!=]= *)"vtk\w*(?:Mapper|Helper|Actor|Volume)\w*"')
+KINDS = ("Module/Drawables/Kinds/", "Module/Compat/")
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(["<])([^">]+)[">]', re.M)
 
@@ -213,6 +219,18 @@ def check_begun(source):
             yield number, "unset", "'%s' begins without a value" % match.group(1)
 
 
+def check_kinds(source):
+    """One registry of drawables."""
+    if not source.path.startswith("Module/") or source.path.startswith(KINDS):
+        return
+    if not source.is_kind(CPP):
+        return
+    for number, line in enumerate(source.lines, 1):
+        match = KIND.search(line)
+        if match:
+            yield number, "drawable", "%s: ask for its traits, HasTrait" % match.group()
+
+
 def check_models(source, models):
     """Only the models know which of them is which; `models`: their names."""
     path = source.path
@@ -235,7 +253,7 @@ def check_models(source, models):
 
 CHECKS = (
     check_length, check_shaders, check_licence, check_paths, check_versions, check_namespace,
-    check_begun,
+    check_begun, check_kinds,
 )
 
 

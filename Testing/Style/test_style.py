@@ -85,6 +85,7 @@ BREACHES = [
     ("stereo model", "Module/vtkWide.cxx", HEAD + "bool Off(Model m) { return IsOffAxis(m); }\n"),
     ("stereo model", "Examples/Tool.h", HEAD + 'bool b = name == "none";\n'),
     ("stereo model", "Plugin/View.xml.in", "<Default model=\"offaxis\" />\n"),
+    ("drawable", "Module/vtkWide.cxx", HEAD + 'bool b = m->IsA("vtkGlyph3DMapper");\n'),
     ("unset", "Module/Shaders/a.glsl", HEAD + "float wfvDepth = 0.0;\nvec3 wfvTop; // up\n"),
     ("machine path", "README.md", "see /" + "home/somebody/file\n"),
     ("machine path", "CMakeLists.txt", "# " + LICENCE + '\nset(x "/' + 'work/x")\n'),
