@@ -148,11 +148,11 @@ void vtkWideFoVPass::FindRelaxation(const vtkRenderState* s)
     return; // both alike
   }
   const double share = renderer->GetAllocatedRenderTime() / eyes;
-  const bool hurries =
+  const bool interactive =
     this->KeepUpdateRate && !renderer->GetSelector() && eyes * share <= LongestShare;
   this->Relaxation = NOT_RELAXED;
   in.Enlargement = 0;
-  if (!hurries)
+  if (!interactive)
   {
     in.Rate.Stand();
     return;

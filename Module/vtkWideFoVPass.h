@@ -158,7 +158,7 @@ public:
 
   ///@{
   /**
-   * The least and the most that frames are relaxed which have to hurry (default 0, 4). Alike they
+   * The least and the most that interactive frames are relaxed (default 0, 4). Alike they
    * fix it, whatever frames take. Both are clamped to the Relaxations, the most to the least.
    */
   void SetRelaxationRange(int least, int most);

@@ -2,7 +2,7 @@
 #include "vtkWideFoVCamera.h"
 
 #include "Camera/CameraInternals.h"
-#include "Projections/Bounds/SightPyramid.h"
+#include "Projections/Bounds/ViewFrustum.h"
 
 #include "vtkMath.h"
 #include "vtkMatrix3x3.h"

@@ -18,7 +18,7 @@ const int WFV_PIXEL_LEFT = 4;
 const int WFV_PIXEL_UP = 8;
 const int WFV_PIXEL_DOWN = 16;
 const int WFV_PIXEL_SQUARE = 32;
-const int WFV_PIXEL_CALM = 64;
+const int WFV_PIXEL_SIMPLE = 64;
 
 // NDC of a direction that no pixel shows.
 const float WFV_ELSEWHERE = 4.0;
@@ -203,7 +203,7 @@ struct WfvPlaces
 {
   vec4 first;
   vec4 second;
-  bool calm; // of a cell: all its pixels are
+  bool simple; // of a cell: all its pixels are
   float bend; // of a single rectangle: steps of pixels in it change from one to the next by no larger
               // part of them, and no two of its places see one direction; 1 or more: not known
 };
@@ -213,7 +213,7 @@ WFV_FN WfvPlaces wfvNoPlaces()
   WfvPlaces none;
   none.first = vec4(1e9, 1e9, -1e9, -1e9);
   none.second = none.first;
-  none.calm = true;
+  none.simple = true;
   none.bend = 1.0;
   return none;
 }
@@ -253,7 +253,7 @@ WFV_FN WfvPlaces wfvWithPlace(WfvPlaces places, vec4 r)
 WFV_FN WfvPlaces wfvWithPlaces(WfvPlaces places, WfvPlaces more)
 {
   WfvPlaces result = wfvWithPlace(wfvWithPlace(places, more.first), more.second);
-  result.calm = places.calm && more.calm;
+  result.simple = places.simple && more.simple;
   result.bend = 1.0;
   return result;
 }
@@ -271,10 +271,10 @@ WFV_FN WfvPlaces wfvApart(WfvPlaces places)
   return result;
 }
 
-// Among calm pixels a step differs from the next by so much of it at the most, so a straight edge of n
+// Among simple pixels a step differs from the next by so much of it at the most, so a straight edge of n
 // pixels bends by no more than an eighth of this times n squared; twice that.
-const float WFV_CALM_CHANGE = 0.05;
-const float WFV_CLOSE_BEND = 0.25 * WFV_CALM_CHANGE;
+const float WFV_SIMPLE_CHANGE = 0.05;
+const float WFV_CLOSE_BEND = 0.25 * WFV_SIMPLE_CHANGE;
 
 // The largest chord for which the angle over it is at most so many chords.
 const float WFV_CAP_CHORD = 1.0;
@@ -300,8 +300,8 @@ WFV_FN float wfvBesideChord(float chord, float bend)
   return bend * reach <= WFV_EDGE_REACH ? WFV_EDGE_SIDE * bend * reach * reach : WFV_ASTRAY;
 }
 
-// What is added to the left side of the first rectangle in the table where a cell is calm.
-const float WFV_CALM_CELL = 16.0;
+// What is added to the left side of the first rectangle in the table where a cell is simple.
+const float WFV_SIMPLE_CELL = 16.0;
 
 // All pixels whose ray may lie within so many radians of a unit vector.
 WFV_FN WfvPlaces wfvCapPlaces(vec3 centre, float angle, WfvView v)
@@ -313,7 +313,7 @@ WFV_FN WfvPlaces wfvCapPlaces(vec3 centre, float angle, WfvView v)
   }
   WfvPlaces places = wfvNoPlaces();
   places.first = vec4(-1.0, -1.0, 1.0, 1.0);
-  places.calm = false;
+  places.simple = false;
   if (angle * float(cells) <= WFV_CAP_SHARE * 0.5 * WFV_PI)
   {
     // level upon level, each twice as high as the one before
@@ -321,8 +321,8 @@ WFV_FN WfvPlaces wfvCapPlaces(vec3 centre, float angle, WfvView v)
     int column = 2 * wfvCellColumn(centre, cells);
     places.first = wfvCellTexel(v, column, row);
     places.second = wfvCellTexel(v, column + 1, row);
-    places.calm = places.first.x > 0.5 * WFV_CALM_CELL && places.first.x < 2.0 * WFV_CALM_CELL;
-    places.first.x = places.calm ? places.first.x - WFV_CALM_CELL : places.first.x;
+    places.simple = places.first.x > 0.5 * WFV_SIMPLE_CELL && places.first.x < 2.0 * WFV_SIMPLE_CELL;
+    places.first.x = places.simple ? places.first.x - WFV_SIMPLE_CELL : places.first.x;
     places.bend = places.second.x <= places.second.z ? 1.0 : places.second.y;
   }
   return places;

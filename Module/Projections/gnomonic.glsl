@@ -10,7 +10,7 @@ const float WFV_GNOMONIC_SLOPE = 33.163437477526330; // its first derivative
 const float WFV_GNOMONIC_BEND = 188.07920004232358;  // and half its second
 
 // Radius in the raw map of the angle theta in radians; beyond the domain it grows on with the
-// same bend, which is largest there: chords that reach beyond are judged by it.
+// same bend, which is largest there: chords that reach beyond are measured by it.
 WFV_FN float wfvRadius(float theta, WfvView v)
 {
   float beyond = theta - WFV_GNOMONIC_END;

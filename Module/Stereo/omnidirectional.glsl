@@ -102,7 +102,7 @@ WFV_FN WfvSight wfvSee(vec3 p, WfvView v)
   return s;
 }
 
-// The same, without a fade, of a point whose level way to the circle is known better than its place
+// The same, without a fade, of a point whose horizontal distance to the circle is known better than its place
 // tells: level is the point without its height y, up the vertical.
 WFV_FN WfvSight wfvSeeAt(vec3 level, float y, float way, vec3 up, float r)
 {

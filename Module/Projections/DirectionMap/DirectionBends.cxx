@@ -13,7 +13,7 @@ using namespace tables;
 
 namespace
 {
-// From pixel to pixel steps change by no more than WFV_CALM_CHANGE of them, or than a half, a
+// From pixel to pixel steps change by no more than WFV_SIMPLE_CHANGE of them, or than a half, a
 // quarter,
 // .. of it: so many degrees of evenness are told apart.
 constexpr int Degrees = 8;
@@ -24,7 +24,7 @@ constexpr double OnePiece = 0.9;
 
 double BendOfDegree(int degree)
 {
-  return std::ldexp(WFV_CALM_CHANGE, -degree);
+  return std::ldexp(WFV_SIMPLE_CHANGE, -degree);
 }
 
 // By how many steps along both axes a second difference of directions moves a place.
@@ -155,7 +155,7 @@ void DirectionMap::BendCells()
     {
       const Texel& first = this->CellBounds[i];
       Texel& second = this->CellBounds[i + 1];
-      const double left = first[0] > 0.5 * WFV_CALM_CELL ? first[0] - WFV_CALM_CELL : first[0];
+      const double left = first[0] > 0.5 * WFV_SIMPLE_CELL ? first[0] - WFV_SIMPLE_CELL : first[0];
       if (left > first[2] || second[0] <= second[2])
       {
         continue;

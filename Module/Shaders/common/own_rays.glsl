@@ -75,7 +75,7 @@ vec4 wfvGrowAngles(vec4 a, float toPole)
 }
 
 // A range of latitudes, as seen from anywhere on the circle. Where the circle is level in the map, it
-// sees everything nearer to a pole than the origin does, for the level way from there is shorter.
+// sees everything nearer to a pole than the origin does, for the horizontal distance from there is shorter.
 vec2 wfvOwnLatitudes(vec2 a)
 {
   bool level = !WFV_TILTED;
@@ -94,7 +94,7 @@ vec2 wfvOwnEasy(vec3 lengths, float longest)
   vec3 heights = vec3(dot(wfvP[0], up), dot(wfvP[1], up), dot(wfvP[2], up));
   vec3 levels = (lengths - heights) * (lengths + heights); // squares of the level distances
   float r = wfvOwnRadius();
-  float way = min(levels.x, min(levels.y, levels.z)) - r * r; // square of the level way
+  float way = min(levels.x, min(levels.y, levels.z)) - r * r; // square of the horizontal distance
   float nearest = min(lengths.x, min(lengths.y, lengths.z));
   bool far = way > 4.0 * r * r && way > 16.0 * longest;
   float aside = r * longest / (way * sqrt((nearest - r) * (nearest + r)));

@@ -11,11 +11,11 @@ float wfvReachOf(float pixels)
   return pixels * wfvView.tables.w * length(texels) + WFV_PLACE_PAD;
 }
 
-// Where the map is calm round a cap: the rectangle is all there is, and a direction in the cap is
+// Where the map is simple round a cap: the rectangle is all there is, and a direction in the cap is
 // found from its middle.
-bool wfvIsCalmPlace(WfvPlaces places)
+bool wfvIsSimplePlace(WfvPlaces places)
 {
-  return places.calm && !(places.second.x <= places.second.z);
+  return places.simple && !(places.second.x <= places.second.z);
 }
 
 // The place of a direction, pixels of the direction map, from a place near it.

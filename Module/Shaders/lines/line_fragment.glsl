@@ -36,7 +36,7 @@ void wfvInterpolate(); // generated: sets the stock shader's inputs from wfvAlon
 uniform int wfvSamples;
 uniform vec2 wfvSampleOffsets[WFV_MOST_SAMPLES];
 
-// Pixels by which all samples are moved where their distance is judged: lines along the
+// Pixels by which all samples are moved where their distance is measured: lines along the
 // borders between pixels, which a graticule is full of, then fall on one side of them
 // whatever the rounding.
 const vec2 WFV_LINE_TIE = vec2(0.007, 0.011);

@@ -32,7 +32,7 @@ const float WFV_LINE_REACH = 1.8;
 const float WFV_LINE_BEND = 0.25;
 
 // Largest bend, over the length of the chord, for the same.
-const float WFV_LINE_BULGE = 0.05;
+const float WFV_LINE_SAGITTA = 0.05;
 
 // Pixels: a bend so small is none, whatever the length of the chord.
 const float WFV_LINE_FLAT = 0.05;
@@ -43,7 +43,7 @@ const float WFV_LINE_STRAIGHT = 0.005;
 // Radians: room round a rectangle of angles for their rounding.
 const float WFV_LINE_ANGLE_PAD = 2e-6;
 
-// Cosine of the longest arc that is judged by three points between its ends: 60 degrees.
+// Cosine of the longest arc that is measured by three points between its ends: 60 degrees.
 const float WFV_LINE_LONG = 0.5;
 
 vec4 wfvMapOut = vec4(0.0);
@@ -161,11 +161,11 @@ WfvStretch wfvMeasure(float lo, float hi, float ref)
   return s;
 }
 
-// Cosine of the angle from the axis beyond which nothing is judged by few points where a map
+// Cosine of the angle from the axis beyond which nothing is measured by few points where a map
 // is flat at its rim: there arcs turn within a few pixels.
 const float WFV_LINE_RIM = 0.2;
 
-// Sine of the angle from the axis inside which nothing is judged by few points.
+// Sine of the angle from the axis inside which nothing is measured by few points.
 float wfvLineSingularSine()
 {
   return max(wfvSingularSine(), sin(min(1.0, (wfvLineWidth + 4.0) * wfvPixelAngle())));
@@ -276,7 +276,7 @@ int wfvModeOf(WfvStretch s)
 {
   float l = length(s.to - s.from);
   bool gentle = s.bend <= WFV_LINE_FLAT ||
-    (s.bend <= WFV_LINE_BULGE * l && 4.0 * s.bend * wfvLineWidth <= WFV_LINE_BEND * l * l);
+    (s.bend <= WFV_LINE_SAGITTA * l && 4.0 * s.bend * wfvLineWidth <= WFV_LINE_BEND * l * l);
   return s.bend <= WFV_LINE_STRAIGHT ? 0 : (gentle ? 1 : 2);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Lines, geometry stage, for direction maps: a rectangle along each part of the line where the map
-// is calm; elsewhere what caps round it meet, in one rectangle or two, as of triangles
+// is simple; elsewhere what caps round it meet, in one rectangle or two, as of triangles
 // (cover_directions.glsl).
 
 // Cells of the map's finest level: so long are parts, if there are not too many; some six pixels.
@@ -28,11 +28,11 @@ WfvPlaces wfvPlacesOf(float lo, float hi)
   return places;
 }
 
-// Emits a rectangle along a part; false where its places are not all calm and near each other.
+// Emits a rectangle along a part; false where its places are not all simple and near each other.
 bool wfvEmitClose(WfvPlaces places, float lo, float hi)
 {
   vec4 r = places.first;
-  if (!wfvIsCalmPlace(places))
+  if (!wfvIsSimplePlace(places))
   {
     return false;
   }

@@ -35,7 +35,7 @@ vec3 wfvOwnAhead(float a)
 }
 
 // Of the line: its point at the top or, where that is very far, its foot; its direction; and what
-// makes the squared level way to the circle of the way s from there: x + s (y + s z). Beside a gap
+// makes the squared horizontal distance to the circle of the way s from there: x + s (y + s z). Beside a gap
 // that is z times the product of the ways from its ends, for the azimuth turns as the root of them.
 vec3 wfvOwnBegin = vec3(0.0);
 vec3 wfvOwnAlong = vec3(0.0);
@@ -45,11 +45,11 @@ float wfvOwnScale = 0.0; // one over the cosine of the angle between the two; 0:
 // The least such cosine of which float32 leaves enough.
 const float WFV_OWN_FAR = 0.01;
 
-// Part of the circle's radius that the level way is at the least: at the end of a gap there is an
+// Part of the circle's radius that the horizontal distance is at the least: at the end of a gap there is an
 // azimuth.
 const float WFV_OWN_WAY = 1e-7;
 
-// Squared level way from the point at the angle a, which is so far from wfvOwnBegin.
+// Squared horizontal distance from the point at the angle a, which is so far from wfvOwnBegin.
 float wfvOwnWayOf(float a, float s, float far)
 {
   if (wfvHasGap())

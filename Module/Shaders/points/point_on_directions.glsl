@@ -52,7 +52,7 @@ void main()
   float half_ = 0.5 * wfvPointSize;
   WfvPlaces places = wfvCapPlaces(direction, wfvReachOf(1.5 * half_), wfvView); // of its corners
   vec3 found = vec3(0.0, 0.0, 1e9);
-  if (wfvIsCalmPlace(places))
+  if (wfvIsSimplePlace(places))
   {
     found = wfvFindIn(places.first, wfvMiddleOf(places.first), direction);
   }

@@ -63,7 +63,7 @@ void wfvShapeAlong(vec2 from, vec2 way, vec2 third, vec2 grow, bool front)
 }
 
 // grow: pixels to move the side opposite to corner i out by. The sides next to the largest angle
-// move alike: what bulges from one of them may lie beyond the line of the other. A needle's would
+// move alike: what one of them leaves its chord by may lie beyond the line of the other. A needle's would
 // meet far beyond its ends, and it takes the rectangle along its longest side, as everything does
 // that is smaller so. Of the places wfvC; returns the number of corners.
 int wfvShapeRound(vec3 grow, bool front)

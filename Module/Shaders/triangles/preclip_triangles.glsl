@@ -28,7 +28,7 @@ bool wfvReachesSeam()
 }
 
 // Largest squared ratio of an edge to its distance (five degrees) for which the bend may
-// be judged by its second derivative.
+// be bounded by its second derivative.
 const float WFV_EASY_EDGE = 0.008;
 
 // Pixels that the edges of a triangle may be off their chords for a tight cover.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How far away lies what a view shows of a box: no farther than is said, and as far.
-#include "Projections/Bounds/SightPyramid.h"
+#include "Projections/Bounds/ViewFrustum.h"
 #include "Views.h"
 
 #include <gtest/gtest.h>
@@ -95,7 +95,7 @@ BoxCorners Box(const vec3& low, const vec3& high)
 }
 }
 
-TEST(SightPyramid, NothingThatIsSeenIsFarther)
+TEST(ViewFrustum, NothingThatIsSeenIsFarther)
 {
   RandomBoxes random;
   long nearer = 0;
@@ -127,7 +127,7 @@ TEST(SightPyramid, NothingThatIsSeenIsFarther)
   EXPECT_GT(shown, 10000);
 }
 
-TEST(SightPyramid, IsNotSaidWhereAnythingMayBeSeen)
+TEST(ViewFrustum, IsNotSaidWhereAnythingMayBeSeen)
 {
   const BoxCorners round = Box(vec3(-1), vec3(1));
   for (const NamedView& v : AllViews())
@@ -138,20 +138,20 @@ TEST(SightPyramid, IsNotSaidWhereAnythingMayBeSeen)
   }
 }
 
-TEST(SightPyramid, ReachesTheFarthestPoint)
+TEST(ViewFrustum, ReachesTheFarthestPoint)
 {
   const vec2 wide(2, 2);
   const vec2 low(0.5, 0.1);
   // all of it ahead: its corners
-  EXPECT_DOUBLE_EQ(FarthestInPyramid(Box(vec3(-1, -1, -4), vec3(1, 1, -2)), wide), std::sqrt(18.0));
+  EXPECT_DOUBLE_EQ(FarthestInFrustum(Box(vec3(-1, -1, -4), vec3(1, 1, -2)), wide), std::sqrt(18.0));
   // cut above and below
-  EXPECT_DOUBLE_EQ(FarthestInPyramid(Box(vec3(-1, -1, -4), vec3(1, 1, -2)), low), std::sqrt(17.16));
+  EXPECT_DOUBLE_EQ(FarthestInFrustum(Box(vec3(-1, -1, -4), vec3(1, 1, -2)), low), std::sqrt(17.16));
   // round the eye: what is behind does not count
   EXPECT_DOUBLE_EQ(
-    FarthestInPyramid(Box(vec3(-9, -9, -4), vec3(9, 9, 90)), low), std::sqrt(4 + 0.16 + 16));
-  // through an edge of the pyramid, beside the axis
-  EXPECT_DOUBLE_EQ(FarthestInPyramid(Box(vec3(1, 0.1, -9), vec3(2, 0.3, -1)), vec2(0.5, 0.05)),
+    FarthestInFrustum(Box(vec3(-9, -9, -4), vec3(9, 9, 90)), low), std::sqrt(4 + 0.16 + 16));
+  // through an edge of the frustum, beside the axis
+  EXPECT_DOUBLE_EQ(FarthestInFrustum(Box(vec3(1, 0.1, -9), vec3(2, 0.3, -1)), vec2(0.5, 0.05)),
     std::sqrt(4 + 0.09 + 81));
-  EXPECT_EQ(FarthestInPyramid(Box(vec3(-1, -1, 1), vec3(1, 1, 2)), wide), 0);
-  EXPECT_EQ(FarthestInPyramid(Box(vec3(5, -1, -1), vec3(6, 1, -0.5)), wide), 0);
+  EXPECT_EQ(FarthestInFrustum(Box(vec3(-1, -1, 1), vec3(1, 1, 2)), wide), 0);
+  EXPECT_EQ(FarthestInFrustum(Box(vec3(5, -1, -1), vec3(6, 1, -0.5)), wide), 0);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Projections/Bounds/SightPyramid.h"
+#include "Projections/Bounds/ViewFrustum.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,11 +8,11 @@ namespace wfv
 {
 namespace
 {
-// Degrees from the axis: beyond, a pyramid holds hardly less than a half space does.
-constexpr double WidestPyramid = 80;
+// Degrees from the axis: beyond, a frustum holds hardly less than a half space does.
+constexpr double WidestFrustum = 80;
 
 // Relative, of its tangents: lines and points are as wide as they are.
-constexpr double SightMargin = 0.1;
+constexpr double FrustumMargin = 0.1;
 
 // Convex; a quadrangle that four planes have cut.
 struct Polygon
@@ -49,7 +49,7 @@ std::optional<double> FarthestSeen(
   const Projection& p, const ViewOptions& o, const BoxCorners& corners)
 {
   const vec2 half = 0.5 * vec2(o.HorizontalFov, p.Framed ? o.VerticalFov : o.HorizontalFov);
-  if (p.Axis != Family::Azimuthal || !(std::max(half.x, half.y) < WidestPyramid))
+  if (p.Axis != Family::Azimuthal || !(std::max(half.x, half.y) < WidestFrustum))
   {
     return std::nullopt;
   }
@@ -59,11 +59,11 @@ std::optional<double> FarthestSeen(
   std::transform(corners.begin(), corners.end(), tilted.begin(),
     [&v](const vec3& corner) { return wfvTilt(corner, v); });
   const double farthest =
-    FarthestInPyramid(tilted, (1 + SightMargin) * glm::tan(glm::radians(half)));
+    FarthestInFrustum(tilted, (1 + FrustumMargin) * glm::tan(glm::radians(half)));
   return farthest > 0 ? std::optional<double>(farthest) : std::nullopt;
 }
 
-double FarthestInPyramid(const BoxCorners& corners, const vec2& tangents)
+double FarthestInFrustum(const BoxCorners& corners, const vec2& tangents)
 {
   static constexpr int Faces[6][4] = { { 0, 2, 6, 4 }, { 1, 3, 7, 5 }, { 0, 1, 5, 4 },
     { 2, 3, 7, 6 }, { 0, 1, 3, 2 }, { 4, 5, 7, 6 } };
