@@ -4,7 +4,7 @@
 #include "Compat/Gl.h"
 #include "Compat/StockText.h"
 #include "Drawables/Kinds/DrawableKinds.h"
-#include "Drawables/StockFacts.h"
+#include "Drawables/StockTraits.h"
 #include "Shaders/aov/DataShaders.h"
 #include "vtkWideFoVCamera.h"
 

@@ -330,9 +330,9 @@ void vtkWideFoVPass::TakeCounts()
   this->NumberOfExactDraws =
     stages.Exact->GetNumberOfDraws() + stages.ExactInSingle->GetNumberOfDraws();
   this->NumberOfClusters = stages.Counts.Clusters;
-  this->NumberOfCulledClusters = stages.Counts.UnseenClusters;
+  this->NumberOfCulledClusters = stages.Counts.CulledClusters;
   this->NumberOfTriangles = stages.Counts.Triangles;
-  this->NumberOfCulledTriangles = stages.Counts.UnseenTriangles;
+  this->NumberOfCulledTriangles = stages.Counts.CulledTriangles;
   this->NumberOfProjectedTriangles = stages.Counts.ProjectedTriangles;
   this->NumberOfChosenProps = stages.Counts.ChosenProps;
   this->NumberOfClassifiedMeshes = stages.Counts.ClassifiedMeshes;

@@ -69,7 +69,7 @@ int vtkWideFoVPass::Cull(vtkProp** props, bool selects)
     {
       in.Labels.push_back(static_cast<vtkActor2D*>(prop));
     }
-    else if (!in.Texts.Take(prop) && !in.Props.IsUnseen(i) && !wfv::sky::IsLeftOut(prop, selects))
+    else if (!in.Texts.Take(prop) && !in.Props.IsCulled(i) && !wfv::sky::IsLeftOut(prop, selects))
     {
       in.Chosen.push_back(in.Props.GetStage(i));
       props[seen++] = prop;

@@ -268,7 +268,7 @@ DrawClass Classifier::OfCluster(const Box& box, double radius, double edge) cons
   seen.Grow(this->V.Reach);
   if (this->V.Culls &&
     (this->AllAround ? !IsBetweenClips(this->V.View, seen)
-                     : IsUnseen(*this->V.Map, this->V.View, seen, this->V.Part)))
+                     : IsCulled(*this->V.Map, this->V.View, seen, this->V.Part)))
   {
     return DrawClass::Culled;
   }

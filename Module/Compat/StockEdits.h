@@ -117,8 +117,8 @@ enum class Lit
   Otherwise
 };
 
-// What the mapper that draws says of the text that VTK writes for it (StockText.h).
-struct Facts
+// What the mapper that draws says of the text that VTK writes for it (StockTraits.h).
+struct Traits
 {
   bool Known = false; // all of it is VTK's own: nobody else's code, no volume
   Lit Light = Lit::No;

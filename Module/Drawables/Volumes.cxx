@@ -123,13 +123,13 @@ bool IsFlatVolume(vtkProp* prop)
   return true;
 }
 
-Facts Describe(vtkRenderer* renderer, vtkVolume* volume)
+Traits Describe(vtkRenderer* renderer, vtkVolume* volume)
 {
-  Facts facts;
-  facts.Known = !HasOwnCode(volume);
-  facts.Shaded = volume->GetProperty()->GetShade() != 0;
-  facts.Directional = FindDirectional(renderer);
-  return facts;
+  Traits traits;
+  traits.Known = !HasOwnCode(volume);
+  traits.Shaded = volume->GetProperty()->GetShade() != 0;
+  traits.Directional = FindDirectional(renderer);
+  return traits;
 }
 
 void SetCover(vtkShaderProgram* program, const Pictures& pictures, const vec2& pixels)

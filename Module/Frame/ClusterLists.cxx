@@ -265,8 +265,8 @@ void ClusterDraw::Gather()
     switch (this->Classes[c])
     {
       case DrawClass::Culled:
-        this->Found.UnseenClusters++;
-        this->Found.UnseenTriangles += count;
+        this->Found.CulledClusters++;
+        this->Found.CulledTriangles += count;
         break;
       case DrawClass::Mixed:
         this->AddMixed(c);

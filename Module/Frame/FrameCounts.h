@@ -10,9 +10,9 @@ namespace wfv
 struct FrameCounts
 {
   int Clusters = 0; // of triangles
-  int UnseenClusters = 0;
+  int CulledClusters = 0;
   vtkIdType Triangles = 0; // of them
-  vtkIdType UnseenTriangles = 0;
+  vtkIdType CulledTriangles = 0;
   vtkIdType ProjectedTriangles = 0; // by their chords
   int ChosenProps = 0;              // anew
   int ClassifiedMeshes = 0;         // anew
@@ -20,9 +20,9 @@ struct FrameCounts
   void Add(const FrameCounts& other)
   {
     this->Clusters += other.Clusters;
-    this->UnseenClusters += other.UnseenClusters;
+    this->CulledClusters += other.CulledClusters;
     this->Triangles += other.Triangles;
-    this->UnseenTriangles += other.UnseenTriangles;
+    this->CulledTriangles += other.CulledTriangles;
     this->ProjectedTriangles += other.ProjectedTriangles;
     this->ChosenProps += other.ChosenProps;
     this->ClassifiedMeshes += other.ClassifiedMeshes;

@@ -5,7 +5,7 @@
 
 #include "Clusters/Classifier.h"
 #include "Drawables/MeshScale.h"
-#include "Drawables/PropFacts.h"
+#include "Drawables/PropTraits.h"
 #include "Frame/BufferScale.h"
 #include "Frame/DirectionTextures.h"
 #include "Frame/FineDepth.h"
@@ -82,13 +82,13 @@ public:
 
   // The stage for a prop: the cheapest that the technique allows it. Prepares its vertex
   // buffer, too. bounds: the prop's, which have just been asked for; nullptr where it has none.
-  vtkWideFoVStage* Choose(vtkProp* prop, const double* bounds, wfv::PropFacts& facts);
+  vtkWideFoVStage* Choose(vtkProp* prop, const double* bounds, wfv::PropTraits& traits);
 
   // True where the prop cannot be drawn, which is said once.
-  bool IsLeftOut(vtkProp* prop, wfv::PropFacts& facts) const;
+  bool IsLeftOut(vtkProp* prop, wfv::PropTraits& traits) const;
 
   // True where nothing of the prop can be in the picture, or it cannot be drawn: it need not be.
-  bool IsUnseen(vtkProp* prop, const double* bounds, wfv::PropFacts& facts) const;
+  bool IsCulled(vtkProp* prop, const double* bounds, wfv::PropTraits& traits) const;
 
   // What surely holds the picture of what has these bounds, for the eye that is drawn.
   wfv::Pictures GetPictures(const double* bounds) const;
@@ -100,7 +100,7 @@ public:
   // From world to view coordinates, row-major.
   const double* GetWorldToView() const { return this->WorldToView; }
 
-  // Another one whenever what Choose and IsUnseen go by has changed, but the prop.
+  // Another one whenever what Choose and IsCulled go by has changed, but the prop.
   std::uint64_t GetViewNumber() const { return this->ViewNumber; }
 
   // What the clusters of an actor, drawn with this stage, are classified by. False where all its
@@ -146,20 +146,20 @@ public:
 
 private:
   // True where no edge of the prop bends by more than the tolerance, seen from here.
-  bool IsFine(vtkProp* prop, const double bounds[6], wfv::PropFacts& facts);
+  bool IsFine(vtkProp* prop, const double bounds[6], wfv::PropTraits& traits);
 
   // For a prop whose rays begin all in one place.
-  vtkWideFoVStage* ChooseByBounds(vtkProp* prop, const double bounds[6], wfv::PropFacts& facts);
+  vtkWideFoVStage* ChooseByBounds(vtkProp* prop, const double bounds[6], wfv::PropTraits& traits);
 
   // Bounds in the map's own frame, as large as they are seen from any place of the eyes.
   wfv::Box GetBox(const double bounds[6]) const;
 
   // Fills in what is not known yet.
-  static void FindFacts(vtkProp* prop, wfv::PropFacts& facts);
+  static void FindTraits(vtkProp* prop, wfv::PropTraits& traits);
 
   // Radians: how far beyond their centres the points of a prop may reach; 0 where they are no
   // larger than a pixel.
-  double GetPointReach(const wfv::PropFacts& facts) const;
+  double GetPointReach(const wfv::PropTraits& traits) const;
 
   wfv::BufferScale Buffers;
   wfv::MeshScale Meshes;
@@ -177,8 +177,8 @@ private:
   bool ByPixels = false; // the stereo model leaves chords no edge to stand for
   const wfv::StereoModel* Stereo = nullptr;
   bool IsExact() const; // every triangle is covered
-  bool IsFat(vtkProp* prop, const double* bounds, const wfv::PropFacts& facts) const;
-  bool IsCoarse(const double* bounds, const wfv::PropFacts& facts) const;
+  bool IsFat(vtkProp* prop, const double* bounds, const wfv::PropTraits& traits) const;
+  bool IsCoarse(const double* bounds, const wfv::PropTraits& traits) const;
   wfv::WfvView View;
   double WorldToView[16];
   void SetPart(vtkRenderer* renderer, const float tile[4]);

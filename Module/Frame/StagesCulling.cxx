@@ -49,7 +49,7 @@ bool KeepsItsBounds(vtkActor* actor)
 }
 
 // Lines and points, which are as wide as they are told; of blocks it is not known.
-bool DrawsOutlines(vtkActor* actor)
+bool DrawsWidths(vtkActor* actor)
 {
   auto* const mesh = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
   vtkProperty* const property = actor->GetProperty();
@@ -131,21 +131,21 @@ void wfv::Stages::GetToMap(vtkActor* actor, double matrix[16]) const
   }
 }
 
-void wfv::Stages::FindFacts(vtkProp* prop, wfv::PropFacts& facts)
+void wfv::Stages::FindTraits(vtkProp* prop, wfv::PropTraits& traits)
 {
   auto* const actor = vtkActor::SafeDownCast(prop);
-  if (actor && !facts.Known)
+  if (actor && !traits.Known)
   {
     vtkProperty* const property = actor->GetProperty();
-    facts.Bounded = KeepsItsBounds(actor) && !wfv::HasOwnShaders(actor);
-    facts.PointSize = property->GetPointSize();
-    const double width = std::max<double>(property->GetLineWidth(), facts.PointSize);
-    facts.Reach = facts.Bounded && DrawsOutlines(actor) ? WidthMargin * width : 0;
-    facts.Few = CountFew(actor);
-    facts.Uncountable = IsUncountable(actor);
+    traits.Bounded = KeepsItsBounds(actor) && !wfv::HasOwnShaders(actor);
+    traits.PointSize = property->GetPointSize();
+    const double width = std::max<double>(property->GetLineWidth(), traits.PointSize);
+    traits.Reach = traits.Bounded && DrawsWidths(actor) ? WidthMargin * width : 0;
+    traits.Few = CountFew(actor);
+    traits.Uncountable = IsUncountable(actor);
   }
-  facts.Bounded = facts.Bounded || vtkVolume::SafeDownCast(prop);
-  facts.Known = true;
+  traits.Bounded = traits.Bounded || vtkVolume::SafeDownCast(prop);
+  traits.Known = true;
 }
 
 wfv::Box wfv::Stages::GetBox(const double b[6]) const
@@ -183,19 +183,19 @@ wfv::vec2 wfv::Stages::GetDistances(const double* b) const
   return b && vtkMath::AreBoundsInitialized(b) ? wfv::Distances(this->GetBox(b)) : this->View.radii;
 }
 
-bool wfv::Stages::IsLeftOut(vtkProp* prop, wfv::PropFacts& facts) const
+bool wfv::Stages::IsLeftOut(vtkProp* prop, wfv::PropTraits& traits) const
 {
-  FindFacts(prop, facts);
-  return facts.Uncountable || wfv::volume::IsFlatVolume(prop);
+  FindTraits(prop, traits);
+  return traits.Uncountable || wfv::volume::IsFlatVolume(prop);
 }
 
-bool wfv::Stages::IsUnseen(vtkProp* prop, const double* b, wfv::PropFacts& facts) const
+bool wfv::Stages::IsCulled(vtkProp* prop, const double* b, wfv::PropTraits& traits) const
 {
-  if (this->IsLeftOut(prop, facts))
+  if (this->IsLeftOut(prop, traits))
   {
     return true;
   }
-  if (!this->Culling || !facts.Bounded)
+  if (!this->Culling || !traits.Bounded)
   {
     return false;
   }
@@ -204,8 +204,8 @@ bool wfv::Stages::IsUnseen(vtkProp* prop, const double* b, wfv::PropFacts& facts
     return false;
   }
   wfv::Window window = this->Part;
-  window.Reach = facts.Reach / this->Pixels;
-  return wfv::IsUnseen(*this->Projection, this->View, this->GetBox(b), window);
+  window.Reach = traits.Reach / this->Pixels;
+  return wfv::IsCulled(*this->Projection, this->View, this->GetBox(b), window);
 }
 
 std::shared_ptr<const wfv::ChordLimits> wfv::Stages::GetLimits(double tolerance)

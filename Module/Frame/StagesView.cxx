@@ -11,7 +11,7 @@
 void wfv::Stages::NumberView(const wfv::StereoModel* stereo)
 {
   const wfv::WfvView& v = this->View;
-  // everything that IsUnseen and Choose go by, but the prop; the same for two eyes that are as far
+  // everything that IsCulled and Choose go by, but the prop; the same for two eyes that are as far
   // from the middle, which is what they are asked about (SetEyes)
   const double seen[] = { v.halfFov.x, v.halfFov.y, v.scale.x, v.scale.y, v.tilt.x, v.tilt.y,
     v.radii.x, v.radii.y, v.lens.x, v.lens.y, v.lens.z, v.lens.w, v.lens5, v.maxAngle, v.bend,

@@ -8,7 +8,7 @@
 #include "Drawables/Kinds/DrawableKinds.h"
 #include "Drawables/LineMapper.h"
 #include "Drawables/QuadricKind.h"
-#include "Drawables/StockFacts.h"
+#include "Drawables/StockTraits.h"
 #include "Frame/ClusterDraw.h"
 #include "Frame/DirectionTextures.h"
 #include "Frame/Eye.h"

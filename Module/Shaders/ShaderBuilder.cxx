@@ -284,15 +284,15 @@ const std::string& PlaceOf(const Request& r, const std::string& fragment)
 // the distance that vtkWideFoVDataPass writes, which is along the ray of the eye.
 bool KeepsPlace(const Request& r, const std::string& fragment)
 {
-  const bool tells = MovesVertices(r) && fragment.find("wfvData(") != std::string::npos;
-  return !Covers(r) && (WritesDepth(r) || tells) && PlaceOf(r, fragment) == OwnPlace;
+  const bool writesData = MovesVertices(r) && fragment.find("wfvData(") != std::string::npos;
+  return !Covers(r) && (WritesDepth(r) || writesData) && PlaceOf(r, fragment) == OwnPlace;
 }
 
 // What is needed for that.
 std::string PlaceSource(const Request& r, const std::string& fragment)
 {
-  const bool tells = MovesVertices(r);
-  const std::string distance = tells ? "#define WFV_DISTANCE length(" + OwnPlace + ")\n" : "";
+  const bool moves = MovesVertices(r);
+  const std::string distance = moves ? "#define WFV_DISTANCE length(" + OwnPlace + ")\n" : "";
   return KeepsPlace(r, fragment) ? "in vec3 " + OwnPlace + ";\n" + distance : "";
 }
 

@@ -74,7 +74,7 @@ public:
     // Of wfv::SteadyLights; none: all of every light is uniforms.
     const std::string* Lights = nullptr;
 
-    wfv::stock::Facts Stock; // what must be found in VTK's text
+    wfv::stock::Traits Stock; // what must be found in VTK's text
   };
 
   // True where this request needs the pre-clip's own geometry stage.

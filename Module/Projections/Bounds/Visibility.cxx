@@ -154,12 +154,12 @@ bool ShowsAll(const Projection& p, const WfvView& v, const Window& w)
       all = p.Bounds(vec4(-WFV_PI, 0, WFV_PI, WFV_PI), v);
       break;
     default:
-      return true; // as IsUnseen says
+      return true; // as IsCulled says
   }
   return w.Low.x <= all.x && w.Low.y <= all.y && w.High.x >= all.z && w.High.y >= all.w;
 }
 
-bool IsUnseen(const Projection& p, const WfvView& v, const Box& b, const Window& w)
+bool IsCulled(const Projection& p, const WfvView& v, const Box& b, const Window& w)
 {
   if (!IsBetweenClips(v, b))
   {

@@ -54,10 +54,10 @@ WFV_EXPORT Pictures PicturesOf(
 
 // True where no point of the box is between the clip spheres and in the window. Never where one
 // is; boxes that are near may be called seen though they are not. In double.
-WFV_EXPORT bool IsUnseen(
+WFV_EXPORT bool IsCulled(
   const Projection& projection, const WfvView& view, const Box& box, const Window& window);
 
-// True where the window shows all directions: then a box is unseen where IsBetweenClips is false,
+// True where the window shows all directions: then a box is culled where IsBetweenClips is false,
 // which takes no arc tangents and no search along the map's border.
 WFV_EXPORT bool ShowsAll(const Projection& projection, const WfvView& view, const Window& window);
 

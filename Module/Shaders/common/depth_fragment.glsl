@@ -5,7 +5,7 @@ float wfvDepth = 0.0; // window depth here, 0 to 1
 float wfvRho = 0.0; // distance from the eye here, in the stage's own units
 
 // Of the distance: by so much at the most a face seen from behind is put back, more than the rasterizer errs
-// when it interpolates places. Beside an outline a front and a back may meet in one pixel at one
+// when it interpolates places. Beside a silhouette a front and a back may meet in one pixel at one
 // depth; the front shows.
 const float WFV_BACK_BIAS = 2e-5;
 

@@ -12,7 +12,7 @@ void main()
   wfvBallHere = vec4(centre, WFV_BALL_RADIUS);
   wfvOtherHere = vec4(0.0);
   wfvShareHere = vec2(0.0, 1.0);
-  if (!wfvBallHidden(wfvBallHere))
+  if (!wfvBallCulled(wfvBallHere))
   {
     // from inside, its back is seen
     wfvCoverCap(centre, wfvBallAngle(wfvBallHere), wfvLength(centre) > wfvBallHere.w);

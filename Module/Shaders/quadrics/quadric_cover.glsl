@@ -180,7 +180,7 @@ float wfvBallAngle(vec4 ball)
 }
 
 // Surely nothing to see: wholly inside the near or outside the far sphere, or no number.
-bool wfvBallHidden(vec4 ball)
+bool wfvBallCulled(vec4 ball)
 {
   float d = wfvLength(ball.xyz);
   return !(ball.w > 0.0) || !(d + ball.w >= wfvView.radii.x / wfvScale()) ||

@@ -11,7 +11,7 @@ void main()
   wfvBallHere = vec4(centre, radiusVCVSOutput[0] / wfvScale());
   wfvOtherHere = vec4(0.0);
   wfvShareHere = vec2(0.0, 1.0);
-  if (!wfvBallHidden(wfvBallHere))
+  if (!wfvBallCulled(wfvBallHere))
   {
     // nothing of the disc is nearer than its centre
     float d = wfvLength(centre);

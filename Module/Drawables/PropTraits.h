@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is known of a prop whatever the view.
-#ifndef WideFoVPropFacts_h
-#define WideFoVPropFacts_h
+#ifndef WideFoVPropTraits_h
+#define WideFoVPropTraits_h
 
 #include "vtkWideFoVAbi.h"
 
@@ -26,7 +26,7 @@ bool HasOwnShaders(vtkActor* actor);
 bool FindBounds(vtkProp* prop, double bounds[6]);
 void HoldTurns(vtkProp* prop, double bounds[6]);
 
-struct PropFacts
+struct PropTraits
 {
   bool Known = false;
   bool Prepared = false;    // its buffer

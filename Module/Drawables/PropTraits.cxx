@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Drawables/PropFacts.h"
+#include "Drawables/PropTraits.h"
 
 #include "Drawables/Kinds/DrawableKinds.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Drawables/StockFacts.h"
+#include "Drawables/StockTraits.h"
 
 #include "Drawables/Kinds/DrawableKinds.h"
 
@@ -59,26 +59,26 @@ bool IsForeign(vtkActor* actor)
 }
 }
 
-Facts Describe(vtkAbstractMapper* mapper, vtkProp* prop)
+Traits Describe(vtkAbstractMapper* mapper, vtkProp* prop)
 {
   auto* const polydata = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
   auto* const actor = vtkActor::SafeDownCast(prop);
-  Facts facts;
+  Traits traits;
   if (!polydata || !actor)
   {
-    return facts;
+    return traits;
   }
-  facts.Known = !IsForeign(actor);
-  facts.Physical = actor->GetProperty()->GetInterpolation() == VTK_PBR;
-  facts.Light = TextAccess::LightOf(polydata, facts.Physical);
-  facts.Normals = TextAccess::HasNormals(polydata);
-  facts.Wireframe = actor->GetProperty()->GetRepresentation() == VTK_WIREFRAME;
-  facts.Glyphs = HasTrait(mapper, Glyphs);
+  traits.Known = !IsForeign(actor);
+  traits.Physical = actor->GetProperty()->GetInterpolation() == VTK_PBR;
+  traits.Light = TextAccess::LightOf(polydata, traits.Physical);
+  traits.Normals = TextAccess::HasNormals(polydata);
+  traits.Wireframe = actor->GetProperty()->GetRepresentation() == VTK_WIREFRAME;
+  traits.Glyphs = HasTrait(mapper, Glyphs);
   vtkPlaneCollection* const planes = mapper->GetClippingPlanes();
-  facts.Clips = planes && planes->GetNumberOfItems() > 0;
-  facts.Imposters = HasTrait(mapper, Spheres) || HasTrait(mapper, Cylinders) ||
+  traits.Clips = planes && planes->GetNumberOfItems() > 0;
+  traits.Imposters = HasTrait(mapper, Spheres) || HasTrait(mapper, Cylinders) ||
     (HasTrait(mapper, Splats) && TextAccess::HasBuffer(polydata, "radiusMC"));
-  return facts;
+  return traits;
 }
 }
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What VTK writes into the shaders of a mapper, by what the mapper says of itself: what an edit
 // must find is not decided by the text in which it looks.
-#ifndef WideFoVStockFacts_h
-#define WideFoVStockFacts_h
+#ifndef WideFoVStockTraits_h
+#define WideFoVStockTraits_h
 
 #include "Compat/StockEdits.h"
 #include "vtkWideFoVAbi.h"
@@ -16,7 +16,7 @@ namespace wfv
 {
 namespace stock
 {
-Facts Describe(vtkAbstractMapper* mapper, vtkProp* prop);
+Traits Describe(vtkAbstractMapper* mapper, vtkProp* prop);
 }
 }
 
