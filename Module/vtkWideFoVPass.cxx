@@ -181,7 +181,7 @@ bool vtkWideFoVPass::IsExactTechnique(int technique, double tolerance)
   return wfv::Stages::IsExactTechnique(technique, tolerance);
 }
 
-// A pass over the picture draws by a plain copy of the camera; the view is that of the frame's own.
+// A pass over the picture draws by a copy of the camera; the view is that of the frame's own.
 void vtkWideFoVPass::Render(const vtkRenderState* s)
 {
   vtkRenderer* const renderer = s->GetRenderer();
@@ -320,7 +320,7 @@ void vtkWideFoVPass::ResetCounts(int props)
 void vtkWideFoVPass::TakeCounts()
 {
   const wfv::Stages& stages = this->Internal->Stages;
-  this->NumberOfPlainDraws = stages.Plain->GetNumberOfDraws() + stages.Cut->GetNumberOfDraws();
+  this->NumberOfPlainDraws = stages.Projected->GetNumberOfDraws() + stages.Cut->GetNumberOfDraws();
   // of the tessellate stage too, what cannot be tessellated is drawn by the pre-clip
   const int patches = stages.Tessellate->GetNumberOfTessellateDraws();
   this->NumberOfPreClipDraws = stages.PreClip->GetNumberOfDraws() +

@@ -101,7 +101,7 @@ public:
   ///@{
   /**
    * Colour every primitive by what happened to it (default off): let through as it is,
-   * split at the seam, covered because of a pole, exact, tessellated by level, projected by
+   * split at the seam, ray-tested because of a pole, exact, tessellated by level, projected by
    * the vertex stage. Documentation/debug-view.md shows the colours.
    */
   vtkSetMacro(DebugView, vtkTypeBool);

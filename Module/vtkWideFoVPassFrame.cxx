@@ -154,7 +154,7 @@ void vtkWideFoVPass::DrawLabels(vtkRenderer* renderer)
     DrawOverlay(labels, renderer);
   }
   in.Camera->SetNothingBehind(false);
-  in.Texts.Draw(renderer, in.Camera, in.Stages.Plain->GetTile());
+  in.Texts.Draw(renderer, in.Camera, in.Stages.Projected->GetTile());
 }
 
 // Of a pass over the picture, which may be larger. What that draws by a copy of the camera has a

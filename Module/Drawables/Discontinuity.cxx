@@ -21,7 +21,7 @@ constexpr double AntipodeCap = 25;
 // NDC per squared radian: where a view bends more (wfv::Bend), edges of one degree may be
 // off by more than the default tolerance at these sizes anywhere, and every prop gets the
 // pre-clip: 8 * 0.25 / (1024 (pi/180)^2) = 6.4.
-constexpr double PlainBend = 6;
+constexpr double MostCurvature = 6;
 
 // Radians: the bound of wfv::Bend is for edges that look no longer.
 constexpr double LongestAngle = 0.09;
@@ -134,7 +134,7 @@ bool MeetsDiscontinuity(
 bool vtkWideFoVNeedsPreClip(const wfv::Projection& projection, const wfv::WfvView& view,
   const double bounds[6], const double worldToView[16], double reach)
 {
-  if (view.bend > PlainBend || (reach > 0 && !ShowsAll(projection, view)))
+  if (view.bend > MostCurvature || (reach > 0 && !ShowsAll(projection, view)))
   {
     return true;
   }

@@ -46,7 +46,7 @@ QuadricPrimitive KindOf(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor, Quadri
 {
   if (HasTrait(mapper, Splats))
   {
-    // without a radius it draws plain points
+    // without a radius it draws points
     return QuadricAccess::HasRadii(mapper) ? QuadricPrimitive::Splats : QuadricPrimitive::Points;
   }
   return HasTrait(mapper, Spheres) ? QuadricPrimitive::Spheres

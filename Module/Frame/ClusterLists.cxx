@@ -140,7 +140,8 @@ bool ClusterDraw::Prepare(vtkPolyData* data, vtkActor* actor, vtkWideFoVStage* s
   }
   stages->Counts.Add(this->Found);
   // of a prop that is projected as a whole
-  stages->Counts.ProjectedTriangles += stage == stages->Plain ? this->Draws[ByStage].Triangles : 0;
+  stages->Counts.ProjectedTriangles +=
+    stage == stages->Projected ? this->Draws[ByStage].Triangles : 0;
   return this->Known && !this->Draws[ByStage].IsWhole(this->Mesh.GetNumberOfTriangles());
 }
 

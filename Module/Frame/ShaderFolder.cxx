@@ -47,7 +47,7 @@ const char* VariantOf(ShaderBuilder::Variant stage)
   using Variant = ShaderBuilder::Variant;
   switch (stage)
   {
-    case Variant::Plain:
+    case Variant::Projected:
       return "projected";
     case Variant::Cut:
       return "cut";

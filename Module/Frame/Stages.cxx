@@ -55,7 +55,7 @@ wfv::Stages::Stages()
 
 std::array<vtkWideFoVStage*, 9> wfv::Stages::GetAll()
 {
-  return { this->Plain, this->Cut, this->PreClip, this->PreClipOfFew, this->PreClipAtChords,
+  return { this->Projected, this->Cut, this->PreClip, this->PreClipOfFew, this->PreClipAtChords,
     this->Exact, this->ExactInSingle, this->Tessellate, this->Sky };
 }
 
@@ -104,7 +104,7 @@ void wfv::Stages::Begin(
     this->Instruct(stage);
     stage->ResetNumberOfDraws();
   }
-  this->SetPart(renderer, this->Plain->GetTile());
+  this->SetPart(renderer, this->Projected->GetTile());
   this->SetEyes(camera, stereo);
   this->Fine.Begin(renderer);
   this->Counts = wfv::FrameCounts();
@@ -204,7 +204,7 @@ vtkWideFoVStage* wfv::Stages::Choose(vtkProp* prop, const double* bounds, wfv::P
   // a volume has no primitives: every pixel has its ray, whatever the technique
   if (this->Technique == wfv::TechniqueVertex || vtkVolume::SafeDownCast(prop))
   {
-    return this->Plain;
+    return this->Projected;
   }
   // a direction map has no chords that something could be said of
   const bool sampled = this->Projection->Axis == wfv::Family::Sampled;
@@ -234,7 +234,7 @@ vtkWideFoVStage* wfv::Stages::ChooseByBounds(
     const bool few = this->Technique == wfv::TechniqueAuto && this->IsCoarse(bounds, traits);
     return few ? this->PreClipOfFew : this->PreClip;
   }
-  return this->Plain;
+  return this->Projected;
 }
 
 vtkWideFoVStage* wfv::Stages::FindAttached(vtkProp* prop)

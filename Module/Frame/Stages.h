@@ -39,7 +39,7 @@ public:
 
   // Pixels: under this a chord stands for no edge. The rasterizer snaps the ends of a chord by
   // up to 1/128 of a pixel, and the lens between the two is as thin as that; and who asks for
-  // so little asks for exact depth and attributes too. Everything is covered.
+  // so little asks for exact depth and attributes too. Everything is ray-tested.
   static constexpr double LeastTolerance = 0.05;
   static bool AllowsChords(double tolerance) { return tolerance >= LeastTolerance; }
 
@@ -134,7 +134,7 @@ public:
   // The stage in the prop's keys, or nullptr.
   static vtkWideFoVStage* FindAttached(vtkProp* prop);
 
-  vtkNew<vtkWideFoVStage> Plain;           // vertex, preclip; auto: what is projected
+  vtkNew<vtkWideFoVStage> Projected;       // vertex, preclip; auto: what is projected
   vtkNew<vtkWideFoVStage> Cut;             // auto: what is projected once it is cut
   vtkNew<vtkWideFoVStage> PreClip;         // auto: covers triangles that are not
   vtkNew<vtkWideFoVStage> PreClipOfFew;    // auto: of few triangles
@@ -176,7 +176,7 @@ private:
   const wfv::Projection* Projection = nullptr;
   bool ByPixels = false; // the stereo model leaves chords no edge to stand for
   const wfv::StereoModel* Stereo = nullptr;
-  bool IsExact() const; // every triangle is covered
+  bool IsExact() const; // every triangle is ray-tested
   bool IsFat(vtkProp* prop, const double* bounds, const wfv::PropTraits& traits) const;
   bool IsCoarse(const double* bounds, const wfv::PropTraits& traits) const;
   wfv::WfvView View;

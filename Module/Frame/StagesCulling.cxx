@@ -249,7 +249,7 @@ bool wfv::Stages::GetClassifierView(
   // what shines through would be twice where two ways of drawing meet, and is mixed in its own
   // order
   const bool projects = this->Technique == wfv::TechniqueAuto && AllowsChords(this->Tolerance) &&
-    stage != this->Plain && (!this->ByPixels || own) &&
+    stage != this->Projected && (!this->ByPixels || own) &&
     this->Projection->Axis != wfv::Family::Sampled && !actor->HasTranslucentPolygonalGeometry();
   view.Tolerance = this->Tolerance;
   view.Limits = projects

@@ -183,7 +183,7 @@ namespace
 bool IsProjected(wfv::ShaderBuilder::Variant variant)
 {
   using Variant = wfv::ShaderBuilder::Variant;
-  return variant == Variant::Plain || variant == Variant::Cut;
+  return variant == Variant::Projected || variant == Variant::Cut;
 }
 }
 
@@ -247,7 +247,8 @@ wfv::ShaderBuilder::Request vtkWideFoVStage::MakeRequest(
     MapperAccess::Describe(polydata, this->Renderer, actor, request);
   }
   // stock VTK draws these with a geometry stage of its own, straight in the picture
-  if ((request.Edges || request.WideLines) && request.Stage == Variant::Plain && !this->Clipless)
+  if ((request.Edges || request.WideLines) && request.Stage == Variant::Projected &&
+    !this->Clipless)
   {
     request.Stage = Variant::PreClip;
   }

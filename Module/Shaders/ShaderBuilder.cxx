@@ -107,7 +107,7 @@ bool MovesVertices(const Request& r)
     !wfv::quadric::Draws(r.Kind) && !wfv::line::Draws(r);
 }
 
-// What follows from the ray and the distance, where triangles are covered whatever their edges.
+// What follows from the ray and the distance, where triangles are ray-tested whatever their edges.
 Known KnownOf(const Request& r)
 {
   const bool exact = r.ByRays || r.Stage == wfv::ShaderBuilder::Variant::Exact;
@@ -347,7 +347,7 @@ std::string wfv::ShaderBuilder::MakeViewSource(const Request& r)
 bool wfv::ShaderBuilder::NeedsGeometryStage(const Request& r)
 {
   return wfv::quadric::Draws(r.Kind) || wfv::point::Draws(r) ||
-    (r.Stage != Variant::Plain && r.Kind != Primitive::Points);
+    (r.Stage != Variant::Projected && r.Kind != Primitive::Points);
 }
 
 void wfv::ShaderBuilder::WrapMain(

@@ -72,17 +72,18 @@ std::string Define(const char* name, int value)
 
 namespace
 {
-bool AllCovered(const Request& r)
+bool AllRayTested(const Request& r)
 {
   return r.Kind == wfv::ShaderBuilder::Primitive::Triangles &&
-    r.Stage != wfv::ShaderBuilder::Variant::Plain && r.Stage != wfv::ShaderBuilder::Variant::Cut &&
+    r.Stage != wfv::ShaderBuilder::Variant::Projected &&
+    r.Stage != wfv::ShaderBuilder::Variant::Cut &&
     (r.ByRays || r.Stage == wfv::ShaderBuilder::Variant::Exact);
 }
 }
 
 bool OwnRays(const Request& r)
 {
-  return r.Stereo && !r.Stereo->Traits.OneCenter && (AllCovered(r) || line::Draws(r));
+  return r.Stereo && !r.Stereo->Traits.OneCenter && (AllRayTested(r) || line::Draws(r));
 }
 
 bool OwnBodies(const Request& r)
@@ -92,7 +93,7 @@ bool OwnBodies(const Request& r)
 
 bool CurvedRays(const Request& r)
 {
-  return r.Stereo && !r.Stereo->Traits.StraightRays && AllCovered(r);
+  return r.Stereo && !r.Stereo->Traits.StraightRays && AllRayTested(r);
 }
 
 std::string ViewSource(const Request& r)
@@ -106,8 +107,8 @@ std::string ViewSource(const Request& r)
     Define("WFV_STRAIGHT_SEAM", r.Projection->StraightSeam) +
     Define("WFV_FLAT_RIM", r.Projection->FlatRim) +
     Define("WFV_EXACT", r.ByRays || r.Stage == wfv::ShaderBuilder::Variant::Exact) +
-    Define("WFV_BY_RAYS", r.ByRays) + Define("WFV_MEETS_CHORDS", r.MeetsChords && AllCovered(r)) +
-    Define("WFV_SEVERAL_CHORDS", r.SeveralChords && AllCovered(r) && !OwnRays(r)) +
+    Define("WFV_BY_RAYS", r.ByRays) + Define("WFV_MEETS_CHORDS", r.MeetsChords && AllRayTested(r)) +
+    Define("WFV_SEVERAL_CHORDS", r.SeveralChords && AllRayTested(r) && !OwnRays(r)) +
     Define("WFV_WHOLE", r.Whole) + Define("WFV_DEPTH_MAPPING(v)", r.DepthMapping) +
     Define("WFV_MULTISAMPLE", r.Multisample) + Define("WFV_WIDE_LINES", r.WideLines) +
     Define("WFV_EDGES", r.Edges || r.DebugView) + Define("WFV_EDGE_FLAGS", r.EdgeFlags) +

@@ -71,11 +71,11 @@ struct DrawableKind
   double (*Reach)(vtkObjectBase*) = nullptr; // scene units; nullptr: within its bounds
 };
 
-constexpr unsigned PlainMesh = StockMesh | OneMaterial | InBounds;
+constexpr unsigned AsItIs = StockMesh | OneMaterial | InBounds;
 
 const DrawableKind Kinds[] = {
-  { "vtkOpenGLPolyDataMapper", PlainMesh, 0 },
-  { "vtkWideFoVPolyDataMapper", PlainMesh, OwnMesh },
+  { "vtkOpenGLPolyDataMapper", AsItIs, 0 },
+  { "vtkWideFoVPolyDataMapper", AsItIs, OwnMesh },
   { CompositeMapperName, StockComposite | InBounds, NotItsInput },
   { BlockMapperName, DrawsBlocks, 0 },
   { "vtkWideFoVCompositeHelper", DrawsBlocks | ClassifiesBlocks, 0 },

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Depth of covered triangles by which faces are in order that meet in a fold.
+// Depth of ray-tested triangles by which faces are in order that meet in a fold.
 
 // Depth bias: radians at the least where edges are apart: more than a float32 ray is turned by, which is
 // most on the faces of a cube, where edges are moved aside (preclip_planes.glsl).

@@ -24,7 +24,7 @@ bool Draws(const Request& r)
   // shows where is not found for sure
   const bool always = r.Projection->FlatRim || OnDirections(r);
   return r.Kind == Primitive::Points && (r.WidePoints || always) &&
-    r.Stage != wfv::ShaderBuilder::Variant::Plain;
+    r.Stage != wfv::ShaderBuilder::Variant::Projected;
 }
 
 std::string GeometrySource(const Request& r, const std::vector<Varying>& varyings)

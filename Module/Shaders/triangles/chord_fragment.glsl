@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fragment side of the pre-clip: where a covered triangle meets one drawn with chords.
+// Fragment side of the pre-clip: where a ray-tested triangle meets one drawn with chords.
 //
 // Both must end at the same line. An edge that neighbours draw as a chord therefore ends
-// the covered triangle at that chord too, found from the same two corners in the picture.
+// the ray-tested triangle at that chord too, found from the same two corners in the picture.
 
 #define WFV_CHORDS (!WFV_EXACT || WFV_MEETS_CHORDS)
 #if WFV_EXACT && WFV_MEETS_CHORDS

@@ -314,7 +314,7 @@ bool wfvCoverage(WfvRay ray, vec3 e, vec3 x, vec3 y, bool rim)
 }
 #endif
 
-bool wfvCovered(WfvRay ray, vec3 e)
+bool wfvIsHit(WfvRay ray, vec3 e)
 {
 #if WFV_EXACT && !WFV_MULTISAMPLE && !WFV_MEETS_CHORDS
   return wfvCoverage(ray, e, vec3(0.0), vec3(0.0), false);
@@ -354,7 +354,7 @@ void wfvPrepare()
 #if !WFV_EXACT
   wfvByChord = (wfvMode & 1) == 0;
 #endif
-  bool covered = wfvCovered(ray, e);
+  bool covered = wfvIsHit(ray, e);
 #if WFV_MULTISAMPLE
   ray.direction = wfvShown;
   e = wfvEdgesAt(ray.direction);

@@ -4,7 +4,7 @@
 //   as it is      nothing torn, chords good enough;
 //   split         it crosses a straight seam: two polygons that meet it exactly
 //                 (the paper's rear triangle);
-//   covered       it holds a pole or the antipode (the paper's pole triangle), or
+//   ray-tested    it holds a pole or the antipode (the paper's pole triangle), or
 //                 bends more than the tolerance: a shape that surely contains its
 //                 picture, and the fragment stage decides by the pixel's ray.
 
@@ -35,8 +35,8 @@ flat out vec3 wfvToward; // a direction near it, or 0
 flat out vec2 wfvMeets;  // the plane times that direction, and times any of its points
 #endif
 #if !WFV_EXACT
-out vec3 wfvBary;        // barycentric coordinates, used where not covered
-out vec3 wfvPosition;    // the surface, where not covered
+out vec3 wfvBary;        // barycentric coordinates, used where not ray-tested
+out vec3 wfvPosition;    // the surface, where not ray-tested
 flat out vec3 wfvSlack;  // pixels by which edge i is widened to meet its chord; < 0: none
 flat out vec4 wfvCorners01; // corners in the picture, see chord_fragment.glsl
 flat out vec2 wfvCorner2;
@@ -50,10 +50,10 @@ flat out vec3 wfvSpan1;
 flat out vec3 wfvSpan2;
 #endif
 #if !WFV_EXACT || WFV_DEBUG_VIEW
-flat out int wfvMode;    // bits: 1 covered, more in wfvPlaceCorners
+flat out int wfvMode;    // bits: 1 ray-tested, more in wfvPlaceCorners
 #endif
 
-const int WFV_COVERED = 1;
+const int WFV_RAY_TESTED = 1;
 
 #if WFV_MEETS_CHORDS
 // Neighbours may be drawn by their chords: edges whose chord error is within the tolerance end there

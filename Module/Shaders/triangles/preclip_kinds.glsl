@@ -6,9 +6,9 @@ int wfvSplitKind(bool seam)
 #if WFV_MERIDIAN
   float low = min(wfvP[0].x, min(wfvP[1].x, wfvP[2].x));
   float high = max(wfvP[0].x, max(wfvP[1].x, wfvP[2].x));
-  return seam && low < 0.0 && high > 0.0 ? WFV_KIND_REAR : WFV_KIND_PLAIN;
+  return seam && low < 0.0 && high > 0.0 ? WFV_KIND_REAR : WFV_KIND_STRAIGHT;
 #else
-  return WFV_KIND_PLAIN;
+  return WFV_KIND_STRAIGHT;
 #endif
 }
 

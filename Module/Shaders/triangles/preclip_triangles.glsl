@@ -53,7 +53,7 @@ vec3 wfvSines(vec3 lengths)
 }
 
 // A cheap test that lets nearly every triangle of a fine mesh through: surely no pole,
-// every chord within the tolerance or, where all are covered, near enough to its edge. Sets
+// every chord within the tolerance or, where all are ray-tested, near enough to its edge. Sets
 // wfvReach.
 bool wfvEasy(vec3 lengths)
 {
@@ -204,7 +204,7 @@ void wfvDraw(bool seam, bool easy)
   bool near = easy && !seam;
   float grow = wfvReach + WFV_LENS + WFV_TIGHT_PAD; // as wfvEasy has measured
   wfvMustCover(!near || WFV_DEBUG_VIEW == 1);
-  wfvVertexMode = WFV_COVERED;
+  wfvVertexMode = WFV_RAY_TESTED;
 #if WFV_DEBUG_VIEW
   wfvVertexMode += WFV_KIND_UNIT * wfvCoverKind(seam, seam && WFV_STRAIGHT_SEAM == 0);
 #endif
@@ -214,7 +214,7 @@ void wfvDraw(bool seam, bool easy)
 // Of a triangle that wfvMustCover has measured.
 void wfvCoverCurved(bool seam, bool tear)
 {
-  wfvVertexMode = WFV_COVERED;
+  wfvVertexMode = WFV_RAY_TESTED;
   wfvPlaceCorners(seam);
 #if WFV_DEBUG_VIEW
   wfvVertexMode += WFV_KIND_UNIT * wfvCoverKind(seam, tear);
@@ -317,7 +317,7 @@ void main()
 #endif
   bool seam = wfvReachesSeam();
 #if WFV_SAMPLED
-  wfvVertexMode = WFV_COVERED;
+  wfvVertexMode = WFV_RAY_TESTED;
 #if WFV_DEBUG_VIEW
   wfvVertexMode += WFV_KIND_UNIT * WFV_KIND_EXACT;
 #endif

@@ -235,7 +235,7 @@ void ExpectSame(const reference::DrawnPicture& a, const reference::DrawnPicture&
 
 // What is known of a large mesh in one view does not stay for the next: another view, and the first
 // one again, show what they show when they are drawn first.
-TEST(Plain, LargeMeshesAreClassifiedAnew)
+TEST(Projected, LargeMeshesAreClassifiedAnew)
 {
   for (const bool copied : { false, true })
   {
@@ -259,7 +259,7 @@ TEST(Plain, LargeMeshesAreClassifiedAnew)
 
 // Along chords floors are told apart that lie BentDepth behind each other. The check can tell: by
 // chords of any length, which the technique vertex has, they are not.
-TEST(Plain, DepthIsThatOfTheSurface)
+TEST(Projected, DepthIsThatOfTheSurface)
 {
   Shot shot;
   shot.Options.Radii = { { 0.5, 4 } };
@@ -283,7 +283,7 @@ TEST(Plain, DepthIsThatOfTheSurface)
 
 // In the middle of a room, and beside its walls, which are seen aslant from there. By chords of any
 // length a distance is farther off.
-TEST(Plain, DepthAlongChordsIsBounded)
+TEST(Projected, DepthAlongChordsIsBounded)
 {
   Drawing picture;
   double farthest = 0;
@@ -328,7 +328,7 @@ void ExpectCrossings(const Drawing& drawing, const Shot& shot,
 
 // Beside an edge one of its two faces is hidden by what runs through it there, by ever less the
 // nearer it is.
-TEST(Plain, SurfacesMayCrossAtEdges)
+TEST(Projected, SurfacesMayCrossAtEdges)
 {
   const vtkSmartPointer<vtkPolyData> mesh = MakeCrossings(40);
   Drawing picture;
@@ -353,7 +353,7 @@ TEST(Plain, SurfacesMayCrossAtEdges)
 }
 
 // Whichever side the upper floor shows.
-TEST(Plain, DepthIsThatOfThePixelsRay)
+TEST(Projected, DepthIsThatOfThePixelsRay)
 {
   Drawing picture;
   for (const bool turned : { false, true })
@@ -374,7 +374,7 @@ TEST(Plain, DepthIsThatOfThePixelsRay)
 
 // Triangles behind the eye would be drawn inside the rim of a map that folds there. The check can
 // tell: the technique vertex draws them.
-TEST(Plain, NothingComesFromBeyondTheRim)
+TEST(Projected, NothingComesFromBeyondTheRim)
 {
   const vtkSmartPointer<vtkPolyData> mesh = MakeWall();
   Drawing picture;
