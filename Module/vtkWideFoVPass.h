@@ -45,7 +45,7 @@ public:
   ///@}
 
   /**
-   * What a primitive that the projection bends or tears is drawn with.
+   * What a primitive that the projection curves or parts is drawn with.
    */
   enum Techniques
   {

@@ -220,8 +220,8 @@ bool Classifier::MayProject(const vec3 p[3]) const
     !this->MayTear(p, std::sqrt(farthest2), std::sqrt(angle2));
 }
 
-// No chord stands for an edge that is torn; all triangles at it are ray-tested.
-void Classifier::LeaveTornEdges(const vec3 p[3], Triangle& t) const
+// No chord stands for an edge that meets a discontinuity; all triangles at it are ray-tested.
+void Classifier::LeaveDiscontinuousEdges(const vec3 p[3], Triangle& t) const
 {
   for (int i = 0; i < 3; i++)
   {
@@ -255,7 +255,7 @@ Classifier::Triangle Classifier::OfTriangle(const vec3& a, const vec3& b, const 
   const int least = std::min({ t.Chords[0], t.Chords[1], t.Chords[2] });
   if (least == 0 || (most > MostRows && least > 1) || !this->MayProject(p))
   {
-    this->LeaveTornEdges(p, t);
+    this->LeaveDiscontinuousEdges(p, t);
     return t;
   }
   t.Class = most == 1 ? DrawClass::Projected : DrawClass::Cut;

@@ -69,7 +69,7 @@ private:
   double LimitAt(const vec3& p) const;
   bool FitChords(const vec3& p, const vec3& q, int chords) const;
   bool MayProject(const vec3 p[3]) const;
-  void LeaveTornEdges(const vec3 p[3], Triangle& t) const;
+  void LeaveDiscontinuousEdges(const vec3 p[3], Triangle& t) const;
   bool MayTear(const vec3 p[3], double farthest, double angle) const;
   bool SphereMayTear(const vec3& centre, double radius, double angle) const;
   bool IsOnOneFace(const vec3 p[3], double beside) const;

@@ -119,7 +119,7 @@ void wfv::Stages::Instruct(vtkWideFoVStage* stage)
   const bool automatic = this->Technique == wfv::TechniqueAuto;
   stage->SetClipless(this->Technique == wfv::TechniqueVertex);
   stage->SetByRays(automatic || this->Technique == wfv::TechniqueTessellate);
-  stage->SetWhole(this->IsExact() && stage != this->ExactInSingle);
+  stage->SetFp64(this->IsExact() && stage != this->ExactInSingle);
   stage->SetMeetsChords(automatic && AllowsChords(this->Tolerance));
   stage->SetExactLines(automatic && (!this->Stereo || this->Stereo->Traits.StraightRays));
 }
@@ -227,9 +227,9 @@ vtkWideFoVStage* wfv::Stages::Choose(vtkProp* prop, const double* bounds, wfv::P
 vtkWideFoVStage* wfv::Stages::ChooseByBounds(
   vtkProp* prop, const double bounds[6], wfv::PropTraits& traits)
 {
-  const bool torn = vtkWideFoVNeedsPreClip(
+  const bool discontinuous = vtkWideFoVNeedsPreClip(
     *this->Projection, this->View, bounds, this->WorldToView, this->GetPointReach(traits));
-  if (torn || !this->IsFine(prop, bounds, traits))
+  if (discontinuous || !this->IsFine(prop, bounds, traits))
   {
     const bool few = this->Technique == wfv::TechniqueAuto && this->IsCoarse(bounds, traits);
     return few ? this->PreClipOfFew : this->PreClip;

@@ -137,7 +137,7 @@ void vtkWideFoVStage::SetView(
   this->Pixels.Start -= wfv::vec2(border);
   for (int i = 0; i < 2; i++)
   {
-    const double whole = this->Pixels.Whole[i];
+    const double whole = this->Pixels.Full[i];
     const double size = this->Pixels.Size[i];
     this->Tile[i] = static_cast<float>(whole / size);
     this->Tile[i + 2] = static_cast<float>((whole - 2 * this->Pixels.Start[i] - size) / size);
@@ -213,7 +213,7 @@ void vtkWideFoVStage::FinishTriangles(wfv::ShaderBuilder::Request& request) cons
     this->Projection->Axis == wfv::Family::Meridian && this->Projection->StraightSeam;
   request.Runs = upright ? this->Runs : 1;
   // how far edges are is asked of float32 alone
-  request.Whole = this->IsWhole() && !request.Edges && !this->DebugView;
+  request.Fp64 = this->IsFp64() && !request.Edges && !this->DebugView;
   if ((!straight || (this->Stereo && !this->Stereo->Traits.OneCenter)) &&
     !IsProjected(request.Stage))
   {
@@ -222,7 +222,7 @@ void vtkWideFoVStage::FinishTriangles(wfv::ShaderBuilder::Request& request) cons
   }
 }
 
-bool vtkWideFoVStage::HasWholeRays() const
+bool vtkWideFoVStage::HasFp64Rays() const
 {
   const bool exact = this->Variant == wfv::ShaderBuilder::Variant::Exact;
   const bool moved =

@@ -58,17 +58,17 @@ public:
 
   // Ray-tested triangles decided in double, where the projection has rays for that: the technique
   // "exact". Not with several samples, which would each take as long.
-  void SetWhole(bool whole)
+  void SetFp64(bool fp64)
   {
-    if (whole != this->Whole)
+    if (fp64 != this->Fp64)
     {
-      this->Whole = whole;
+      this->Fp64 = fp64;
       this->SourceTime.Modified();
     }
   }
 
   // Whether ray-tested triangles are decided so, as the view and its samples are now.
-  bool IsWhole() const { return this->Whole && this->HasWholeRays(); }
+  bool IsFp64() const { return this->Fp64 && this->HasFp64Rays(); }
 
   // Lines by the exact variant, as long as they are few: the technique "auto".
   void SetExactLines(bool exact)
@@ -182,7 +182,7 @@ private:
 
   // Sets the stereo model, and how triangles are ray-tested, in a request whose primitives are
   // known.
-  bool HasWholeRays() const;
+  bool HasFp64Rays() const;
   void FinishTriangles(wfv::ShaderBuilder::Request& request) const;
 
   void NoteView(const wfv::View& view);
@@ -230,7 +230,7 @@ private:
   bool ExactLines = false;
   bool DebugView = false;
   int Runs = 1;
-  bool Whole = false;
+  bool Fp64 = false;
   int NumberOfDraws = 0;
   int NumberOfTessellateDraws = 0;
 };

@@ -34,7 +34,7 @@ void vtkWideFoVStage::SetVolumeParameters(vtkShaderProgram* program, vtkProp* pr
     return;
   }
   const double* const bounds = volume->GetBounds();
-  wfv::volume::SetCover(program, this->Stages->GetPictures(bounds), this->Pixels.Whole);
+  wfv::volume::SetCover(program, this->Stages->GetPictures(bounds), this->Pixels.Full);
   if (program->IsUniformUsed("wfvReach"))
   {
     const wfv::vec2 distances = this->Stages->GetDistances(bounds);

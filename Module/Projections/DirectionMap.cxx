@@ -13,12 +13,12 @@ using namespace tables;
 
 namespace
 {
-// Neighbours are torn apart where their step is longer than so many times the shorter of
-// the steps before and behind it, and than so many times the usual step.
-constexpr double TornRatio = 4;
-constexpr double TornSteps = 2;
+// There is a discontinuity between neighbours where their step is longer than so many times the
+// shorter of the steps before and behind it, and than so many times the usual step.
+constexpr double GapRatio = 4;
+constexpr double GapSteps = 2;
 
-// Radians: a longer step with no other in line is a tear.
+// Radians: a longer step with no other in line is a discontinuity.
 constexpr double LonelyStep = 0.35;
 
 // The corners of a pixel are half its steps away, and these are not quite the same on its
@@ -107,7 +107,7 @@ public:
       return step <= LonelyStep;
     }
     const double other = before < 0 ? after : after < 0 ? before : std::min(before, after);
-    return step <= std::max(TornRatio * other, TornSteps * this->Usual);
+    return step <= std::max(GapRatio * other, GapSteps * this->Usual);
   }
 
 private:

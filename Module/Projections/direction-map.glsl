@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Direction map: any display, lens or mirror, described by one direction a pixel. The ray of
 // a pixel's centre is the file's own; between centres directions are bilinear, except where
-// neighbours are torn apart: there each pixel goes on by its own slope up to its edge.
+// the map is discontinuous: there each pixel goes on by its own slope up to its edge.
 // Domain: the pixels that have a direction. Discontinuities: wherever the file has them.
 // Source: what wfv::DirectionMap (DirectionMap.h) made of the file, in three tables:
 //   vec4 wfvDirectionTexel(WfvView v, int x, int y)  the direction of a pixel, and its bits
@@ -9,7 +9,7 @@
 //                                                    pixels round a cell: wfvCapPlaces
 //   vec4 wfvSeedTexel(WfvView v, int x, int y)       two pixels of a cell of the finest level
 
-// What a pixel's bits say. It has a direction; it is not torn from its neighbour; the four
+// What a pixel's bits say. It has a direction; it is continuous to its neighbour; the four
 // pixels of the square to its upper right hang together; it and its eight neighbours lie
 // nearly on a grid.
 const int WFV_PIXEL_VALID = 1;
@@ -57,7 +57,7 @@ WFV_FN vec3 wfvTexelDirection(vec4 texel)
 }
 
 // The step to the next pixel along an axis (ahead: 1, 0 or 0, 1), seen from a place on the
-// given side of the centre: that of the other side where this one is torn off, else none.
+// given side of the centre: that of the other side where there is a discontinuity on this one, else none.
 WFV_FN vec3 wfvStepBeside(vec4 here, int x, int y, int alongX, float side, WfvView v)
 {
   int bits = int(here.w);

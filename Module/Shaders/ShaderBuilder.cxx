@@ -5,7 +5,7 @@
 #include "Compat/StockEdits.h"
 #include "Shaders/ShaderArrays.h"
 #include "Shaders/ShaderText.h"
-#include "Shaders/WholeText.h"
+#include "Shaders/Fp64Text.h"
 #include "Shaders/lines/LineShaders.h"
 #include "Shaders/points/PointShaders.h"
 #include "Shaders/quadrics/QuadricShaders.h"
@@ -224,9 +224,9 @@ std::string CoverFragment(
     return wfv::point::FragmentSource(r, varyings, fragment);
   }
   RewriteFlatNormal(r, fragment);
-  return ray_fragment_glsl + (r.Whole ? WholeSource(*r.Projection) : "") + cover_fragment_glsl +
+  return ray_fragment_glsl + (r.Fp64 ? Fp64Source(*r.Projection) : "") + cover_fragment_glsl +
     (CurvedRays(r) ? std::string(curved_ray_glsl) + curved_fragment_glsl : "") +
-    chord_fragment_glsl + order_fragment_glsl + (r.Whole ? fine_depth_glsl : "") +
+    chord_fragment_glsl + order_fragment_glsl + (r.Fp64 ? fine_depth_glsl : "") +
     (r.Edges || r.DebugView ? edge_distance_glsl : "") +
     CornerInputs(varyings, { "wfvB.x", "wfvB.y", "wfvB.z" }, KnownOf(r));
 }
@@ -299,7 +299,7 @@ std::string PlaceSource(const Request& r, const std::string& fragment)
 // What a fragment stage that covers asks OpenGL for.
 std::string Extensions(const Request& r)
 {
-  return Covers(r) ? std::string(SampleMasks) + (r.Whole ? Doubles : "") : "";
+  return Covers(r) ? std::string(SampleMasks) + (r.Fp64 ? Doubles : "") : "";
 }
 
 void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
@@ -324,7 +324,7 @@ void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std:
   const std::string border = BorderSource(r);
   declarations += border;
   after += border.empty() ? "" : "  if (wfvOutsideDomain()) { discard; }\n";
-  after += covers && r.Whole ? "  if (wfvIsBehind(gl_FragDepth)) { discard; }\n" : "";
+  after += covers && r.Fp64 ? "  if (wfvIsBehind(gl_FragDepth)) { discard; }\n" : "";
   declarations += DebugSource(r);
   FoldMaterial(r.Surface, fragment);
   RewriteLights(r, fragment);

@@ -68,7 +68,7 @@ public:
     int DepthMapping = 0;       // wfv::DepthMapping; all but linear by the fragment stage
     bool MeetsChords = false;   // triangles that are drawn by their chords may be beside these
     bool SeveralChords = false; // and an edge of these may have several
-    bool Whole = false;         // ray-tested triangles are decided in double, where OpenGL has that
+    bool Fp64 = false;          // ray-tested triangles are decided in double, where OpenGL has that
     int Runs = 1;               // of the geometry stage, which share in covering a triangle
 
     // Of wfv::SteadyLights; none: all of every light is uniforms.

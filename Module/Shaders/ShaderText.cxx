@@ -109,7 +109,7 @@ std::string ViewSource(const Request& r)
     Define("WFV_EXACT", r.ByRays || r.Stage == wfv::ShaderBuilder::Variant::Exact) +
     Define("WFV_BY_RAYS", r.ByRays) + Define("WFV_MEETS_CHORDS", r.MeetsChords && AllRayTested(r)) +
     Define("WFV_SEVERAL_CHORDS", r.SeveralChords && AllRayTested(r) && !OwnRays(r)) +
-    Define("WFV_WHOLE", r.Whole) + Define("WFV_DEPTH_MAPPING(v)", r.DepthMapping) +
+    Define("WFV_FP64", r.Fp64) + Define("WFV_DEPTH_MAPPING(v)", r.DepthMapping) +
     Define("WFV_MULTISAMPLE", r.Multisample) + Define("WFV_WIDE_LINES", r.WideLines) +
     Define("WFV_EDGES", r.Edges || r.DebugView) + Define("WFV_EDGE_FLAGS", r.EdgeFlags) +
     Define("WFV_DEBUG_VIEW", r.DebugView) + "#define WFV_TILTED " + (r.Tilted ? "true" : "false") +

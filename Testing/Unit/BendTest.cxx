@@ -35,7 +35,7 @@ vec3 FaceOf(const vec3& d)
   return glm::trunc(d / largest);
 }
 
-bool Torn(const View& view, const vec3& a, const vec3& b)
+bool IsDiscontinuous(const View& view, const vec3& a, const vec3& b)
 {
   switch (view.GetProjection().Axis)
   {
@@ -96,7 +96,7 @@ double WorstOf(const NamedView& named, int count, std::mt19937_64& engine)
     const vec3 t = glm::normalize(other - a * glm::dot(other, a));
     const double angle = LongestEdge * std::pow(10, -1 + unit(engine));
     const vec3 b = a * std::cos(angle) + t * std::sin(angle);
-    if (!Torn(view, a, b))
+    if (!IsDiscontinuous(view, a, b))
     {
       worst = std::max(worst, WorstRatio(view, a, b, angle));
     }

@@ -19,7 +19,7 @@ constexpr int EdgesOfView = 20000; // a view
 constexpr double Shortest = 0.1;
 
 // True where the map is torn between two directions of its own frame, or has no places.
-bool Torn(const Projection& p, const vec3& a, const vec3& b)
+bool IsDiscontinuous(const Projection& p, const vec3& a, const vec3& b)
 {
   const auto face = [](const vec3& d) {
     const vec3 s = glm::abs(d);
@@ -80,7 +80,7 @@ Worst Measure(const View& view, std::mt19937_64& engine)
     const int level = i % LocalBend::Levels;
     const double angle = LocalBend::LongestEdge * (1 << level) * share;
     const vec3 b = a * std::cos(angle) + t * std::sin(angle);
-    if (ray.inside && !Torn(view.GetProjection(), a, b))
+    if (ray.inside && !IsDiscontinuous(view.GetProjection(), a, b))
     {
       Add(worst, view, bends, level, a, b);
     }

@@ -40,8 +40,8 @@ int FaceOf(const vec3& d)
   return d[axis] < 0 ? axis : axis + 3;
 }
 
-// True where the map is torn or bent between a and b, which are a few steps apart.
-bool Torn(Family family, const vec3& a, const vec3& b)
+// True where the map is discontinuous or kinked between a and b, which are a few steps apart.
+bool IsDiscontinuous(Family family, const vec3& a, const vec3& b)
 {
   switch (family)
   {
@@ -176,7 +176,8 @@ vec2 SecondAt(const Projection& p, const WfvView& v, const vec3& d)
   for (int i = 0; i < 3; i++)
   {
     const vec3 t = tangents.At(0.25 * WFV_PI * i);
-    if (Torn(p.Axis, d + t * step, d - t * step) || Torn(p.Axis, d + t * step, d))
+    if (IsDiscontinuous(p.Axis, d + t * step, d - t * step) ||
+      IsDiscontinuous(p.Axis, d + t * step, d))
     {
       return vec2(0);
     }
@@ -193,7 +194,8 @@ vec2 FirstAt(const Projection& p, const WfvView& v, const vec3& d)
   vec2 squares(0);
   for (const vec3& t : { tangents.U, tangents.V })
   {
-    if (Torn(p.Axis, d + t * step, d - t * step) || Torn(p.Axis, d + t * step, d))
+    if (IsDiscontinuous(p.Axis, d + t * step, d - t * step) ||
+      IsDiscontinuous(p.Axis, d + t * step, d))
     {
       return vec2(0);
     }

@@ -26,11 +26,11 @@ WFV_EXPORT vec2 Stretch(const Projection& projection, const WfvView& view);
 
 // The largest second derivatives of x and of y along great circles of unit speed at a
 // direction (unit length, in the map's own frame), NDC per squared radian; 0 where the map is
-// torn there.
+// discontinuous there.
 vec2 SecondAt(const Projection& projection, const WfvView& view, const vec3& direction);
 
 // How fast a place moves along x and y as a direction turns, at the most: NDC per radian; 0 where
-// the map is torn there.
+// the map is discontinuous there.
 vec2 FirstAt(const Projection& projection, const WfvView& view, const vec3& direction);
 
 // Sine of the angle from a direction to the nearest singular point of a family; 1 where there

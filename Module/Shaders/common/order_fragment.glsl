@@ -52,7 +52,7 @@ void wfvOrder(float approach, vec3 e)
   bool known = min(wfvEach.x, min(wfvEach.y, wfvEach.z)) > 0.0 && approach != 0.0;
   float moved = known ? nearer : 0.0;
 #if WFV_DOUBLES
-  double rho = wfvWholeDistance() * (1.0 - double(moved));
+  double rho = wfvFp64Distance() * (1.0 - double(moved));
   wfvFineDepth = double(wfvUnitDepth.x) * rho + double(wfvUnitDepth.y);
   wfvDepth = WFV_DEPTH_MAPPING(wfvView) == WFV_DEPTH_LINEAR ? float(wfvFineDepth)
                                                             : wfvDepthInUnits(float(rho));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fragment side of lines and points on direction maps: this pixel's own map (wfvOwnMap), carried on
-// evenly. What is drawn by it is whole on both sides of whatever tears a map.
+// evenly. What is drawn by it is complete on both sides of any discontinuity.
 
 WfvAround wfvOwn;   // slopes per pixel of the picture
 float wfvOwnVolume = 0.0; // of the direction and its slopes

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Lines: shapes that surely contain the picture of each, for line_fragment.glsl, which
 // says what the picture is. An arc that the map bends little gets one rectangle along its
-// chord. Others are parted at the places where the map may bend or tear them, and each
+// chord. Others are parted at the places where the map may curve or part them, and each
 // part gets a rectangle of its own; which part a pixel belongs to is decided there.
 
 layout(lines) in;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Lines, geometry stage, of an eye whose rays begin on a circle: the frame of line_own.glsl from the
-// two ends of the line, what of it no ray sees, and where its image is torn or bends most.
+// two ends of the line, what of it no ray sees, and where its image is discontinuous or curves most.
 
 // Part of the line's or the circle's distance that the frame's is at the least.
 const float WFV_OWN_LEAST = 0.1;

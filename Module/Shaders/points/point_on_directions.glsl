@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Points on direction maps, of which nothing is known but their tables: a point of n pixels shows in
 // each pixel in whose own map (own_map.glsl) it is in the square of n pixels round the pixel's centre.
-// So it is whole on both sides of a tear, or a tear cuts it, as it cuts everything else there.
+// So it is complete on both sides of a discontinuity, or cut there, as everything else is.
 
 layout(points) in;
 layout(triangle_strip, max_vertices = 8) out;

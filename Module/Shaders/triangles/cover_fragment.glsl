@@ -4,7 +4,7 @@
 
 // Rays and edges in double, so that what is thinner than float32 turns a ray is decided too.
 #ifdef GL_ARB_gpu_shader_fp64
-#define WFV_DOUBLES WFV_WHOLE
+#define WFV_DOUBLES WFV_FP64
 #else
 #define WFV_DOUBLES 0
 #endif
@@ -113,9 +113,9 @@ WFV_EDGE wfvEdgesAt(WFV_EDGE direction)
 uniform vec2 wfvPixelToMapLow;
 
 // The ray of the pixel's centre in double.
-WfvWholeRay wfvWholeRayAt()
+WfvFp64Ray wfvFp64RayAt()
 {
-  WfvWholeView v;
+  WfvFp64View v;
   v.scale = dvec2(wfvView.scale);
   v.lens = dvec4(wfvView.lens);
   v.lens5 = double(wfvView.lens5);
@@ -124,7 +124,7 @@ WfvWholeRay wfvWholeRayAt()
   v.tables = dvec4(wfvView.tables);
 #endif
   dvec2 perPixel = dvec2(wfvPixelToMap.zw) + dvec2(wfvPixelToMapLow);
-  return wfvWholeRayOfMap(dvec2(gl_FragCoord.xy - wfvPixelToMap.xy) * perPixel, v);
+  return wfvFp64RayOfMap(dvec2(gl_FragCoord.xy - wfvPixelToMap.xy) * perPixel, v);
 }
 #endif
 
@@ -200,7 +200,7 @@ float wfvApproach(vec3 direction)
   return float(wfvOfPlane);
 }
 
-double wfvWholeDistance()
+double wfvFp64Distance()
 {
   return wfvOfPoints / wfvOfPlane;
 }
@@ -208,7 +208,7 @@ double wfvWholeDistance()
 // Distance at which a ray meets the plane.
 float wfvMeet(vec3 direction, float approach)
 {
-  return float(wfvWholeDistance());
+  return float(wfvFp64Distance());
 }
 #else
 float wfvApproach(vec3 direction)
@@ -335,11 +335,11 @@ bool wfvIsHit(WfvRay ray, vec3 e)
 WfvRay wfvLook(out vec3 e)
 {
 #if WFV_DOUBLES
-  WfvWholeRay whole = wfvWholeRayAt();
-  dvec3 edges = wfvEdgesAt(whole.direction);
+  WfvFp64Ray ray = wfvFp64RayAt();
+  dvec3 edges = wfvEdgesAt(ray.direction);
   e = vec3(edges);
   wfvOfPlane = edges.x + edges.y + edges.z;
-  return WfvRay(vec3(whole.direction), whole.inside);
+  return WfvRay(vec3(ray.direction), ray.inside);
 #else
   WfvRay ray = wfvSurfaceRay(vec2(0.0));
   e = wfvEdgesAt(ray.direction);

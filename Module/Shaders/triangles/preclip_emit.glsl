@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pre-clip of triangles: what leaves the stage. Each triangle is drawn in one of three
 // ways (preclip_triangles.glsl decides):
-//   as it is      nothing torn, chords good enough;
+//   as it is      no discontinuity, chords good enough;
 //   split         it crosses a straight seam: two polygons that meet it exactly
 //                 (the paper's rear triangle);
 //   ray-tested    it holds a pole or the antipode (the paper's pole triangle), or
@@ -15,7 +15,7 @@ layout(triangles) in;
 #endif
 layout(triangle_strip, max_vertices = WFV_EMIT_VERTICES) out;
 
-#if WFV_WHOLE && defined(GL_ARB_gpu_shader_fp64)
+#if WFV_FP64 && defined(GL_ARB_gpu_shader_fp64)
 #define WFV_DOUBLES 1
 #define WFV_EDGE dvec3
 #else

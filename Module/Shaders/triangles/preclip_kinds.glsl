@@ -13,7 +13,7 @@ int wfvSplitKind(bool seam)
 }
 
 // Of a triangle that wfvMustCover has measured.
-int wfvCoverKind(bool seam, bool tear)
+int wfvCoverKind(bool seam, bool discontinuous)
 {
 #if WFV_MERIDIAN
   bool pole = wfvHolds(1, 1.0) || wfvHolds(1, -1.0);
@@ -21,10 +21,10 @@ int wfvCoverKind(bool seam, bool tear)
   bool pole = wfvHolds(2, 1.0);
 #endif
 #if WFV_BY_RAYS
-  return pole || tear ? WFV_KIND_POLE : wfvBent ? WFV_KIND_EXACT : wfvSplitKind(seam);
+  return pole || discontinuous ? WFV_KIND_POLE : wfvBent ? WFV_KIND_EXACT : wfvSplitKind(seam);
 #elif WFV_EXACT
   return WFV_KIND_EXACT;
 #else
-  return pole || tear ? WFV_KIND_POLE : WFV_KIND_EXACT;
+  return pole || discontinuous ? WFV_KIND_POLE : WFV_KIND_EXACT;
 #endif
 }

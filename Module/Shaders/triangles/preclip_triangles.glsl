@@ -212,23 +212,23 @@ void wfvDraw(bool seam, bool easy)
 }
 #else
 // Of a triangle that wfvMustCover has measured.
-void wfvCoverCurved(bool seam, bool tear)
+void wfvCoverCurved(bool seam, bool discontinuous)
 {
   wfvVertexMode = WFV_RAY_TESTED;
   wfvPlaceCorners(seam);
 #if WFV_DEBUG_VIEW
-  wfvVertexMode += WFV_KIND_UNIT * wfvCoverKind(seam, tear);
+  wfvVertexMode += WFV_KIND_UNIT * wfvCoverKind(seam, discontinuous);
 #endif
   wfvCoverBy(!seam && wfvIsNarrow(), wfvNarrowGrow());
 }
 
 void wfvDraw(bool seam, bool easy)
 {
-  bool tear = seam && WFV_STRAIGHT_SEAM == 0;
+  bool discontinuous = seam && WFV_STRAIGHT_SEAM == 0;
   // wfvMustCover also prepares the covering: it runs wherever one may follow
-  if ((tear || !easy) && (wfvMustCover(true) || tear))
+  if ((discontinuous || !easy) && (wfvMustCover(true) || discontinuous))
   {
-    wfvCoverCurved(seam, tear);
+    wfvCoverCurved(seam, discontinuous);
     return;
   }
   wfvVertexMode = 0;

@@ -116,7 +116,7 @@ vec3 wfvRayStep(WfvRay ray, vec2 axis)
 mat2x3 wfvQuadSteps(WfvRay ray, out bool rim)
 {
 #if WFV_SAMPLED
-  // the next pixel may be torn from this one: this one's own slopes, inside it
+  // there may be a discontinuity before the next pixel: this one's own slopes, inside it
   rim = !wfvIsSimple();
   return mat2x3(
     2.0 * (wfvRayAt(vec2(0.25, 0.0)).direction - wfvRayAt(vec2(-0.25, 0.0)).direction),

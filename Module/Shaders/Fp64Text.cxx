@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Shaders/WholeText.h"
+#include "Shaders/Fp64Text.h"
 
 #include "WideFoVGlsl.h"
 
@@ -11,36 +11,36 @@ namespace wfv
 {
 namespace shader
 {
-std::string ToWhole(const std::string& glsl)
+std::string ToFp64(const std::string& glsl)
 {
   static const std::pair<std::regex, const char*> rules[] = {
     { std::regex(R"(//(?! WideFoV:)[^\n]*)"), "" }, // but the names of files (NameText.cmake)
     { std::regex(R"(\bfloat\b)"), "double" },
     { std::regex(R"(\bvec([234])\b)"), "dvec$1" },
-    { std::regex(R"(\bsin\()"), "wfvWholeSin(" },
-    { std::regex(R"(\bcos\()"), "wfvWholeCos(" },
-    { std::regex(R"(\bwfv(?!Whole)([A-Z]))"), "wfvWhole$1" },
-    { std::regex(R"(\bWfv([A-Z]))"), "WfvWhole$1" },
-    { std::regex(R"(\bWFV_(?!FN\b|TABLES\b|TILTED\b|NEWTON_STEPS\b))"), "WFV_WHOLE_" },
+    { std::regex(R"(\bsin\()"), "wfvFp64Sin(" },
+    { std::regex(R"(\bcos\()"), "wfvFp64Cos(" },
+    { std::regex(R"(\bwfv(?!Fp64)([A-Z]))"), "wfvFp64$1" },
+    { std::regex(R"(\bWfv([A-Z]))"), "WfvFp64$1" },
+    { std::regex(R"(\bWFV_(?!FN\b|TABLES\b|TILTED\b|NEWTON_STEPS\b))"), "WFV_FP64_" },
     { std::regex(R"((\b\d+(\.\d*([eE][-+]?\d+)?|[eE][-+]?\d+)))"), "$1lf" },
   };
-  std::string whole = glsl;
+  std::string fp64 = glsl;
   for (const auto& rule : rules)
   {
-    whole = std::regex_replace(whole, rule.first, rule.second);
+    fp64 = std::regex_replace(fp64, rule.first, rule.second);
   }
-  return whole;
+  return fp64;
 }
 
-const std::string& WholeSource(const Projection& projection)
+const std::string& Fp64Source(const Projection& projection)
 {
   static std::map<std::string, std::string> made;
   std::string& source = made[projection.Name];
   if (source.empty())
   {
     const bool sampled = projection.Axis == Family::Sampled;
-    source = std::string("#ifdef GL_ARB_gpu_shader_fp64\n") + whole_math_glsl +
-      ToWhole(CommonGlsl()) + (sampled ? whole_directions_glsl : "") + ToWhole(projection.Glsl) +
+    source = std::string("#ifdef GL_ARB_gpu_shader_fp64\n") + fp64_math_glsl +
+      ToFp64(CommonGlsl()) + (sampled ? fp64_directions_glsl : "") + ToFp64(projection.Glsl) +
       "#endif\n";
   }
   return source;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // In double what glsl_math.glsl is in float32, for rays that are compiled a second time
-// (WholeText.h). GLSL has no functions of angles in double. To 1e-12.
+// (Fp64Text.h). GLSL has no functions of angles in double. To 1e-12.
 
-double wfvWholeHypot(double x, double y)
+double wfvFp64Hypot(double x, double y)
 {
   return sqrt(x * x + y * y);
 }
 
 // Taken off by quarter turns; minimax polynomials on [-pi/4, pi/4], off by 1e-14 and 9e-13.
-dvec2 wfvWholeSinCos(double x)
+dvec2 wfvFp64SinCos(double x)
 {
   float k = floor(float(x) * 0.63661977236758134 + 0.5);
   double r = x - double(k) * 1.57079632679489662lf;
@@ -23,28 +23,28 @@ dvec2 wfvWholeSinCos(double x)
   return (quarters & 1) != 0 ? dvec2(sign_ * c, -sign_ * s) : dvec2(sign_ * s, sign_ * c);
 }
 
-double wfvWholeSin(double x)
+double wfvFp64Sin(double x)
 {
-  return wfvWholeSinCos(x).x;
+  return wfvFp64SinCos(x).x;
 }
 
-double wfvWholeCos(double x)
+double wfvFp64Cos(double x)
 {
-  return wfvWholeSinCos(x).y;
+  return wfvFp64SinCos(x).y;
 }
 
 // What float32 says, turned by what is left.
-double wfvWholeAtan2(double y, double x)
+double wfvFp64Atan2(double y, double x)
 {
   double a = double(wfvAtan2(float(y), float(x)));
-  dvec2 sc = wfvWholeSinCos(a);
+  dvec2 sc = wfvFp64SinCos(a);
   double along = x * sc.y + y * sc.x;
   double left = along > 0.0lf ? (y * sc.y - x * sc.x) / along : 0.0lf;
   return a + left;
 }
 
 // As wfvExpOfMinus, by more terms: the rest is under 1e-14.
-dvec2 wfvWholeExpOfMinus(double x)
+dvec2 wfvFp64ExpOfMinus(double x)
 {
   float k = floor(float(x) * 1.44269504 + 0.5);
   double r = x - double(k) * 0.69314718055994531lf;
@@ -58,18 +58,18 @@ dvec2 wfvWholeExpOfMinus(double x)
 }
 
 // Of functions that no ray needs.
-double wfvWholeAtanh(double x)
+double wfvFp64Atanh(double x)
 {
   return double(wfvAtanh(float(x)));
 }
 
-double wfvWholeCbrt(double x)
+double wfvFp64Cbrt(double x)
 {
   return double(wfvCbrt(float(x)));
 }
 
 // As WFV_ROOT_STEP: the next step of an iteration errs by about its square.
-const double WFV_WHOLE_ROOT_STEP = 1e-6lf;
+const double WFV_FP64_ROOT_STEP = 1e-6lf;
 
 // As WFV_BESIDE_SEAM: more than functions of angles err here.
-const double WFV_WHOLE_BESIDE_SEAM = 2e-12lf;
+const double WFV_FP64_BESIDE_SEAM = 2e-12lf;
