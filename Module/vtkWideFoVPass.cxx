@@ -230,7 +230,7 @@ void vtkWideFoVPass::DrawFlat(const vtkRenderState* s, vtkWideFoVCamera* camera)
 {
   Internals& in = *this->Internal;
   std::vector<vtkProp*> volumes;
-  const bool moved = camera && camera->GetEyeReach() > 0;
+  const bool moved = camera && camera->GetBaselineRadius() > 0;
   for (int i = 0; moved && i < s->GetPropArrayCount(); i++)
   {
     if (vtkVolume::SafeDownCast(s->GetPropArray()[i]))

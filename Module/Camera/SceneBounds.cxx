@@ -20,7 +20,7 @@ namespace
 {
 // Of tubes and points as spheres, over their distance: a pixel of a map is seen under no
 // more than this, but at places where maps shrink.
-double ReachOfPixels(vtkProperty* property, vtkRenderer* renderer)
+double OverhangOfPixels(vtkProperty* property, vtkRenderer* renderer)
 {
   const double tubes = property->GetRenderLinesAsTubes() ? property->GetLineWidth() : 0;
   const double spheres = property->GetRenderPointsAsSpheres() ? property->GetPointSize() : 0;
@@ -34,7 +34,7 @@ double ReachOfPixels(vtkProperty* property, vtkRenderer* renderer)
 
 // Of an actor without a mapper, such as axes, which is drawn by others that it keeps to itself: its
 // letters stand beside its bounds. Stock VTK adds as much to the clipping range of any scene.
-double ReachBesideBounds(vtkActor* actor)
+double OverhangOfLetters(vtkActor* actor)
 {
   const double* const bounds = actor->GetBounds();
   return bounds && vtkMath::AreBoundsInitialized(bounds)
@@ -42,7 +42,7 @@ double ReachBesideBounds(vtkActor* actor)
     : 0;
 }
 
-double ReachOfActor(vtkActor* actor, vtkRenderer* renderer, double farthest)
+double OverhangOfActor(vtkActor* actor, vtkRenderer* renderer, double farthest)
 {
   if (!actor->GetVisibility())
   {
@@ -50,20 +50,20 @@ double ReachOfActor(vtkActor* actor, vtkRenderer* renderer, double farthest)
   }
   if (!actor->GetMapper())
   {
-    return ReachBesideBounds(actor);
+    return OverhangOfLetters(actor);
   }
-  const double pixels = farthest * ReachOfPixels(actor->GetProperty(), renderer);
-  return std::max(wfv::ReachBeyondBounds(actor->GetMapper()), pixels);
+  const double pixels = farthest * OverhangOfPixels(actor->GetProperty(), renderer);
+  return std::max(wfv::Overhang(actor->GetMapper()), pixels);
 }
 
 // Of the actors in something that is more than one. Such a collection may hold other props as well.
 // A text is a rectangle, and one of no letters ends the program where it is asked.
-double ReachOfParts(vtkProp* prop, vtkRenderer* renderer, double farthest)
+double OverhangOfParts(vtkProp* prop, vtkRenderer* renderer, double farthest)
 {
-  double reach = 0;
+  double overhang = 0;
   if (vtkBillboardTextActor3D::SafeDownCast(prop))
   {
-    return reach;
+    return overhang;
   }
   vtkNew<vtkPropCollection> parts;
   prop->GetActors(parts);
@@ -72,24 +72,25 @@ double ReachOfParts(vtkProp* prop, vtkRenderer* renderer, double farthest)
   while (vtkObject* const part = parts->GetNextItemAsObject(it))
   {
     auto* const actor = vtkActor::SafeDownCast(part);
-    reach = std::max(reach, actor ? ReachOfActor(actor, renderer, farthest) : 0.0);
+    overhang = std::max(overhang, actor ? OverhangOfActor(actor, renderer, farthest) : 0.0);
   }
-  return reach;
+  return overhang;
 }
 
-double Reach(vtkRenderer* renderer, double farthest)
+double OverhangOfAll(vtkRenderer* renderer, double farthest)
 {
-  double reach = 0;
+  double overhang = 0;
   vtkPropCollection* const props = renderer->GetViewProps();
   vtkCollectionSimpleIterator it;
   props->InitTraversal(it);
   while (vtkProp* prop = props->GetNextProp(it))
   {
     auto* const actor = vtkActor::SafeDownCast(prop);
-    reach = std::max(reach,
-      actor ? ReachOfActor(actor, renderer, farthest) : ReachOfParts(prop, renderer, farthest));
+    overhang = std::max(overhang,
+      actor ? OverhangOfActor(actor, renderer, farthest)
+            : OverhangOfParts(prop, renderer, farthest));
   }
-  return reach;
+  return overhang;
 }
 
 bool IsEndless(const double bounds[6])
@@ -136,10 +137,10 @@ void InflateForQuadrics(vtkRenderer* renderer, const double eye[3], double bound
   double centre[3];
   box.GetCenter(centre);
   const double distance = std::sqrt(vtkMath::Distance2BetweenPoints(centre, eye));
-  const double reach = Reach(renderer, distance + 0.5 * box.GetDiagonalLength());
-  if (reach > 0 && std::isfinite(reach))
+  const double overhang = OverhangOfAll(renderer, distance + 0.5 * box.GetDiagonalLength());
+  if (overhang > 0 && std::isfinite(overhang))
   {
-    box.Inflate(reach);
+    box.Inflate(overhang);
     box.GetBounds(bounds);
   }
 }

@@ -16,8 +16,9 @@ namespace wfv
 // with a point at infinity would have all others at the near clip sphere.
 void LeaveOutEndless(vtkRenderer* renderer, double bounds[6]);
 
-// Grows the bounds of the renderer's props, in world coordinates, by the reach of its
-// actors (not of parts of assemblies). The eye tells how large a size in pixels may be.
+// Grows the bounds of the renderer's props, in world coordinates, by what its
+// actors draw beyond them (not parts of assemblies). The eye tells how large a size in pixels may
+// be.
 void InflateForQuadrics(vtkRenderer* renderer, const double eye[3], double bounds[6]);
 }
 

@@ -179,7 +179,7 @@ void vtkWideFoVScreenCamera::SetInterpupillaryDistance(double distance)
   this->UpdateEye();
 }
 
-double vtkWideFoVScreenCamera::GetEyeReach()
+double vtkWideFoVScreenCamera::GetBaselineRadius()
 {
   return this->GetCurrentEye() != MIDDLE_EYE ? 0.5 * this->GetInterpupillaryDistance() : 0;
 }

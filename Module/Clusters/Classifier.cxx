@@ -40,7 +40,7 @@ bool ClassifierView::operator==(const ClassifierView& o) const
     a.radii == b.radii && a.lens == b.lens && a.lens5 == b.lens5 && a.maxAngle == b.maxAngle &&
     a.map == b.map && this->Part.Low == o.Part.Low && this->Part.High == o.Part.High &&
     this->Limits == o.Limits && this->Culls == o.Culls && this->EyeRadius == o.EyeRadius &&
-    this->Reach == o.Reach;
+    this->BaselineRadius == o.BaselineRadius;
 }
 
 Classifier::Classifier(const ClassifierView& view)
@@ -173,16 +173,16 @@ bool Classifier::FitChords(const vec3& p, const vec3& q, int chords) const
   return true;
 }
 
-// reach2: the squared length of a chord at the shorter of its ends, at the most.
-int Classifier::ChordsOf(const vec3& p, const vec3& q, double reach2) const
+// limit2: the squared length of a chord at the shorter of its ends, at the most.
+int Classifier::ChordsOf(const vec3& p, const vec3& q, double limit2) const
 {
   const vec3 way = q - p;
   const double length2 = glm::dot(way, way);
-  if (length2 <= reach2 && !(this->V.EyeRadius > 0))
+  if (length2 <= limit2 && !(this->V.EyeRadius > 0))
   {
     return 1;
   }
-  if (!(length2 <= MostChords * MostChords * reach2))
+  if (!(length2 <= MostChords * MostChords * limit2))
   {
     return 0;
   }
@@ -191,12 +191,12 @@ int Classifier::ChordsOf(const vec3& p, const vec3& q, double reach2) const
   const vec3& from = ordered ? p : q;
   const vec3& to = ordered ? q : p;
   constexpr double longer = ChordLimits::MostLonger * ChordLimits::MostLonger;
-  if (length2 <= longer * reach2 && !(this->V.EyeRadius > 0) &&
+  if (length2 <= longer * limit2 && !(this->V.EyeRadius > 0) &&
     this->V.Limits->IsNearChord(from, to))
   {
     return 1;
   }
-  int chords = std::max(1, static_cast<int>(std::ceil(std::sqrt(length2 / reach2))));
+  int chords = std::max(1, static_cast<int>(std::ceil(std::sqrt(length2 / limit2))));
   // where each pixel's ray begins elsewhere, the fragment stage does not find one of several
   const int most = this->V.EyeRadius > 0 ? 1 : MostChords;
   while (chords <= most && !this->FitChords(from, to, chords))
@@ -239,17 +239,17 @@ void Classifier::LeaveDiscontinuousEdges(const vec3 p[3], Triangle& t) const
 Classifier::Triangle Classifier::OfTriangle(const vec3& a, const vec3& b, const vec3& c) const
 {
   const vec3 p[3] = { a, b, c };
-  double reach2[3];
+  double limit2[3];
   for (int i = 0; i < 3; i++)
   {
-    reach2[i] = this->LimitAt(p[i]) * glm::dot(p[i], p[i]);
+    limit2[i] = this->LimitAt(p[i]) * glm::dot(p[i], p[i]);
   }
   Triangle t;
   for (int i = 0; i < 3; i++)
   {
     const int j = (i + 1) % 3;
     const int k = (i + 2) % 3;
-    t.Chords[i] = this->ChordsOf(p[j], p[k], std::min(reach2[j], reach2[k]));
+    t.Chords[i] = this->ChordsOf(p[j], p[k], std::min(limit2[j], limit2[k]));
   }
   const int most = std::max({ t.Chords[0], t.Chords[1], t.Chords[2] });
   const int least = std::min({ t.Chords[0], t.Chords[1], t.Chords[2] });
@@ -265,7 +265,7 @@ Classifier::Triangle Classifier::OfTriangle(const vec3& a, const vec3& b, const 
 DrawClass Classifier::OfCluster(const Box& box, double radius, double edge) const
 {
   Box seen = box;
-  seen.Grow(this->V.Reach);
+  seen.Grow(this->V.BaselineRadius);
   if (this->V.Culls &&
     (this->AllAround ? !IsBetweenClips(this->V.View, seen)
                      : IsCulled(*this->V.Map, this->V.View, seen, this->V.Part)))

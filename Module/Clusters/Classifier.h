@@ -29,8 +29,8 @@ struct ClassifierView
   std::shared_ptr<const ChordLimits> Limits; // none: nothing is projected
   double Tolerance = 0.25;                   // pixels; that of Limits
   bool Culls = true;
-  double EyeRadius = 0; // of the circle that rays begin on, scene units
-  double Reach = 0;     // of the rays' beginnings from the origin, scene units
+  double EyeRadius = 0;      // of the circle that rays begin on, scene units
+  double BaselineRadius = 0; // of the rays' beginnings from the origin, scene units
 
   bool operator==(const ClassifierView& other) const;
 };
@@ -65,7 +65,7 @@ public:
   Triangle OfTriangle(const vec3& a, const vec3& b, const vec3& c) const;
 
 private:
-  int ChordsOf(const vec3& p, const vec3& q, double reach2) const;
+  int ChordsOf(const vec3& p, const vec3& q, double limit2) const;
   double LimitAt(const vec3& p) const;
   bool FitChords(const vec3& p, const vec3& q, int chords) const;
   bool MayProject(const vec3 p[3]) const;

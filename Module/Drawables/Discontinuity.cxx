@@ -56,10 +56,10 @@ double Farthest2(const double low[3], const double high[3])
   return sum;
 }
 
-// Makes it so much larger that it holds all that looks no farther from it than `reach`.
-void Grow(double low[3], double high[3], double reach)
+// Makes it so much larger that it holds all that looks no farther from it than `footprint`.
+void Grow(double low[3], double high[3], double footprint)
 {
-  const double by = reach * std::sqrt(Farthest2(low, high));
+  const double by = footprint * std::sqrt(Farthest2(low, high));
   for (int i = 0; i < 3; i++)
   {
     low[i] -= by;
@@ -132,16 +132,16 @@ bool MeetsDiscontinuity(
 }
 
 bool vtkWideFoVNeedsPreClip(const wfv::Projection& projection, const wfv::WfvView& view,
-  const double bounds[6], const double worldToView[16], double reach)
+  const double bounds[6], const double worldToView[16], double footprint)
 {
-  if (view.bend > MostCurvature || (reach > 0 && !ShowsAll(projection, view)))
+  if (view.bend > MostCurvature || (footprint > 0 && !ShowsAll(projection, view)))
   {
     return true;
   }
   double low[3];
   double high[3];
   ViewBounds(bounds, worldToView, view, low, high);
-  Grow(low, high, reach);
+  Grow(low, high, footprint);
   return MeetsDiscontinuity(projection, low, high);
 }
 

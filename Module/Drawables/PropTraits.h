@@ -30,9 +30,9 @@ struct PropTraits
 {
   bool Known = false;
   bool Prepared = false;    // its buffer
-  bool Bounded = false;     // its bounds hold what it draws, but for its reach
+  bool Bounded = false;     // its bounds hold what it draws, but for its footprint
   bool Uncountable = false; // for OpenGL or VTK (IndexLimit.h): it is not drawn
-  double Reach = 0;         // by which its lines and points may be wider than they are, pixels
+  double Footprint = 0;     // by which its lines and points may be wider than they are, pixels
   double PointSize = 1;     // pixels
   vtkIdType Few = 0;        // cells, where too few to classify; 0: not few
   double LongestEdge = -1;  // scene units; negative: not asked for yet

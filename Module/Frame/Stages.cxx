@@ -183,7 +183,7 @@ bool wfv::Stages::IsFat(vtkProp* prop, const double* bounds, const wfv::PropTrai
   return mesh && wfv::IsFat(mesh, toMap);
 }
 
-double wfv::Stages::GetPointReach(const wfv::PropTraits& traits) const
+double wfv::Stages::GetPointFootprint(const wfv::PropTraits& traits) const
 {
   const double pixels = traits.PointSize;
   return pixels > 1 ? 0.5 * pixels * PixelSafety * this->PixelAngle : 0;
@@ -228,7 +228,7 @@ vtkWideFoVStage* wfv::Stages::ChooseByBounds(
   vtkProp* prop, const double bounds[6], wfv::PropTraits& traits)
 {
   const bool discontinuous = vtkWideFoVNeedsPreClip(
-    *this->Projection, this->View, bounds, this->WorldToView, this->GetPointReach(traits));
+    *this->Projection, this->View, bounds, this->WorldToView, this->GetPointFootprint(traits));
   if (discontinuous || !this->IsFine(prop, bounds, traits))
   {
     const bool few = this->Technique == wfv::TechniqueAuto && this->IsCoarse(bounds, traits);

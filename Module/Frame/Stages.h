@@ -157,9 +157,9 @@ private:
   // Fills in what is not known yet.
   static void FindTraits(vtkProp* prop, wfv::PropTraits& traits);
 
-  // Radians: how far beyond their centres the points of a prop may reach; 0 where they are no
+  // Radians: how far the points of a prop may extend beyond their centres; 0 where they are no
   // larger than a pixel.
-  double GetPointReach(const wfv::PropTraits& traits) const;
+  double GetPointFootprint(const wfv::PropTraits& traits) const;
 
   wfv::BufferScale Buffers;
   wfv::MeshScale Meshes;
@@ -188,7 +188,8 @@ private:
   std::array<vtkWideFoVStage*, 9> GetAll();
   void Instruct(vtkWideFoVStage* stage);
   void SetEyes(vtkWideFoVCamera* camera, const wfv::StereoModel* stereo); // after SetPart
-  double Reach = 0; // of the rays' beginnings from the middle between the eyes, scene units
+  double BaselineRadius =
+    0; // of the rays' beginnings from the middle between the eyes, scene units
 
   // After the view is known.
   void NumberView(const wfv::StereoModel* stereo);

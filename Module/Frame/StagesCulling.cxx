@@ -28,10 +28,10 @@
 namespace
 {
 // Pixels beyond the window that still count: what rounding, and the chords of the neighbours of
-// what is seen, may reach.
+// what is seen, may extend.
 constexpr double Margin = 2;
 
-// Of the width of a line or point: how far it may reach, with its corners and beyond a slanting
+// Of the width of a line or point: how far it may extend, with its corners and beyond a slanting
 // border.
 constexpr double WidthMargin = 2;
 
@@ -102,7 +102,7 @@ void wfv::Stages::SetEyes(vtkWideFoVCamera* camera, const wfv::StereoModel* ster
 {
   this->Eye = wfv::FindWorldEye(this->WorldToView);
   // seen from a place so near the origin, a box is one that is so much larger, seen from it
-  this->Reach = stereo && !stereo->Traits.OneCenter ? camera->GetEyeReach() : 0;
+  this->BaselineRadius = stereo && !stereo->Traits.OneCenter ? camera->GetBaselineRadius() : 0;
   if (!stereo || stereo->Traits.StraightRays)
   {
     return;
@@ -140,7 +140,7 @@ void wfv::Stages::FindTraits(vtkProp* prop, wfv::PropTraits& traits)
     traits.Bounded = KeepsItsBounds(actor) && !wfv::HasOwnShaders(actor);
     traits.PointSize = property->GetPointSize();
     const double width = std::max<double>(property->GetLineWidth(), traits.PointSize);
-    traits.Reach = traits.Bounded && DrawsWidths(actor) ? WidthMargin * width : 0;
+    traits.Footprint = traits.Bounded && DrawsWidths(actor) ? WidthMargin * width : 0;
     traits.Few = CountFew(actor);
     traits.Uncountable = IsUncountable(actor);
   }
@@ -159,7 +159,7 @@ wfv::Box wfv::Stages::GetBox(const double b[6]) const
     vtkMatrix4x4::MultiplyPoint(m, p, p);
     box.Add(wfv::vec3(p[0], p[1], p[2]));
   }
-  box.Grow(this->Reach);
+  box.Grow(this->BaselineRadius);
   return box;
 }
 
@@ -204,7 +204,7 @@ bool wfv::Stages::IsCulled(vtkProp* prop, const double* b, wfv::PropTraits& trai
     return false;
   }
   wfv::Window window = this->Part;
-  window.Reach = traits.Reach / this->Pixels;
+  window.Footprint = traits.Footprint / this->Pixels;
   return wfv::IsCulled(*this->Projection, this->View, this->GetBox(b), window);
 }
 
@@ -242,7 +242,7 @@ bool wfv::Stages::GetClassifierView(
   view.View.eye = wfv::WFV_EYE_MIDDLE; // the same for both eyes
   view.Part = this->Part;
   view.Culls = this->Culling;
-  view.Reach = this->Reach;
+  view.BaselineRadius = this->BaselineRadius;
   const bool own =
     this->Stereo && !this->Stereo->Traits.OneCenter && !this->Stereo->Fades(this->View);
   view.EyeRadius = own ? wfv::wfvFromMiddle(this->View) : 0;

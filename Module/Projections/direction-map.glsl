@@ -36,7 +36,7 @@ const int WFV_CELL_SEEDS = 4;
 // Steps of the search for the pixel of a direction, the longest of them, and the rest that
 // is as good as none and that counts as found, pixels.
 const int WFV_SEARCH_STEPS = 12;
-const float WFV_SEARCH_REACH = 16.0;
+const float WFV_SEARCH_STEP = 16.0;
 const float WFV_SEARCH_END = 1e-4;
 const float WFV_SEARCH_REST = 0.01;
 
@@ -130,7 +130,7 @@ WFV_FN WfvAround wfvAround(vec2 p, WfvView v)
 }
 
 // Pixels of the map: slopes of a pixel are looked at so far on either side of a place, inside it.
-const float WFV_SLOPE_REACH = 0.25;
+const float WFV_SLOPE_RANGE = 0.25;
 const float WFV_SLOPE_INSIDE = 0.49;
 
 // A pixel's own map, carried on: the unit vector seen at p, which lies in the pixel, and its slopes
@@ -139,10 +139,10 @@ const float WFV_SLOPE_INSIDE = 0.49;
 WFV_FN WfvAround wfvOwnMap(vec2 p, WfvView v)
 {
   vec2 centre = vec2(float(wfvNearestIndex(p.x, v.tables.x)), float(wfvNearestIndex(p.y, v.tables.y)));
-  vec2 reach = vec2(WFV_SLOPE_REACH, WFV_SLOPE_REACH);
+  vec2 range = vec2(WFV_SLOPE_RANGE, WFV_SLOPE_RANGE);
   vec2 end = vec2(WFV_SLOPE_INSIDE, WFV_SLOPE_INSIDE);
-  vec2 low = max(p - reach, centre - end);
-  vec2 high = min(p + reach, centre + end);
+  vec2 low = max(p - range, centre - end);
+  vec2 high = min(p + range, centre + end);
   WfvAround r = wfvAround(p, v);
   float l = wfvHypot(wfvHypot(r.direction.x, r.direction.y), r.direction.z);
   r.direction = l > 0.0 ? r.direction / l : vec3(0.0, 0.0, -1.0);
@@ -284,7 +284,7 @@ const float WFV_CAP_ANGLE = 1.05;
 const float WFV_EDGE_KINKS = 2.0;
 
 // Pixels of an edge times the bend (WfvPlaces) of where it lies: up to this nothing is known of more.
-const float WFV_EDGE_REACH = 0.5;
+const float WFV_EDGE_LIMIT = 0.5;
 
 // Of the bend times the length squared: so far a straight edge lies beside its chord. Its curvature is
 // at most twice the bend, and a circle is a little more than a parabola.
@@ -296,8 +296,8 @@ const float WFV_ASTRAY = 1e9;
 // Pixels of the map that the picture of a straight edge may lie beside its chord, which is so long.
 WFV_FN float wfvBesideChord(float chord, float bend)
 {
-  float reach = chord + WFV_EDGE_KINKS;
-  return bend * reach <= WFV_EDGE_REACH ? WFV_EDGE_SIDE * bend * reach * reach : WFV_ASTRAY;
+  float far = chord + WFV_EDGE_KINKS;
+  return bend * far <= WFV_EDGE_LIMIT ? WFV_EDGE_SIDE * bend * far * far : WFV_ASTRAY;
 }
 
 // What is added to the left side of the first rectangle in the table where a cell is simple.
@@ -356,7 +356,7 @@ WFV_FN vec3 wfvFindFrom(vec2 start, vec3 d, WfvView v)
     {
       return vec3(p.x + change.x, p.y + change.y, rest);
     }
-    p = p + change * min(1.0, WFV_SEARCH_REACH / l);
+    p = p + change * min(1.0, WFV_SEARCH_STEP / l);
     p = vec2(max(-0.5, min(v.tables.x - 0.5, p.x)), max(-0.5, min(v.tables.y - 0.5, p.y)));
   }
   return vec3(p.x, p.y, rest);

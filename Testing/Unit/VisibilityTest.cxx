@@ -183,7 +183,7 @@ TEST(Visibility, ReckonsWithWhatIsWide)
   ViewOptions o;
   o.Radii = { { 0.1, 10 } };
   Window wide;
-  wide.Reach = vec2(0.03);
+  wide.Footprint = vec2(0.03);
   o.HorizontalFov = o.VerticalFov = 170;
   const View round(*FindProjection("azimuthal-equidistant"), o);
   const auto unseen = [](const View& view, const Box& box, const Window& window) {
@@ -201,7 +201,7 @@ TEST(Visibility, ReckonsWithWhatIsWide)
     left.High.x = -0.5;
     EXPECT_FALSE(unseen(all, at(179), left)) << name;
     EXPECT_TRUE(unseen(all, at(80), left)) << name;
-    left.Reach = vec2(0);
+    left.Footprint = vec2(0);
     EXPECT_TRUE(unseen(all, at(179), left)) << name;
   }
 }

@@ -43,20 +43,20 @@ double Largest(vtkPolyData* data, const char* name, int component, double otherw
   return std::max(0.0, range[1]);
 }
 
-double ReachOfSpheres(vtkObjectBase* mapper)
+double OverhangOfSpheres(vtkObjectBase* mapper)
 {
   auto* const spheres = static_cast<vtkOpenGLSphereMapper*>(mapper);
   return Largest(spheres->GetInput(), SphereAccess::Name(spheres), 0, spheres->GetRadius());
 }
 
-double ReachOfSticks(vtkObjectBase* mapper)
+double OverhangOfSticks(vtkObjectBase* mapper)
 {
   auto* const sticks = static_cast<vtkOpenGLStickMapper*>(mapper);
   const char* const name = StickAccess::Name(sticks);
   return Largest(sticks->GetInput(), name, 1, 0) + 0.5 * Largest(sticks->GetInput(), name, 0, 0);
 }
 
-double ReachOfSplats(vtkObjectBase* mapper)
+double OverhangOfSplats(vtkObjectBase* mapper)
 {
   auto* const splats = static_cast<vtkPointGaussianMapper*>(mapper);
   return splats->GetScaleFactor() * SplatBound(splats) *
@@ -68,7 +68,7 @@ struct DrawableKind
   const char* Name; // of the class
   unsigned Itself;  // traits of this class, which what is derived from it may not have
   unsigned Derived; // traits of this class and of all that is derived from it
-  double (*Reach)(vtkObjectBase*) = nullptr; // scene units; nullptr: within its bounds
+  double (*Overhang)(vtkObjectBase*) = nullptr; // scene units; nullptr: within its bounds
 };
 
 constexpr unsigned AsItIs = StockMesh | OneMaterial | InBounds;
@@ -81,9 +81,9 @@ const DrawableKind Kinds[] = {
   { "vtkWideFoVCompositeHelper", DrawsBlocks | ClassifiesBlocks, 0 },
   { "vtkGlyph3DMapper", 0, NotItsInput },
   { "vtkOpenGLGlyph3DHelper", OneMaterial, Glyphs },
-  { "vtkOpenGLSphereMapper", 0, PointsAlone | Spheres, ReachOfSpheres },
-  { "vtkOpenGLStickMapper", 0, PointsAlone | Cylinders, ReachOfSticks },
-  { "vtkPointGaussianMapper", 0, PointsAlone, ReachOfSplats },
+  { "vtkOpenGLSphereMapper", 0, PointsAlone | Spheres, OverhangOfSpheres },
+  { "vtkOpenGLStickMapper", 0, PointsAlone | Cylinders, OverhangOfSticks },
+  { "vtkPointGaussianMapper", 0, PointsAlone, OverhangOfSplats },
   { "vtkOpenGLPointGaussianMapperHelper", 0, Splats },
   { "vtkGPUVolumeRayCastMapper", 0, GpuRays },
   { "vtkMultiBlockVolumeMapper", 0, GpuRays },
@@ -102,7 +102,7 @@ bool HasTrait(vtkObjectBase* drawable, DrawableTrait trait)
   });
 }
 
-double ReachBeyondBounds(vtkObjectBase* mapper)
+double Overhang(vtkObjectBase* mapper)
 {
   // most are these, and to ask of what class something is takes long
   if (HasTrait(mapper, StockMesh))
@@ -110,7 +110,7 @@ double ReachBeyondBounds(vtkObjectBase* mapper)
     return 0;
   }
   const auto found = std::find_if(std::begin(Kinds), std::end(Kinds),
-    [mapper](const DrawableKind& kind) { return kind.Reach && mapper->IsA(kind.Name); });
-  return found == std::end(Kinds) ? 0 : found->Reach(mapper);
+    [mapper](const DrawableKind& kind) { return kind.Overhang && mapper->IsA(kind.Name); });
+  return found == std::end(Kinds) ? 0 : found->Overhang(mapper);
 }
 }

@@ -42,7 +42,7 @@ enum DrawableTrait : unsigned
 bool HasTrait(vtkObjectBase* drawable, DrawableTrait trait);
 
 // How far the mapper draws beyond the bounds of its points, scene units.
-double ReachBeyondBounds(vtkObjectBase* mapper);
+double Overhang(vtkObjectBase* mapper);
 }
 
 #endif

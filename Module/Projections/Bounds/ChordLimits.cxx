@@ -195,10 +195,10 @@ float ChordLimits::NearSingularity(const vec3& direction) const
 
 float ChordLimits::LeastAround(const vec3& direction, double sine) const
 {
-  double reach = NarrowestCell;
-  for (int ring = 0; ring < Rings; ring++, reach *= 2)
+  double widest = NarrowestCell;
+  for (int ring = 0; ring < Rings; ring++, widest *= 2)
   {
-    if (sine <= reach)
+    if (sine <= widest)
     {
       return this->Least[ring][LocalBend::CellOf(direction)];
     }

@@ -5,7 +5,7 @@
 const float WFV_PLACE_PAD = 2e-6;
 
 // Radians that so many pixels take up at the most.
-float wfvReachOf(float pixels)
+float wfvFootprint(float pixels)
 {
   vec2 texels = wfvView.tables.xy / (wfvViewport.zw * wfvTile.xy); // a pixel
   return pixels * wfvView.tables.w * length(texels) + WFV_PLACE_PAD;

@@ -9,7 +9,7 @@ const float WFV_RADIAL = 4e-7;
 const float WFV_LEVEL = 0.9999;
 
 // Radians: latitudes of such arcs, rounded up; sqrt(2 (1 - WFV_LEVEL)).
-const float WFV_LEVEL_REACH = 0.015;
+const float WFV_LEVEL_PAD = 0.015;
 
 bool wfvLevel = false; // the arc keeps to its latitude
 

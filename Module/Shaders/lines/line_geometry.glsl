@@ -25,7 +25,7 @@ const float WFV_LINE_PAD = 1.5;
 const float WFV_LINE_THIN_PAD = 0.1;
 
 // Factor on the sampled distance of an arc from its chord, for the shape round it.
-const float WFV_LINE_REACH = 1.8;
+const float WFV_LINE_EXPANSION = 1.8;
 
 // Largest ratio of half the width to the radius of the image's curvature for which the
 // nearest point is found by Newton's steps from the chord.
@@ -221,7 +221,7 @@ void wfvEmitAngles(float lo, float hi, float ref)
 {
   vec2 p = wfvArcAngles(wfvArcAt(lo), ref);
   vec2 q = wfvArcAngles(wfvArcAt(hi), ref);
-  vec2 pad = vec2(WFV_LINE_ANGLE_PAD, wfvLevel ? WFV_LEVEL_REACH : WFV_LINE_ANGLE_PAD);
+  vec2 pad = vec2(WFV_LINE_ANGLE_PAD, wfvLevel ? WFV_LEVEL_PAD : WFV_LINE_ANGLE_PAD);
   vec4 r = vec4(min(p, q) - pad, max(p, q) + pad);
   wfvEmitBounds(r);
 }
@@ -230,7 +230,7 @@ void wfvEmitAngles(float lo, float hi, float ref)
 bool wfvChordHolds(WfvStretch s, float lo, float hi)
 {
   return cos(hi - lo) > WFV_LINE_LONG && !wfvLineSingular(wfvArcAt(lo), wfvArcAt(hi)) &&
-    WFV_LINE_REACH * s.bend <= 0.25 * min(wfvViewport.z, wfvViewport.w);
+    WFV_LINE_EXPANSION * s.bend <= 0.25 * min(wfvViewport.z, wfvViewport.w);
 }
 #endif
 
@@ -261,7 +261,7 @@ void wfvEmitParts(float from, float to, float ref)
     WfvStretch s = wfvMeasure(lo, hi, ref);
     if (wfvChordHolds(s, lo, hi))
     {
-      wfvEmitAlong(s.from, s.to, wfvLineGrow() + WFV_LINE_REACH * s.bend);
+      wfvEmitAlong(s.from, s.to, wfvLineGrow() + WFV_LINE_EXPANSION * s.bend);
     }
     else
     {
@@ -283,7 +283,7 @@ int wfvModeOf(WfvStretch s)
 void wfvEmitStretch(WfvStretch s)
 {
   wfvMapOut = vec4(s.from, s.to);
-  wfvEmitAlong(s.from, s.to, wfvLineGrow() + (wfvModeOut == 0 ? 0.0 : WFV_LINE_REACH * s.bend));
+  wfvEmitAlong(s.from, s.to, wfvLineGrow() + (wfvModeOut == 0 ? 0.0 : WFV_LINE_EXPANSION * s.bend));
 }
 
 #if !WFV_OWN_RAYS

@@ -31,7 +31,7 @@ const int WFV_LINE_SAMPLE_STEPS = 2;
 // Pixels: behind a step so short one more is the last.
 const float WFV_LINE_STEP = 0.002;
 
-// Pixels that the differences reach, each way, by which slopes are measured.
+// Pixels of the differences, each way, by which slopes are measured.
 const float WFV_LINE_DIFFERENCE = 2.0;
 
 // Smallest share of the squared speed that stays of it where the image bends away.

@@ -19,11 +19,11 @@ WfvPlaces wfvPlacesOf(float lo, float hi)
   WfvPlaces places = wfvNoPlaces();
   int caps = int(max(ceil((hi - lo) / WFV_LINE_CAP), 1.0));
   float angle = (hi - lo) / float(caps);
-  float reach = wfvReachOf(0.5 * wfvLineWidth + WFV_LINE_THIN_PAD);
+  float footprint = wfvFootprint(0.5 * wfvLineWidth + WFV_LINE_THIN_PAD);
   for (int i = 0; i < caps; i++)
   {
     vec3 middle = wfvArcAt(lo + (float(i) + 0.5) * angle);
-    places = wfvWithPlaces(places, wfvCapPlaces(middle, 0.5 * angle + reach, wfvView));
+    places = wfvWithPlaces(places, wfvCapPlaces(middle, 0.5 * angle + footprint, wfvView));
   }
   return places;
 }

@@ -50,7 +50,7 @@ void main()
   }
   vec3 direction = p / rho;
   float half_ = 0.5 * wfvPointSize;
-  WfvPlaces places = wfvCapPlaces(direction, wfvReachOf(1.5 * half_), wfvView); // of its corners
+  WfvPlaces places = wfvCapPlaces(direction, wfvFootprint(1.5 * half_), wfvView); // of its corners
   vec3 found = vec3(0.0, 0.0, 1e9);
   if (wfvIsSimplePlace(places))
   {

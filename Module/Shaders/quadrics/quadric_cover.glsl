@@ -20,12 +20,12 @@ const float WFV_PAD = 1.5;
 // Angle added round a cap, radians: float32 rounding of angles.
 const float WFV_CAP_PAD = 2e-6;
 
-// Relative slack of a cap's reach in azimuth, whose arc sine is steep at its end.
+// Relative slack of a cap's extent in azimuth, whose arc sine is steep at its end.
 const float WFV_CAP_SLACK = 1e-5;
 
 #if WFV_OWN_BODIES
 // Radius of the circle on which the rays begin, the stage's own units, rounded up.
-float wfvEyeReach()
+float wfvBaselineRadius()
 {
   return 1.0001 * wfvFromMiddle(wfvView) / wfvScale();
 }
@@ -34,11 +34,11 @@ float wfvEyeReach()
 // distance from the origin is at least so much; half a turn for what is as near as the circle.
 float wfvGrowOf(float nearest)
 {
-  float s = wfvEyeReach() / max(nearest, 1e-30);
+  float s = wfvBaselineRadius() / max(nearest, 1e-30);
   return nearest > 0.0 && s < 1.0 ? wfvAtan2(s, sqrt((1.0 - s) * (1.0 + s))) : WFV_PI;
 }
 #else
-float wfvEyeReach()
+float wfvBaselineRadius()
 {
   return 0.0;
 }
@@ -82,7 +82,7 @@ void wfvEmitWindow(bool front)
 }
 
 #if WFV_ANGULAR
-// A rectangle of angles whose azimuth may reach across the seam.
+// A rectangle of angles whose azimuth may extend across the seam.
 void wfvEmitAngles(vec4 a, bool front)
 {
 #if WFV_MERIDIAN
@@ -123,19 +123,19 @@ vec2 wfvPolarRange()
 
 void wfvCoverCap(vec3 centre, float angle, bool front)
 {
-  float reach = angle + WFV_CAP_PAD;
-  if (!(reach < 0.5 * WFV_PI) || !(wfvLength(centre) > 0.0))
+  float radius = angle + WFV_CAP_PAD;
+  if (!(radius < 0.5 * WFV_PI) || !(wfvLength(centre) > 0.0))
   {
     wfvEmitWindow(front);
     return;
   }
   vec2 a = WFV_ANGLES(centre);
   vec2 all = wfvPolarRange();
-  float low = a.y - reach;
-  float high = a.y + reach;
+  float low = a.y - radius;
+  float high = a.y + radius;
   // where the cap holds a pole it has every azimuth; else its edge meets the farthest
   // meridian at a right angle
-  float s = (1.0 + WFV_CAP_SLACK) * sin(reach) / max(wfvPoleSine(centre), 1e-30);
+  float s = (1.0 + WFV_CAP_SLACK) * sin(radius) / max(wfvPoleSine(centre), 1e-30);
   bool pole = low <= all.x || high >= all.y || s >= 1.0;
   float across = pole ? WFV_PI : wfvAtan2(s, sqrt((1.0 - s) * (1.0 + s))) + WFV_CAP_PAD;
 #if WFV_MERIDIAN
@@ -184,5 +184,5 @@ bool wfvBallCulled(vec4 ball)
 {
   float d = wfvLength(ball.xyz);
   return !(ball.w > 0.0) || !(d + ball.w >= wfvView.radii.x / wfvScale()) ||
-    !(d - ball.w - wfvEyeReach() <= wfvView.radii.y / wfvScale());
+    !(d - ball.w - wfvBaselineRadius() <= wfvView.radii.y / wfvScale());
 }

@@ -45,7 +45,7 @@ void wfvCoverSpan(vec4 first, vec4 last)
   float far = max(lf + first.w, ll + last.w);
   float near = wfvNearest(first.xyz, last.xyz) - width;
   if (!(width > 0.0) || !(far >= wfvView.radii.x / wfvScale()) ||
-    !(near - wfvEyeReach() <= wfvView.radii.y / wfvScale()))
+    !(near - wfvBaselineRadius() <= wfvView.radii.y / wfvScale()))
   {
     return;
   }

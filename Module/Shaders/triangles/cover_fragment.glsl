@@ -64,7 +64,7 @@ vec2 wfvSample = vec2(0.0); // looked at, pixels from the centre
 void wfvOrder(float approach, vec3 e);
 
 // chord_fragment.glsl
-vec3 wfvChordReach();
+vec3 wfvChordErrors();
 vec3 wfvToChords(vec3 direction, vec3 e, vec3 dx, vec3 dy);
 bool wfvAllInside(vec3 e, vec3 toChords);
 
@@ -157,7 +157,7 @@ vec3 wfvFlatNormal()
 }
 
 // Pixels: no sample is farther from its pixel's centre along either axis.
-const float WFV_SAMPLE_REACH = 0.5;
+const float WFV_SAMPLE_RADIUS = 0.5;
 
 // Safety over first-order bounds of what changes inside a pixel.
 const float WFV_PIXEL_SAFETY = 1.5;
@@ -281,13 +281,13 @@ vec3 wfvShown = vec3(0.0);
 // agree with it. e: the edge functions there; x, y: how they change from pixel to pixel.
 bool wfvCoverage(WfvRay ray, vec3 e, vec3 x, vec3 y, bool rim)
 {
-  vec3 reach = WFV_PIXEL_SAFETY * (WFV_SAMPLE_REACH + wfvChordReach()) * (abs(x) + abs(y));
+  vec3 margin = WFV_PIXEL_SAFETY * (WFV_SAMPLE_RADIUS + wfvChordErrors()) * (abs(x) + abs(y));
 #if WFV_OWN_RAYS
   rim = rim || wfvTurns(ray.direction);
 #elif WFV_CURVED_RAYS
   rim = true; // every sample has a depth of its own
 #endif
-  bool certain = wfvByChord || (!rim && all(greaterThan(abs(e), reach)));
+  bool certain = wfvByChord || (!rim && all(greaterThan(abs(e), margin)));
   int mask = wfvByChord || (certain && all(greaterThan(e, vec3(0.0)))) ? -1 : 0;
   bool centre = certain || (ray.inside && wfvAllInside(e, wfvToChords(ray.direction, e, x, y)));
   // without samples, in a shader that still reckons with several, the centre decides

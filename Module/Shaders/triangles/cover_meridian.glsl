@@ -29,8 +29,8 @@ vec2 wfvEdgeRange(vec3 n, vec2 lambda)
   float turn = wfvAtan2(n.z, n.x);
   vec2 ends = slope * sin(lambda - turn);
   float most = wfvWrap(0.5 * (lambda.x + lambda.y) - turn - 0.5 * WFV_PI);
-  float reach = 0.5 * (lambda.y - lambda.x);
-  float high = abs(most) <= reach ? slope : max(ends.x, ends.y);
+  float half_ = 0.5 * (lambda.y - lambda.x);
+  float high = abs(most) <= half_ ? slope : max(ends.x, ends.y);
   float slack = WFV_UPRIGHT * length(n);
   if (abs(n.y) <= slack)
   {

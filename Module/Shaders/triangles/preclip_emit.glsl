@@ -99,7 +99,7 @@ vec3 wfvS = vec3(0.0);
 vec3 wfvSpans[3]; // as wfvSpan0, ..
 vec2 wfvC[3] = vec2[3](vec2(0.0), vec2(0.0), vec2(0.0)); // corners in the picture
 vec4 wfvSeamPlaces = vec4(0.0);
-float wfvReach = 0.0; // pixels: how far the edges surely stay from their chords
+float wfvChordBound = 0.0; // pixels: how far the edges surely stay from their chords
 bool wfvBent = false; // an edge bends by more than the tolerance
 int wfvEmitted = 0;
 

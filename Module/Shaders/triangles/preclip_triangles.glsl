@@ -32,7 +32,7 @@ bool wfvReachesSeam()
 const float WFV_EASY_EDGE = 0.008;
 
 // Pixels that the edges of a triangle may be off their chords for a tight cover.
-const float WFV_TIGHT_REACH = 1.0;
+const float WFV_TIGHT_ERROR = 1.0;
 
 // Of the angles between the corners and the nearest singular point of the map.
 vec3 wfvSines(vec3 lengths)
@@ -54,11 +54,11 @@ vec3 wfvSines(vec3 lengths)
 
 // A cheap test that lets nearly every triangle of a fine mesh through: surely no pole,
 // every chord within the tolerance or, where all are ray-tested, near enough to its edge. Sets
-// wfvReach.
+// wfvChordBound.
 bool wfvEasy(vec3 lengths)
 {
 #if WFV_EXACT
-  float tolerance = WFV_TIGHT_REACH;
+  float tolerance = WFV_TIGHT_ERROR;
 #else
   float tolerance = wfvTolerance;
 #endif
@@ -84,8 +84,8 @@ bool wfvEasy(vec3 lengths)
   float least = min(cosines.x, min(cosines.y, cosines.z)) - turned.x;
   nearest = least < wfvChordEnd() ? 0.0 : nearest;
 #endif
-  wfvReach = (bend + turned.y) / max(nearest * nearest, 1e-12);
-  return longest <= WFV_EASY_EDGE && nearest > wfvSingularSine() && wfvReach <= tolerance;
+  wfvChordBound = (bend + turned.y) / max(nearest * nearest, 1e-12);
+  return longest <= WFV_EASY_EDGE && nearest > wfvSingularSine() && wfvChordBound <= tolerance;
 }
 
 // Surely nothing to see: all corners inside the near sphere or, for round maps of 180
@@ -105,7 +105,7 @@ bool wfvOutside(vec3 lengths)
 #endif
 }
 
-// True where the triangle holds a pole or an edge of it bends too much; sets wfvS, wfvReach
+// True where the triangle holds a pole or an edge of it bends too much; sets wfvS, wfvChordBound
 // and wfvBent. Unless it is asked for nothing is measured.
 //
 // A loop, of no round then: software rendering runs through both sides of a branch, but through a loop only
@@ -116,7 +116,7 @@ bool wfvMustCover(bool asked)
   vec3 a = wfvP[0];
   vec3 b = wfvP[1];
   vec3 c = wfvP[2];
-  wfvReach = asked ? 0.0 : wfvReach;
+  wfvChordBound = asked ? 0.0 : wfvChordBound;
   for (int i = asked ? 3 : 0; i > 0; i--)
   {
 #if WFV_OWN_RAYS
@@ -125,7 +125,7 @@ bool wfvMustCover(bool asked)
     vec2 e = wfvChordError(b, c);
 #endif
     wfvS = vec3(wfvS.y, wfvS.z, e.x);
-    wfvReach = max(wfvReach, e.y);
+    wfvChordBound = max(wfvChordBound, e.y);
     // (no index is computed: that would put the corners into memory)
     vec3 first = a;
     a = b;
@@ -202,7 +202,7 @@ void wfvCoverBy(bool tight, float grow)
 void wfvDraw(bool seam, bool easy)
 {
   bool near = easy && !seam;
-  float grow = wfvReach + WFV_LENS + WFV_TIGHT_PAD; // as wfvEasy has measured
+  float grow = wfvChordBound + WFV_LENS + WFV_TIGHT_PAD; // as wfvEasy has measured
   wfvMustCover(!near || WFV_DEBUG_VIEW == 1);
   wfvVertexMode = WFV_RAY_TESTED;
 #if WFV_DEBUG_VIEW
