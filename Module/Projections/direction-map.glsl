@@ -133,10 +133,10 @@ WFV_FN WfvAround wfvAround(vec2 p, WfvView v)
 const float WFV_SLOPE_RANGE = 0.25;
 const float WFV_SLOPE_INSIDE = 0.49;
 
-// A pixel's own map, carried on: the unit vector seen at p, which lies in the pixel, and its slopes
+// A pixel's local map, carried on: the unit vector seen at p, which lies in the pixel, and its slopes
 // at right angles to it, with which directions go on beside it. Along an axis on which no neighbour
 // hangs with it they change as much as along the other, across it.
-WFV_FN WfvAround wfvOwnMap(vec2 p, WfvView v)
+WFV_FN WfvAround wfvLocalMap(vec2 p, WfvView v)
 {
   vec2 centre = vec2(float(wfvNearestIndex(p.x, v.tables.x)), float(wfvNearestIndex(p.y, v.tables.y)));
   vec2 range = vec2(WFV_SLOPE_RANGE, WFV_SLOPE_RANGE);

@@ -152,7 +152,7 @@ std::string PrimitiveSource(const Request& r, const std::vector<Varying>& varyin
   // exact wherever the geometry stage cuts
   return InvocationsSource(r, varyings, KnownOf(r)) + CornerOutputs(varyings, 3, KnownOf(r)) +
     preclip_emit_glsl + preclip_planes_glsl +
-    (OwnRays(r)         ? own_rays_glsl
+    (NonCentral(r)      ? non_central_glsl
         : CurvedRays(r) ? curved_cover_glsl
                         : "") +
     preclip_cover_glsl + preclip_narrow_glsl + CoverSource(*r.Projection) +

@@ -73,10 +73,10 @@ std::string CornerInputs(const std::vector<Varying>& varyings,
 int CornerComponents(const std::vector<Varying>& varyings, int corners);
 
 // True for triangles and exact lines of an eye whose rays begin in several places.
-bool OwnRays(const Request& r);
+bool NonCentral(const Request& r);
 
 // True for balls, sticks, tubes and splats of an eye whose rays begin in several places.
-bool OwnBodies(const Request& r);
+bool NonCentralImpostors(const Request& r);
 
 // True for triangles of an eye whose rays are no straight lines.
 bool CurvedRays(const Request& r);

@@ -16,9 +16,9 @@ WFV_FN vec2 wfvEyeBeforeCube(WfvView v)
   return vec2(v.stereo.x + wfvToRight(v), v.stereo.y);
 }
 
-WFV_FN WfvSight wfvSee(vec3 p, WfvView v)
+WFV_FN WfvRayHit wfvSee(vec3 p, WfvView v)
 {
-  return wfvSightFrom(p, vec3(0.0, 0.0, 0.0));
+  return wfvRayHitFrom(p, vec3(0.0, 0.0, 0.0));
 }
 
 WFV_FN vec3 wfvEyeAt(vec3 direction, WfvView v)

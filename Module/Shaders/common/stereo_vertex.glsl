@@ -5,6 +5,6 @@
 // has no place in the map.
 vec4 wfvSeenVertex(vec4 p)
 {
-  WfvSight s = wfvSee(wfvTilt(p.xyz, wfvView), wfvView);
+  WfvRayHit s = wfvSee(wfvTilt(p.xyz, wfvView), wfvView);
   return vec4(s.seen ? wfvUntilt(s.direction * s.distance, wfvView) : vec3(0.0), p.w);
 }

@@ -28,8 +28,8 @@ const int WFV_KNOTS = 14;
 // The scale of the bends counts at least so much: the sine of WFV_AT_POLE.
 const float WFV_LEAST_DELTA = 1e-6;
 
-#if WFV_OWN_RAYS
-vec3 wfvArcAt(float a); // line_own.glsl
+#if WFV_NON_CENTRAL
+vec3 wfvArcAt(float a); // line_noncentral.glsl
 #else
 vec3 wfvArcAt(float a)
 {
@@ -111,7 +111,7 @@ vec2 wfvAcrossSeam(vec2 d)
   return d;
 }
 
-#if !WFV_OWN_RAYS
+#if !WFV_NON_CENTRAL
 // Angle of knot i, 0 to 4 WFV_KNOTS, from half a turn before top to half a turn behind it.
 // They are dense where the image may bend: near top, and opposite to it; or, where a map is
 // flat at its rim, which arcs meet a quarter of a turn from top, there.
@@ -154,7 +154,7 @@ const float WFV_FACE_PAD = 2.0;
 // Radians: the map of a face is carried on no farther.
 const float WFV_FACE_BEYOND = 0.6;
 
-#if WFV_OWN_RAYS
+#if WFV_NON_CENTRAL
 // Tangent of the angle from the middle of a face as far as which its map is carried on.
 float wfvFaceTangent()
 {

@@ -12,11 +12,11 @@ flat out vec3 wfvLineSide;
 flat out vec4 wfvLineEnds; // its ends, as in line_arc.glsl
 flat out vec4 wfvLineMap;  // modes 0, 1: the chord, pixels; 2, 3: cut, bend, own range
 flat out int wfvLineMode;  // 0 chord, 1 gently bent, 2 anything, 3 two dots; on a face: 4, 5
-#if WFV_FACES || WFV_FLAT_RIM || WFV_OWN_RAYS
+#if WFV_FACES || WFV_FLAT_RIM || WFV_NON_CENTRAL
 flat out vec2 wfvLineRange; // the angles that the map, or this face, shows
 #endif
-#if WFV_OWN_RAYS
-flat out vec4 wfvLineFoot;  // foot, distance and gap of line_own.glsl
+#if WFV_NON_CENTRAL
+flat out vec4 wfvLineFoot;  // foot, distance and gap of line_noncentral.glsl
 #endif
 
 // Pixels added round a shape: where parts share a line, half a pixel's diagonal and the
@@ -74,10 +74,10 @@ void wfvEmitPixels(vec2 corner, vec2 right, vec2 up)
 #if WFV_FACES
       wfvLineMode += WFV_FACE_UNIT * wfvArcFace;
 #endif
-#if WFV_FACES || WFV_FLAT_RIM || WFV_OWN_RAYS
+#if WFV_FACES || WFV_FLAT_RIM || WFV_NON_CENTRAL
       wfvLineRange = wfvArcRange;
 #endif
-#if WFV_OWN_RAYS
+#if WFV_NON_CENTRAL
       wfvLineFoot = vec4(wfvArcFoot, wfvArcDistance, wfvArcGap);
 #endif
       wfvWriteCorners();
@@ -193,8 +193,8 @@ void wfvEmitBounds(vec4 r)
   wfvEmitRound(low, vec2(size.x, 0.0), vec2(0.0, size.y));
 }
 
-#if WFV_OWN_RAYS
-// line_own_geometry.glsl
+#if WFV_NON_CENTRAL
+// line_noncentral_geometry.glsl
 bool wfvChordHolds(WfvStretch s, float lo, float hi);
 void wfvEmitAngles(float lo, float hi, float ref);
 #else
@@ -286,7 +286,7 @@ void wfvEmitStretch(WfvStretch s)
   wfvEmitAlong(s.from, s.to, wfvLineGrow() + (wfvModeOut == 0 ? 0.0 : WFV_LINE_EXPANSION * s.bend));
 }
 
-#if !WFV_OWN_RAYS
+#if !WFV_NON_CENTRAL
 void wfvEmitHard()
 {
   wfvModeOut = 2;
@@ -368,8 +368,8 @@ void main()
     return;
   }
   wfvQuadsLeft = WFV_LINE_VERTICES / 4;
-#if WFV_OWN_RAYS
-  wfvEmitOwn(p, q);
+#if WFV_NON_CENTRAL
+  wfvEmitNc(p, q);
 #else
   wfvLevel = false;
   bool plane = wfvFrameArc(p, q);

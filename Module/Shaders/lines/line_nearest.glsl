@@ -45,7 +45,7 @@ const float WFV_LINE_LONGEST_STEP = 0.7;
 float wfvStepped(float a, float turn)
 {
   float base = abs(a) > 0.5 * WFV_PI ? (a < 0.0 ? -WFV_PI : WFV_PI) : 0.0;
-#if WFV_OWN_RAYS
+#if WFV_NON_CENTRAL
   base = wfvHasGap() ? (a <= 0.0 ? wfvArcGap.x : wfvArcGap.y) : base;
   base = wfvTwoTops ? (a <= 0.0 ? wfvArcTops.x : wfvArcTops.y) : base;
 #endif
@@ -108,7 +108,7 @@ void wfvRefine(vec2 p, int which, int most)
     // no slopes across a jump
     float c = s.lo == wfvArcCut ? max(a, wfvStepped(s.lo, h)) : a;
     c = s.hi == wfvBeforeCut ? min(c, wfvStepped(s.hi, -h)) : c;
-#if WFV_OWN_RAYS
+#if WFV_NON_CENTRAL
     c = s.lo == wfvArcGap.y ? max(a, wfvStepped(s.lo, h)) : c;
     c = s.hi == wfvArcGap.x ? min(c, wfvStepped(s.hi, -h)) : c;
 #endif
@@ -160,7 +160,7 @@ void wfvScan(vec2 p, float lo, float hi, float ref)
   }
 }
 
-#if WFV_OWN_RAYS
+#if WFV_NON_CENTRAL
 // The starts between two angles, which a cut may part.
 void wfvScanParts(vec2 p, float lo, float hi)
 {
@@ -258,7 +258,7 @@ float wfvDistance(vec2 p, int steps)
   for (int i = 0; i < 2; i++)
   {
     wfvTry(p, wfvArcRange[i], ref);
-#if WFV_OWN_RAYS
+#if WFV_NON_CENTRAL
     wfvTry(p, clamp(wfvArcInner[i], wfvArcRange.x, wfvArcRange.y), ref);
 #endif
   }
@@ -293,7 +293,7 @@ float wfvFindNearest(vec2 p)
   }
   float d = wfvDistance(p, WFV_LINE_STEPS);
   bool whole = wfvLineKind == 1 || wfvLineKind > 3;
-#if WFV_OWN_RAYS
+#if WFV_NON_CENTRAL
   whole = whole || wfvHasGap() || wfvTwoTops;
 #endif
   bool own = whole || (wfvBestAngle >= wfvLineMap.z && wfvBestAngle < wfvLineMap.w);

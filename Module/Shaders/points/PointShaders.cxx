@@ -39,7 +39,7 @@ std::string FragmentSource(
 {
   stock::Replace(fragment, stock::Edit::PointCoordinate, "wfvPointCoord", stock::Found::May);
   const std::string inputs = CornerInputs(varyings, { "1.0" });
-  return OnDirections(r) ? std::string(own_map_glsl) + point_own_map_glsl + inputs
+  return OnDirections(r) ? std::string(local_map_glsl) + point_local_map_glsl + inputs
                          : point_fragment_glsl + inputs;
 }
 }

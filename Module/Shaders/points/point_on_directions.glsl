@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Points on direction maps, of which nothing is known but their tables: a point of n pixels shows in
-// each pixel in whose own map (own_map.glsl) it is in the square of n pixels round the pixel's centre.
+// each pixel in whose local map (local_map.glsl) it is in the square of n pixels round the pixel's centre.
 // So it is complete on both sides of a discontinuity, or cut there, as everything else is.
 
 layout(points) in;

@@ -23,7 +23,7 @@ const float WFV_CAP_PAD = 2e-6;
 // Relative slack of a cap's extent in azimuth, whose arc sine is steep at its end.
 const float WFV_CAP_SLACK = 1e-5;
 
-#if WFV_OWN_BODIES
+#if WFV_NON_CENTRAL_IMPOSTORS
 // Radius of the circle on which the rays begin, the stage's own units, rounded up.
 float wfvBaselineRadius()
 {

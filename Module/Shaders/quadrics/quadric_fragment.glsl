@@ -14,13 +14,13 @@ vec3 wfvNormal = vec3(0.0); // towards the eye, view coordinates
 vec3 wfvSurface = vec3(0.0); // the point itself, view coordinates
 float wfvAlong = 0.0; // where on the length, 0 to 1
 
-#if WFV_OWN_BODIES
+#if WFV_NON_CENTRAL_IMPOSTORS
 // Each ray begins at a place of its own, and sees the body from there.
 vec4 wfvBallSeen = vec4(0.0);
 vec4 wfvOtherSeen = vec4(0.0);
-vec3 wfvSight = vec3(0.0); // of the ray that is shown, view coordinates
+vec3 wfvHitDirection = vec3(0.0); // of the ray that is shown, view coordinates
 float wfvDistanceSeen = 0.0;
-#define WFV_FROM_EYE wfvSight
+#define WFV_FROM_EYE wfvHitDirection
 #define WFV_DISTANCE wfvDistanceSeen
 
 void wfvStandAt(vec3 start)
@@ -93,7 +93,7 @@ bool wfvOwns(float along)
 // side: 1 its front only, -1 its back only, 0 whichever comes first
 WfvSeen wfvLook(vec3 u, int side)
 {
-#if WFV_OWN_BODIES
+#if WFV_NON_CENTRAL_IMPOSTORS
   wfvStandAt(wfvEyeAt(u, wfvView) / wfvScale());
 #endif
   WfvCrossing x = wfvMeet(u);
@@ -156,8 +156,8 @@ void wfvPrepare(int side)
   wfvDepth = clamp(wfvWindowDepth(s.distance), 0.0, 1.0);
   wfvAlong = clamp(s.along, 0.0, 1.0);
   wfvSurface = wfvUntilt(direction, wfvView) * (s.distance * wfvScale());
-#if WFV_OWN_BODIES
-  wfvSight = wfvUntilt(direction, wfvView);
+#if WFV_NON_CENTRAL_IMPOSTORS
+  wfvHitDirection = wfvUntilt(direction, wfvView);
   wfvDistanceSeen = s.distance * wfvScale();
   wfvSurface += wfvUntilt(wfvEyeAt(direction, wfvView), wfvView);
 #endif

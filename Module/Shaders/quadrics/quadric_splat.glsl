@@ -12,7 +12,7 @@ WfvCrossing wfvMeet(vec3 u)
   float c = dot(u, ahead);
   WfvCrossing x;
   // from a cross product, so that nothing cancels far away
-#if WFV_OWN_BODIES
+#if WFV_NON_CENTRAL_IMPOSTORS
   // both eyes see the same disc
   float t = dot(wfvBallSeen.xyz, ahead) / c;
   x.met = c > 0.0 && length(cross(ahead, cross(u, wfvBallSeen.xyz))) <= c * wfvBall.w;

@@ -33,7 +33,7 @@ const float WFV_LENS_PAD = 0.02;
 bool wfvInside(float e, WFV_EDGE n)
 {
   WFV_SIDE shifted = n.x != 0.0 ? n.x : (n.y != 0.0 ? n.y : n.z);
-#if WFV_OWN_RAYS
+#if WFV_NON_CENTRAL
   shifted *= wfvTurn;
 #endif
   return e > 0.0 || (e == 0.0 && shifted > 0.0);

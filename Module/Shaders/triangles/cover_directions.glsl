@@ -22,7 +22,7 @@ WfvPlaces wfvPart(vec3 a, vec3 b, vec3 c)
   vec3 centre = sum / max(length(sum), 1e-30);
   float chord = max(length(a - centre), max(length(b - centre), length(c - centre)));
   float angle = chord < WFV_CAP_CHORD ? WFV_CAP_ANGLE * chord + WFV_ANGLE_PAD : WFV_PI;
-#if WFV_OWN_RAYS
+#if WFV_NON_CENTRAL
   angle = min(angle + wfvGrow, WFV_PI);
 #endif
   return wfvCapPlaces(centre, angle, wfvView);
@@ -85,7 +85,7 @@ vec2 wfvPixelOfPlace(vec2 place)
 // Covers a triangle that is one piece by what lies round its corners; false where that is not found.
 bool wfvCoverClose(float bend, vec3 a, vec3 b, vec3 c, bool front)
 {
-  if (WFV_OWN_RAYS == 1 || !(bend < 1.0))
+  if (WFV_NON_CENTRAL == 1 || !(bend < 1.0))
   {
     return false;
   }

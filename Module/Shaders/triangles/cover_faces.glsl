@@ -9,7 +9,7 @@ const float WFV_FACE_SLACK = 1e-5;
 // A triangle cut by four planes has seven corners at the most.
 const int WFV_FACE_CORNERS = 7;
 
-#if WFV_OWN_RAYS
+#if WFV_NON_CENTRAL
 // Radians: what is seen as far as this from where the origin sees it may be on any face.
 const float WFV_FACE_GROW = 0.3;
 
@@ -26,7 +26,7 @@ int wfvPolygonSize = 0;
 float wfvFrustumSide(vec3 q, int k)
 {
   float sideways = k < 2 ? q.x : q.y;
-#if WFV_OWN_RAYS
+#if WFV_NON_CENTRAL
   // beyond 45 degrees by what the circle adds, which at a corner of the cube is more about the axis
   float s = WFV_FACE_STEEP * sin(min(wfvGrow, WFV_FACE_GROW));
   float t = s / sqrt((1.0 - s) * (1.0 + s));
@@ -87,7 +87,7 @@ vec4 wfvFaceBounds(int face)
   vec2 pad = 2.0 * WFV_PAD / (wfvViewport.zw * wfvTile.xy);
   vec2 centre = wfvFaceCentre(face);
   vec2 half_ = vec2(1.0 / 3.0, 0.5);
-#if WFV_OWN_RAYS
+#if WFV_NON_CENTRAL
   if (!(wfvGrow < WFV_FACE_GROW))
   {
     return vec4(centre - half_, centre + half_);

@@ -19,7 +19,7 @@ flat in WFV_EDGE wfvEdge0;
 flat in WFV_EDGE wfvEdge1;
 flat in WFV_EDGE wfvEdge2;
 flat in vec3 wfvPlane;
-#if WFV_OWN_RAYS || WFV_CURVED_RAYS
+#if WFV_NON_CENTRAL || WFV_CURVED_RAYS
 flat in vec3 wfvAnchor;
 #elif WFV_DOUBLES
 flat in double wfvOfPoints;
@@ -27,7 +27,7 @@ flat in double wfvOfPoints;
 flat in vec3 wfvToward;
 flat in vec2 wfvMeets;
 #endif
-#if WFV_OWN_RAYS
+#if WFV_NON_CENTRAL
 flat in vec3 wfvSpan0;
 flat in vec3 wfvSpan1;
 flat in vec3 wfvSpan2;
@@ -78,7 +78,7 @@ WfvRay wfvSurfaceRay(vec2 offset)
 }
 #endif
 
-#if WFV_OWN_RAYS
+#if WFV_NON_CENTRAL
 // Where the ray of a direction begins, the stage's own units.
 vec3 wfvStart(vec3 direction)
 {
@@ -97,7 +97,7 @@ float wfvAhead(vec3 start)
 WFV_EDGE wfvEdgesAt(WFV_EDGE direction)
 {
   WFV_EDGE e = WFV_EDGE(dot(direction, wfvEdge0), dot(direction, wfvEdge1), dot(direction, wfvEdge2));
-#if WFV_OWN_RAYS
+#if WFV_NON_CENTRAL
   // a ray's moment, times the edge, is what it changes to begin elsewhere than in the origin
   vec3 start = wfvStart(direction);
   vec3 moment = cross(start, direction);
@@ -131,7 +131,7 @@ WfvFp64Ray wfvFp64RayAt()
 // How they change over a step of the direction.
 vec3 wfvEdgeStep(vec3 direction, vec3 step_)
 {
-#if WFV_OWN_RAYS
+#if WFV_NON_CENTRAL
   return wfvEdgesAt(direction + step_) - wfvEdgesAt(direction);
 #else
   return vec3(wfvEdgesAt(WFV_EDGE(step_)));
@@ -170,7 +170,7 @@ void wfvSetDistance(float rho)
   wfvDepth = wfvDepthInUnits(rho);
 }
 
-#if WFV_OWN_RAYS || WFV_CURVED_RAYS
+#if WFV_NON_CENTRAL || WFV_CURVED_RAYS
 // The plane times a direction: above 0 for one that goes towards it.
 float wfvApproach(vec3 direction)
 {
@@ -181,7 +181,7 @@ float wfvApproach(vec3 direction)
 // of the way from there, not of the whole distance.
 float wfvMeet(vec3 direction, float approach)
 {
-#if WFV_OWN_RAYS
+#if WFV_NON_CENTRAL
   vec3 anchor = wfvAnchor - wfvStart(direction);
 #else
   vec3 anchor = wfvAnchor;
@@ -226,14 +226,14 @@ float wfvMeet(vec3 direction, float approach)
 #if WFV_EXACT
 // The point itself and the direction from the eye to it, view coordinates.
 vec3 wfvSurface = vec3(0.0);
-vec3 wfvSight = vec3(0.0);
-#define WFV_FROM_EYE wfvSight
+vec3 wfvHitDirection = vec3(0.0);
+#define WFV_FROM_EYE wfvHitDirection
 
 void wfvSetSurface(vec3 direction)
 {
-  wfvSight = wfvUntilt(direction, wfvView);
-  wfvSurface = wfvSight * (wfvRho * wfvScale());
-#if WFV_OWN_RAYS
+  wfvHitDirection = wfvUntilt(direction, wfvView);
+  wfvSurface = wfvHitDirection * (wfvRho * wfvScale());
+#if WFV_NON_CENTRAL
   wfvSurface += wfvUntilt(wfvEyeAt(direction, wfvView), wfvView);
 #endif
 }
@@ -256,7 +256,7 @@ const bool wfvByChord = false;
 bool wfvByChord = false; // drawn with chords: a chord decides which pixels are covered
 #endif
 
-#if WFV_OWN_RAYS
+#if WFV_NON_CENTRAL
 // Share of the angle to the axis of the circle: rays that turn about it by more from pixel to
 // pixel say nothing of what is between them.
 const float WFV_TURNING = 0.1;
@@ -282,7 +282,7 @@ vec3 wfvShown = vec3(0.0);
 bool wfvCoverage(WfvRay ray, vec3 e, vec3 x, vec3 y, bool rim)
 {
   vec3 margin = WFV_PIXEL_SAFETY * (WFV_SAMPLE_RADIUS + wfvChordErrors()) * (abs(x) + abs(y));
-#if WFV_OWN_RAYS
+#if WFV_NON_CENTRAL
   rim = rim || wfvTurns(ray.direction);
 #elif WFV_CURVED_RAYS
   rim = true; // every sample has a depth of its own
@@ -360,7 +360,7 @@ void wfvPrepare()
   e = wfvEdgesAt(ray.direction);
 #endif
   float approach = wfvApproach(ray.direction);
-#if WFV_OWN_RAYS
+#if WFV_NON_CENTRAL
   wfvFacing = wfvTurn;
 #endif
 #if WFV_EXACT

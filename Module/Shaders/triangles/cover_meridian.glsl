@@ -13,7 +13,7 @@ const float WFV_UPRIGHT = 1e-6;
 // either side, or what is narrower than this would be drawn as high as it is somewhere else.
 const float WFV_COLUMN_SNAP = 1.0 / 64.0;
 
-#if WFV_OWN_RAYS
+#if WFV_NON_CENTRAL
 // Radians: a column widened by more on both sides is no longer less than half a turn wide.
 const float WFV_WIDEST_TURN = 0.9;
 
@@ -39,7 +39,7 @@ vec2 wfvEdgeRange(vec3 n, vec2 lambda)
   return n.y > 0.0 ? vec2(-high / n.y, 1e30) : vec2(-1e30, high / -n.y);
 }
 
-#if WFV_OWN_RAYS
+#if WFV_NON_CENTRAL
 vec2 wfvLatitudes = vec2(0.0); // of all of the triangle, seen from the circle
 #endif
 
@@ -51,14 +51,14 @@ vec2 wfvColumn(vec2 lambda, bool asked)
   lambda += vec2(-snap, snap);
   vec2 r = vec2(-1e30, 1e30);
   float pad = WFV_ANGLE_PAD;
-#if WFV_OWN_RAYS
+#if WFV_NON_CENTRAL
   pad += wfvGrow;
 #endif
   vec3 plane = wfvN[0];
   vec3 next = wfvN[1];
   for (int i = asked ? 3 : 0; i > 0; i--) // see wfvMustCover
   {
-#if WFV_OWN_RAYS
+#if WFV_NON_CENTRAL
     vec2 edge = wfvEdgeRange(plane, lambda + vec2(-wfvTurnPad, wfvTurnPad));
     edge = wfvTurnPad < WFV_WIDEST_TURN ? edge : vec2(-1e30, 1e30);
 #else
@@ -73,7 +73,7 @@ vec2 wfvColumn(vec2 lambda, bool asked)
     return vec2(1e9, -1e9);
   }
   vec2 phi = vec2(wfvAtan2(r.x, 1.0) - pad, wfvAtan2(r.y, 1.0) + pad);
-#if WFV_OWN_RAYS
+#if WFV_NON_CENTRAL
   phi = clamp(phi, wfvLatitudes.x, wfvLatitudes.y);
 #endif
   phi = clamp(phi, -0.5 * WFV_PI, 0.5 * WFV_PI);
@@ -145,10 +145,10 @@ void wfvCover(bool front)
   bool pole = (wfvHolds(1, 1.0) || wfvHolds(1, -1.0)) &&
     !wfvCornerAtPole(vec3(0.0, 1.0, 0.0));
   vec4 a = wfvAngularBounds(vec3(0.0, 1.0, 0.0));
-#if WFV_OWN_RAYS
+#if WFV_NON_CENTRAL
   wfvTurnPad = wfvGrowAzimuth(0.5 * WFV_PI - max(abs(a.y), abs(a.w)));
   a += vec4(-wfvTurnPad, 0.0, wfvTurnPad, 0.0);
-  wfvLatitudes = wfvOwnLatitudes(a.yw);
+  wfvLatitudes = wfvNcLatitudes(a.yw);
   wfvLatitudes.x = wfvHolds(1, -1.0) ? -0.5 * WFV_PI : wfvLatitudes.x;
   wfvLatitudes.y = wfvHolds(1, 1.0) ? 0.5 * WFV_PI : wfvLatitudes.y;
 #endif
@@ -177,8 +177,8 @@ void wfvCover(bool front)
   bool north = wfvHolds(1, 1.0);
   bool south = wfvHolds(1, -1.0);
   vec4 a = wfvAngularBounds(vec3(0.0, 1.0, 0.0));
-#if WFV_OWN_RAYS
-  vec2 latitudes = wfvOwnLatitudes(a.yw);
+#if WFV_NON_CENTRAL
+  vec2 latitudes = wfvNcLatitudes(a.yw);
   a = wfvGrowAngles(a, 0.5 * WFV_PI - max(abs(a.y), abs(a.w)));
   a.yw = latitudes;
 #endif

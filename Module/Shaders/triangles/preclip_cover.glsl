@@ -113,7 +113,7 @@ void wfvEmitRectangle(vec4 r, bool front)
 // Pixels of the tile, from its centre.
 vec2 wfvPixel(vec3 p)
 {
-#if WFV_OWN_RAYS
+#if WFV_NON_CENTRAL
   p = wfvSeenPlace(p);
 #endif
   vec4 c = wfvClipOnSide(p, 0.0);

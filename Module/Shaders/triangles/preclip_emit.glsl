@@ -26,7 +26,7 @@ flat out WFV_EDGE wfvEdge0;  // planes through the eye and the edge opposite to 
 flat out WFV_EDGE wfvEdge1;
 flat out WFV_EDGE wfvEdge2;
 flat out vec3 wfvPlane;  // normal of the triangle, away from the eye
-#if WFV_OWN_RAYS || WFV_CURVED_RAYS
+#if WFV_NON_CENTRAL || WFV_CURVED_RAYS
 flat out vec3 wfvAnchor; // a point of its plane
 #elif WFV_DOUBLES
 flat out double wfvOfPoints; // the plane times any of its points
@@ -44,7 +44,7 @@ flat out vec2 wfvCorner2;
 flat out vec4 wfvSeam; // where the edges cross the seam: three heights, and the seam's x
 #endif
 #endif
-#if WFV_OWN_RAYS
+#if WFV_NON_CENTRAL
 flat out vec3 wfvSpan0; // the edges opposite to corner i, from end to end
 flat out vec3 wfvSpan1;
 flat out vec3 wfvSpan2;
@@ -127,7 +127,7 @@ vec2 wfvDepthsHere = vec2(0.0); // NDC depths at which the triangle may be
 void wfvWritePlane()
 {
   wfvPlane = wfvT.xyz;
-#if WFV_OWN_RAYS || WFV_CURVED_RAYS
+#if WFV_NON_CENTRAL || WFV_CURVED_RAYS
   wfvAnchor = wfvA;
 #elif WFV_DOUBLES
   wfvOfPoints = wfvM;
@@ -158,7 +158,7 @@ void wfvWriteFlat()
 #if WFV_CURVED_RAYS
   wfvDepths = wfvDepthsHere;
 #endif
-#if WFV_OWN_RAYS
+#if WFV_NON_CENTRAL
   wfvSpan0 = wfvSpans[0];
   wfvSpan1 = wfvSpans[1];
   wfvSpan2 = wfvSpans[2];

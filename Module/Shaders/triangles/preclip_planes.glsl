@@ -146,7 +146,7 @@ vec4 wfvTrianglePlane(vec3 lengths)
 }
 #endif
 
-#if WFV_OWN_RAYS || WFV_CURVED_RAYS
+#if WFV_NON_CENTRAL || WFV_CURVED_RAYS
 // A point of the plane, for the fragment stage: the nearest corner; of a long triangle the foot
 // of the perpendicular from the eye.
 vec3 wfvAnchorOf(vec4 plane, vec3 lengths)
@@ -195,7 +195,7 @@ void wfvFindRises()
 void wfvFacePlanes(vec3 lengths)
 {
   float facing = wfvT.w > 0.0 ? 1.0 : -1.0;
-#if WFV_OWN_RAYS || WFV_CURVED_RAYS
+#if WFV_NON_CENTRAL || WFV_CURVED_RAYS
   wfvA = wfvAnchorOf(wfvT, lengths);
 #endif
   wfvM *= facing;

@@ -5,8 +5,8 @@
 // one face of the cube.
 bool wfvReachesSeam()
 {
-#if WFV_OWN_RAYS
-  return wfvOwnReachesSeam();
+#if WFV_NON_CENTRAL
+  return wfvNcReachesSeam();
 #elif WFV_FACES
   int face = wfvFaceOf(wfvP[0]);
   return wfvFaceOf(wfvP[1]) != face || wfvFaceOf(wfvP[2]) != face;
@@ -67,11 +67,11 @@ bool wfvEasy(vec3 lengths)
     dot(wfvP[0] - wfvP[1], wfvP[0] - wfvP[1]) / (lengths.x * lengths.y));
   float longest = max(edges.x, max(edges.y, edges.z));
   vec3 sines = wfvSines(lengths);
-#if WFV_OWN_RAYS
+#if WFV_NON_CENTRAL
   vec3 own = vec3(dot(wfvP[1] - wfvP[2], wfvP[1] - wfvP[2]),
     dot(wfvP[2] - wfvP[0], wfvP[2] - wfvP[0]), dot(wfvP[0] - wfvP[1], wfvP[0] - wfvP[1]));
-  vec2 turned = wfvOwnEasy(lengths, max(own.x, max(own.y, own.z)));
-  longest *= WFV_OWN_WIDER;
+  vec2 turned = wfvNcEasy(lengths, max(own.x, max(own.y, own.z)));
+  longest *= WFV_NC_WIDER;
 #else
   const vec2 turned = vec2(0.0);
 #endif
@@ -96,7 +96,7 @@ bool wfvOutside(vec3 lengths)
   {
     return true;
   }
-#if !WFV_ROUND || WFV_OWN_RAYS
+#if !WFV_ROUND || WFV_NON_CENTRAL
   return false;
 #else
   vec3 cosines = -vec3(wfvP[0].z, wfvP[1].z, wfvP[2].z) / lengths;
@@ -119,8 +119,8 @@ bool wfvMustCover(bool asked)
   wfvChordBound = asked ? 0.0 : wfvChordBound;
   for (int i = asked ? 3 : 0; i > 0; i--)
   {
-#if WFV_OWN_RAYS
-    vec2 e = wfvOwnChordError(b, c);
+#if WFV_NON_CENTRAL
+    vec2 e = wfvNcChordError(b, c);
 #else
     vec2 e = wfvChordError(b, c);
 #endif
@@ -239,7 +239,7 @@ void wfvDraw(bool seam, bool easy)
 }
 #endif
 
-#if !WFV_OWN_RAYS
+#if !WFV_NON_CENTRAL
 // Radians: what float32 rays do not tell from a line.
 const float WFV_GRAZING = 1e-6;
 
@@ -284,8 +284,8 @@ void wfvFindChords()
 // Seen edge-on, or not a number: it covers no pixel.
 bool wfvIsNothing()
 {
-#if WFV_OWN_RAYS
-  return wfvOwnNothing();
+#if WFV_NON_CENTRAL
+  return wfvNcNothing();
 #else
   return !(abs(wfvT.w) > 0.0);
 #endif
@@ -304,12 +304,12 @@ void main()
 #if WFV_MEETS_CHORDS
   wfvFindChords();
 #endif
-#if WFV_OWN_RAYS
-  wfvSetOwn(lengths, wfvT.w > 0.0 ? 1.0 : -1.0);
+#if WFV_NON_CENTRAL
+  wfvSetNc(lengths, wfvT.w > 0.0 ? 1.0 : -1.0);
 #elif WFV_CURVED_RAYS
   wfvSetDepths(lengths);
 #endif
-#if !WFV_OWN_RAYS
+#if !WFV_NON_CENTRAL
   if (wfvGrazes())
   {
     return;

@@ -1,43 +1,43 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lines, geometry stage, of an eye whose rays begin on a circle: the frame of line_own.glsl from the
+// Lines, geometry stage, of an eye whose rays begin on a circle: the frame of line_noncentral.glsl from the
 // two ends of the line, what of it no ray sees, and where its image is discontinuous or curves most.
 
 // Part of the line's or the circle's distance that the frame's is at the least.
-const float WFV_OWN_LEAST = 0.1;
+const float WFV_NC_LEAST = 0.1;
 
 // Radii of the circle: what passes its axis nearer than so many may bend much overhead and
 // underfoot; and what is nearer to its middle is bounded by nothing less than the window.
-const float WFV_OWN_AXIS = 16.0;
-const float WFV_OWN_CLOSE = 1.5;
+const float WFV_NC_AXIS = 16.0;
+const float WFV_NC_CLOSE = 1.5;
 
 // Where the search for the top of a line begins, and its steps.
-const int WFV_OWN_FIRST = 32;
-const int WFV_OWN_STEPS = 30;
+const int WFV_NC_FIRST = 32;
+const int WFV_NC_STEPS = 30;
 
 // Steps of a search by halves for float32.
-const int WFV_OWN_CUTS = 26;
+const int WFV_NC_CUTS = 26;
 
 // Radians: the scale of the bends at the ends of a gap, where the image runs as the root of the angle.
 const float WFV_GAP_DELTA = 1e-5;
 
 // Sine under which both axes count, and radians by which they have to be apart on the line.
-const float WFV_OWN_BOTH = 0.7;
-const float WFV_OWN_APART = 0.02;
+const float WFV_NC_BOTH = 0.7;
+const float WFV_NC_APART = 0.02;
 
 // What keeps the top in the middle of a line where nothing else draws it.
-const float WFV_OWN_NONE = 1e-3;
+const float WFV_NC_NONE = 1e-3;
 
 // Parts of a stretch at which its angles are looked at, and the share of the largest change from one
 // to the next by which they may do more between.
-const int WFV_OWN_PARTS = 8;
-const float WFV_OWN_BETWEEN = 0.25;
+const int WFV_NC_PARTS = 8;
+const float WFV_NC_BETWEEN = 0.25;
 
 bool wfvLevel = false; // see line_frame.glsl: false, for angles are looked at all along
-bool wfvOwnAxial = false; // the axis of the circle is near
-bool wfvOwnMapped = false; // the axis of the map counts
-bool wfvOwnWindow = false; // nothing less than the window surely holds it
+bool wfvNcAxial = false; // the axis of the circle is near
+bool wfvNcMapped = false; // the axis of the map counts
+bool wfvNcWindow = false; // nothing less than the window surely holds it
 
-float wfvOwnRadius()
+float wfvNcRadius()
 {
   return wfvFromMiddle(wfvView) / wfvScale();
 }
@@ -51,7 +51,7 @@ float wfvFromAxis(vec3 p)
 // Turns the frame so that the point at this angle becomes its top.
 void wfvTurnFrame(float to)
 {
-  vec3 top = wfvOwnAhead(to);
+  vec3 top = wfvNcAhead(to);
   wfvArcSide = cos(to) * wfvArcSide - sin(to) * wfvArcTop;
   wfvArcTop = top;
   wfvArcEnds.xy -= to;
@@ -63,13 +63,13 @@ void wfvTurnFrame(float to)
   wfvSetLine();
 }
 
-vec3 wfvOwnPlace(float a)
+vec3 wfvNcPlace(float a)
 {
-  return wfvOwnAhead(a) * (wfvArcDistance / max(cos(a - wfvArcFoot), WFV_OWN_END));
+  return wfvNcAhead(a) * (wfvArcDistance / max(cos(a - wfvArcFoot), WFV_NC_END));
 }
 
 // The frame whose top is the foot.
-void wfvFrameOwn(vec3 p, vec3 q)
+void wfvFrameNc(vec3 p, vec3 q)
 {
   vec3 d = q - p;
   float l = length(d);
@@ -79,9 +79,9 @@ void wfvFrameOwn(vec3 p, vec3 q)
   vec3 foot = (first ? p : q) - along * u;
   vec2 x = first ? vec2(along, along + l) : vec2(along - l, along);
   float from = length(foot);
-  float r = wfvOwnRadius();
+  float r = wfvNcRadius();
   float distance_ = sqrt(abs((from - r) * (from + r)));
-  wfvArcDistance = max(max(distance_, WFV_OWN_LEAST * max(from, r)), 1e-6 * length(p) + 1e-12);
+  wfvArcDistance = max(max(distance_, WFV_NC_LEAST * max(from, r)), 1e-6 * length(p) + 1e-12);
   wfvArcTop = foot / wfvArcDistance;
   wfvArcSide = u;
   wfvArcFoot = 0.0;
@@ -94,7 +94,7 @@ void wfvFrameOwn(vec3 p, vec3 q)
   wfvArcGap = vec2(WFV_NO_CUT);
   wfvArcInner = wfvArcGap;
   wfvTwoTops = false;
-  wfvOwnMapped = true;
+  wfvNcMapped = true;
   wfvLevel = false;
   wfvTurnFrame(0.5 * (wfvArcEnds.x + wfvArcEnds.y));
 }
@@ -104,7 +104,7 @@ float wfvAngleAtAxis()
 {
   vec3 up = wfvUpright(wfvView);
   vec3 u = cos(wfvArcFoot) * wfvArcSide - sin(wfvArcFoot) * wfvArcTop;
-  vec3 foot = wfvOwnPlace(wfvArcFoot);
+  vec3 foot = wfvNcPlace(wfvArcFoot);
   vec3 level = u - up * dot(u, up);
   float x = -dot(foot, level) / max(dot(level, level), 1e-20);
   return clamp(wfvArcFoot + wfvAtan2(x, wfvArcDistance), wfvArcEnds.x, wfvArcEnds.y);
@@ -112,12 +112,12 @@ float wfvAngleAtAxis()
 
 bool wfvIsSeen(float a)
 {
-  return wfvSee(wfvOwnPlace(a) * wfvScale(), wfvView).seen;
+  return wfvSee(wfvNcPlace(a) * wfvScale(), wfvView).seen;
 }
 
 float wfvGapEnd(float seen, float unseen)
 {
-  for (int i = 0; i < WFV_OWN_CUTS; i++)
+  for (int i = 0; i < WFV_NC_CUTS; i++)
   {
     float a = 0.5 * (seen + unseen);
     bool is = wfvIsSeen(a);
@@ -137,13 +137,13 @@ vec2 wfvFindGap(float at)
       wfvIsSeen(ends.y) ? wfvGapEnd(ends.y, at) : ends.y);
   }
   vec3 up = wfvUpright(wfvView);
-  vec3 level = wfvOwnAlong - up * dot(wfvOwnAlong, up);
-  vec3 foot = wfvOwnPlace(wfvArcFoot);
+  vec3 level = wfvNcAlong - up * dot(wfvNcAlong, up);
+  vec3 foot = wfvNcPlace(wfvArcFoot);
   foot -= up * dot(foot, up);
   float l2 = max(dot(level, level), 1e-20);
   float x = -dot(foot, level) / l2;
   float aside = length(foot + x * level);
-  float r = wfvOwnRadius();
+  float r = wfvNcRadius();
   float half_ = sqrt(max((r - aside) * (r + aside), 0.0) / l2);
   return wfvArcFoot +
     vec2(wfvAtan2(x - half_, wfvArcDistance), wfvAtan2(x + half_, wfvArcDistance));
@@ -151,44 +151,44 @@ vec2 wfvFindGap(float at)
 
 // How bent the image may be where the line is at the angle a: the sine of the angle to the axis of
 // the map or, for a line beside it, to that of the circle.
-float wfvOwnSine(float a)
+float wfvNcSine(float a)
 {
   vec3 d = wfvArcAt(a);
 #if WFV_MERIDIAN
   float s = wfvHypot(d.x, d.z);
 #elif WFV_ROUND && !WFV_FLAT_RIM
-  float s = d.z > 0.0 ? wfvHypot(d.x, d.y) : 1.0 + WFV_OWN_NONE * abs(a);
+  float s = d.z > 0.0 ? wfvHypot(d.x, d.y) : 1.0 + WFV_NC_NONE * abs(a);
 #else
-  float s = 1.0 + WFV_OWN_NONE * abs(a);
+  float s = 1.0 + WFV_NC_NONE * abs(a);
 #endif
-  s = wfvOwnMapped ? s : 1.0 + WFV_OWN_NONE * abs(a);
-  return wfvOwnAxial ? min(s, length(cross(d, wfvUpright(wfvView)))) : s;
+  s = wfvNcMapped ? s : 1.0 + WFV_NC_NONE * abs(a);
+  return wfvNcAxial ? min(s, length(cross(d, wfvUpright(wfvView)))) : s;
 }
 
 // The angle of the range at which that is least.
-float wfvOwnTop()
+float wfvNcTop()
 {
-  float step_ = (wfvArcRange.y - wfvArcRange.x) / float(WFV_OWN_FIRST);
+  float step_ = (wfvArcRange.y - wfvArcRange.x) / float(WFV_NC_FIRST);
   float best = 1e9;
   float at = wfvArcRange.x;
-  for (int i = 0; i <= WFV_OWN_FIRST; i++)
+  for (int i = 0; i <= WFV_NC_FIRST; i++)
   {
     float a = min(wfvArcRange.x + float(i) * step_, wfvArcRange.y);
-    float s = wfvOwnSine(a);
+    float s = wfvNcSine(a);
     at = s < best ? a : at;
     best = min(best, s);
   }
   vec2 ends = clamp(vec2(at - step_, at + step_), wfvArcRange.x, wfvArcRange.y);
-  for (int i = 0; i < WFV_OWN_STEPS; i++)
+  for (int i = 0; i < WFV_NC_STEPS; i++)
   {
     vec2 inner = mix(ends.xx, ends.yy, vec2(1.0, 2.0) / 3.0);
-    ends = wfvOwnSine(inner.x) < wfvOwnSine(inner.y) ? vec2(ends.x, inner.y)
+    ends = wfvNcSine(inner.x) < wfvNcSine(inner.y) ? vec2(ends.x, inner.y)
                                                      : vec2(inner.x, ends.y);
   }
   float top = 0.5 * (ends.x + ends.y);
   // at an end of the range, to the last digit
-  top = wfvOwnSine(wfvArcRange.x) <= wfvOwnSine(top) ? wfvArcRange.x : top;
-  return wfvOwnSine(wfvArcRange.y) < wfvOwnSine(top) ? wfvArcRange.y : top;
+  top = wfvNcSine(wfvArcRange.x) <= wfvNcSine(top) ? wfvArcRange.x : top;
+  return wfvNcSine(wfvArcRange.y) < wfvNcSine(top) ? wfvArcRange.y : top;
 }
 
 // Where a gap leaves one part of the line: its end is one place, what is beside the axis of the map
@@ -203,24 +203,24 @@ void wfvFindTopBesideGap()
   wfvArcRange = first ? vec2(wfvArcRange.x, min(wfvArcGap.x, wfvArcRange.y))
                       : vec2(max(wfvArcGap.y, wfvArcRange.x), wfvArcRange.y);
   float end = first ? wfvArcRange.y : wfvArcRange.x;
-  float top = wfvOwnTop();
+  float top = wfvNcTop();
   wfvArcTops = vec2(min(top, end), max(top, end));
-  wfvTwoTops = wfvOwnSine(top) < WFV_OWN_BOTH && abs(top - end) > WFV_OWN_APART;
+  wfvTwoTops = wfvNcSine(top) < WFV_NC_BOTH && abs(top - end) > WFV_NC_APART;
 }
 
 // Looks for two places, beside either axis; sets wfvArcTops and, where both count, wfvTwoTops.
 void wfvFindTwoTops()
 {
-  wfvOwnMapped = false;
-  float first = wfvOwnTop();
-  float s = wfvOwnSine(first);
-  wfvOwnMapped = true;
-  wfvOwnAxial = false;
-  float second = wfvOwnTop();
-  s = max(s, wfvOwnSine(second));
-  wfvOwnAxial = true;
+  wfvNcMapped = false;
+  float first = wfvNcTop();
+  float s = wfvNcSine(first);
+  wfvNcMapped = true;
+  wfvNcAxial = false;
+  float second = wfvNcTop();
+  s = max(s, wfvNcSine(second));
+  wfvNcAxial = true;
   wfvArcTops = vec2(min(first, second), max(first, second));
-  wfvTwoTops = s < WFV_OWN_BOTH && wfvArcTops.y - wfvArcTops.x > WFV_OWN_APART;
+  wfvTwoTops = s < WFV_NC_BOTH && wfvArcTops.y - wfvArcTops.x > WFV_NC_APART;
 }
 
 // Turns the frame to there, for what wfvArcRange leaves of the line.
@@ -231,26 +231,26 @@ void wfvFrameTop()
   {
     wfvFindTopBesideGap();
   }
-  else if (wfvOwnAxial)
+  else if (wfvNcAxial)
   {
     wfvFindTwoTops();
   }
-  float top = wfvOwnTop();
-  float sine = wfvOwnSine(top);
+  float top = wfvNcTop();
+  float sine = wfvNcSine(top);
   top = wfvTwoTops ? 0.5 * (wfvArcTops.x + wfvArcTops.y) : top;
   top = wfvHasGap() && !wfvTwoTops ? 0.5 * (wfvArcGap.x + wfvArcGap.y) : top;
   wfvTurnFrame(top);
   wfvArcTops -= top;
   wfvArcDelta = wfvHasGap() ? WFV_GAP_DELTA : clamp(sine, WFV_LEAST_DELTA, 1.0);
-  vec3 nearest = wfvOwnPlace(clamp(wfvArcFoot, wfvArcRange.x, wfvArcRange.y));
-  wfvOwnWindow = wfvHasGap() || wfvTwoTops || length(nearest) < WFV_OWN_CLOSE * wfvOwnRadius();
+  vec3 nearest = wfvNcPlace(clamp(wfvArcFoot, wfvArcRange.x, wfvArcRange.y));
+  wfvNcWindow = wfvHasGap() || wfvTwoTops || length(nearest) < WFV_NC_CLOSE * wfvNcRadius();
 }
 
 // True where what lies between two angles comes near to where a map or the circle bends without bound.
-bool wfvOwnSingular(float lo, float hi, float sine)
+bool wfvNcSingular(float lo, float hi, float sine)
 {
   float top = clamp(0.0, lo, hi);
-  return min(wfvOwnSine(top), min(wfvOwnSine(lo), wfvOwnSine(hi))) < sine;
+  return min(wfvNcSine(top), min(wfvNcSine(lo), wfvNcSine(hi))) < sine;
 }
 
 // Angle at which the image crosses a seam that is not straight, or jumps over the top, or WFV_NO_CUT.
@@ -270,7 +270,7 @@ float wfvSeamAngle()
     float hi = b;
     bool gap = wfvHasGap() && a < wfvArcGap.y && b > wfvArcGap.x;
     bool crosses = (x < 0.0) != (y < 0.0) && !gap;
-    for (int k = 0; k < (crosses ? WFV_OWN_CUTS : 0); k++)
+    for (int k = 0; k < (crosses ? WFV_NC_CUTS : 0); k++)
     {
       float m = 0.5 * (lo + hi);
       bool same = (wfvArcAt(m).x < 0.0) == (x < 0.0);
@@ -286,13 +286,13 @@ float wfvSeamAngle()
 }
 
 // Emits what wfvArcRange leaves.
-void wfvEmitSeen(); // line_own_geometry.glsl
+void wfvEmitSeen(); // line_noncentral_geometry.glsl
 
-void wfvEmitOwn(vec3 p, vec3 q)
+void wfvEmitNc(vec3 p, vec3 q)
 {
-  wfvFrameOwn(p, q);
+  wfvFrameNc(p, q);
   float at = wfvAngleAtAxis();
-  wfvOwnAxial = wfvFromAxis(wfvOwnPlace(at)) < WFV_OWN_AXIS * wfvOwnRadius();
+  wfvNcAxial = wfvFromAxis(wfvNcPlace(at)) < WFV_NC_AXIS * wfvNcRadius();
   if (!wfvIsSeen(at))
   {
     wfvArcGap = wfvFindGap(at);
@@ -301,7 +301,7 @@ void wfvEmitOwn(vec3 p, vec3 q)
     {
       return;
     }
-    wfvOwnAxial = false;
+    wfvNcAxial = false;
   }
   wfvEmitSeen();
 }

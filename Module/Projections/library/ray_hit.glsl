@@ -2,7 +2,7 @@
 // What an eye sees: shared by the stereo models (Stereo/*.glsl).
 
 // What an eye sees of a point.
-struct WfvSight
+struct WfvRayHit
 {
   vec3 direction; // unit length; 0 where the point is the eye itself
   float distance; // along the ray, in the unit of the point
@@ -28,10 +28,10 @@ WFV_FN vec3 wfvUpright(WfvView v)
 }
 
 // From one place, whatever the direction.
-WFV_FN WfvSight wfvSightFrom(vec3 p, vec3 eye)
+WFV_FN WfvRayHit wfvRayHitFrom(vec3 p, vec3 eye)
 {
   vec3 d = p - eye;
-  WfvSight s;
+  WfvRayHit s;
   s.distance = wfvHypot(wfvHypot(d.x, d.y), d.z);
   s.seen = s.distance > 0.0;
   s.direction = s.seen ? d / s.distance : vec3(0.0, 0.0, 0.0);

@@ -9,17 +9,17 @@ bool wfvChordHolds(WfvStretch s, float lo, float hi)
 #if WFV_FLAT_RIM
   flat_ = max(wfvArcAt(lo).z, wfvArcAt(hi).z) > -WFV_LINE_RIM;
 #endif
-  return cos(hi - lo) > WFV_LINE_LONG && !flat_ && !wfvOwnWindow &&
-    !wfvOwnSingular(lo, hi, wfvLineSingularSine()) &&
+  return cos(hi - lo) > WFV_LINE_LONG && !flat_ && !wfvNcWindow &&
+    !wfvNcSingular(lo, hi, wfvLineSingularSine()) &&
     WFV_LINE_EXPANSION * s.bend <= 0.25 * min(wfvViewport.z, wfvViewport.w);
 }
 
 // The angle of place i of a stretch, dense near the top as knots are.
-float wfvOwnBetween(float lo, float hi, int i)
+float wfvNcBetween(float lo, float hi, int i)
 {
   vec2 turns = vec2(wfvAsinh(lo / wfvArcDelta), wfvAsinh(hi / wfvArcDelta));
-  float a = wfvFromTop(mix(turns.x, turns.y, float(i) / float(WFV_OWN_PARTS)));
-  return i == 0 ? lo : (i == WFV_OWN_PARTS ? hi : a);
+  float a = wfvFromTop(mix(turns.x, turns.y, float(i) / float(WFV_NC_PARTS)));
+  return i == 0 ? lo : (i == WFV_NC_PARTS ? hi : a);
 }
 
 // A rectangle round the image of a stretch.
@@ -28,11 +28,11 @@ void wfvEmitAngles(float lo, float hi, float ref)
   vec2 last = wfvArcAngles(wfvArcAt(lo), ref);
   vec4 r = vec4(last, last);
   vec2 change = vec2(WFV_LINE_ANGLE_PAD);
-  for (int i = 1; i <= WFV_OWN_PARTS; i++)
+  for (int i = 1; i <= WFV_NC_PARTS; i++)
   {
-    vec2 p = wfvArcAngles(wfvArcAt(wfvOwnBetween(lo, hi, i)), ref);
+    vec2 p = wfvArcAngles(wfvArcAt(wfvNcBetween(lo, hi, i)), ref);
     r = vec4(min(r.xy, p), max(r.zw, p));
-    change = max(change, WFV_OWN_BETWEEN * abs(p - last));
+    change = max(change, WFV_NC_BETWEEN * abs(p - last));
     last = p;
   }
   // the extreme latitude
@@ -58,7 +58,7 @@ void wfvEmitOnFace()
 {
   WfvStretch s = wfvMeasure(wfvArcRange.x, wfvArcRange.y, 0.0);
   wfvModeOut = wfvModeOf(s);
-  if (wfvOwnWindow || wfvOwnSingular(wfvArcRange.x, wfvArcRange.y, wfvLineSingularSine()))
+  if (wfvNcWindow || wfvNcSingular(wfvArcRange.x, wfvArcRange.y, wfvLineSingularSine()))
   {
     wfvModeOut = 2;
     wfvEmitAnywhere();
@@ -96,7 +96,7 @@ void wfvEmitHard()
   wfvModeOut = 2;
   wfvArcCut = wfvSeamAngle();
   wfvSetKnots();
-  if (wfvOwnWindow)
+  if (wfvNcWindow)
   {
     wfvEmitAnywhere();
     return;

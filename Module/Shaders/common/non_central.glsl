@@ -6,15 +6,15 @@
 // from where the origin sees it.
 
 // Radii of the circle: an edge that passes its axis nearer than so many has no chord.
-const float WFV_OWN_NEAR = 16.0;
+const float WFV_NC_NEAR = 16.0;
 
 // Cosine of the angle that an edge with a chord is seen under at the most.
-const float WFV_OWN_SHORT = 0.5;
+const float WFV_NC_SHORT = 0.5;
 
 float wfvGrow = 0.0; // radians; half a turn where the triangle is as near as the circle
 
 // Radius of the circle in the stage's own units, the largest of all rays.
-float wfvOwnRadius()
+float wfvNcRadius()
 {
   return wfvFromMiddle(wfvView) / wfvScale();
 }
@@ -22,13 +22,13 @@ float wfvOwnRadius()
 // Where the eye sees a point, as if it were the origin.
 vec3 wfvSeenPlace(vec3 p)
 {
-  WfvSight s = wfvSee(p * wfvScale(), wfvView);
+  WfvRayHit s = wfvSee(p * wfvScale(), wfvView);
   return s.direction * (s.distance / wfvScale());
 }
 
 // True where the triangle has no plane. One that is seen edge-on from the origin may be seen from
 // the circle.
-bool wfvOwnNothing()
+bool wfvNcNothing()
 {
   return !(max(abs(wfvT.x), max(abs(wfvT.y), abs(wfvT.z))) > 0.0);
 }
@@ -40,7 +40,7 @@ void wfvSetGrow(vec3 lengths, vec4 plane)
   vec3 edges = vec3(length(wfvP[2] - wfvP[1]), length(wfvP[0] - wfvP[2]), length(wfvP[1] - wfvP[0]));
   float corners = min(lengths.x, min(lengths.y, lengths.z)) - max(edges.x, max(edges.y, edges.z));
   float nearest = max(corners, abs(plane.w) / length(plane.xyz));
-  float s = 1.0001 * wfvOwnRadius() / max(nearest, 1e-30);
+  float s = 1.0001 * wfvNcRadius() / max(nearest, 1e-30);
   wfvGrow = s < 1.0 ? wfvAtan2(s, sqrt((1.0 - s) * (1.0 + s))) : WFV_PI;
 }
 
@@ -53,7 +53,7 @@ void wfvSetSpans(float facing)
 }
 
 // That, and wfvGrow.
-void wfvSetOwn(vec3 lengths, float facing)
+void wfvSetNc(vec3 lengths, float facing)
 {
   wfvSetSpans(facing);
   wfvSetGrow(lengths, wfvT);
@@ -76,7 +76,7 @@ vec4 wfvGrowAngles(vec4 a, float toPole)
 
 // A range of latitudes, as seen from anywhere on the circle. Where the circle is level in the map, it
 // sees everything nearer to a pole than the origin does, for the horizontal distance from there is shorter.
-vec2 wfvOwnLatitudes(vec2 a)
+vec2 wfvNcLatitudes(vec2 a)
 {
   bool level = !WFV_TILTED;
   return vec2(level && a.x > 0.0 ? a.x : a.x - wfvGrow, level && a.y < 0.0 ? a.y : a.y + wfvGrow);
@@ -88,27 +88,27 @@ vec2 wfvOwnLatitudes(vec2 a)
 // near to the circle as it is wide. longest: of edges, the square.
 uniform float wfvStretch; // of the map at the most, weighed by the squared sine: NDC per radian
 
-vec2 wfvOwnEasy(vec3 lengths, float longest)
+vec2 wfvNcEasy(vec3 lengths, float longest)
 {
   vec3 up = wfvUpright(wfvView);
   vec3 heights = vec3(dot(wfvP[0], up), dot(wfvP[1], up), dot(wfvP[2], up));
   vec3 levels = (lengths - heights) * (lengths + heights); // squares of the level distances
-  float r = wfvOwnRadius();
+  float r = wfvNcRadius();
   float way = min(levels.x, min(levels.y, levels.z)) - r * r; // square of the horizontal distance
   float nearest = min(lengths.x, min(lengths.y, lengths.z));
   bool far = way > 4.0 * r * r && way > 16.0 * longest;
-  float aside = r * longest / (way * sqrt((nearest - r) * (nearest + r)));
+  float deviation = r * longest / (way * sqrt((nearest - r) * (nearest + r)));
   float pixels = wfvStretch * length(0.5 * wfvViewport.zw * wfvTile.xy);
-  return vec2(1.05 * r / nearest, far ? aside * pixels : WFV_UNKNOWN);
+  return vec2(1.05 * r / nearest, far ? deviation * pixels : WFV_UNKNOWN);
 }
 
 // Angles from the circle over those from the origin, squared, at the most: beyond two radii.
-const float WFV_OWN_WIDER = 1.25;
+const float WFV_NC_WIDER = 1.25;
 
 // True unless nothing of the triangle is seen across the seam, from anywhere on the circle.
-bool wfvOwnReachesSeam()
+bool wfvNcReachesSeam()
 {
-  float r = 1.0001 * wfvOwnRadius();
+  float r = 1.0001 * wfvNcRadius();
   vec3 low = min(wfvP[0], min(wfvP[1], wfvP[2]));
   vec3 high = max(wfvP[0], max(wfvP[1], wfvP[2]));
 #if WFV_FACES
@@ -130,7 +130,7 @@ bool wfvOwnReachesSeam()
 }
 
 // Square of the least distance of the edge a, b from the axis of the circle.
-float wfvOwnAxisSquared(vec3 a, vec3 b)
+float wfvNcAxisSquared(vec3 a, vec3 b)
 {
   vec3 up = wfvUpright(wfvView);
   vec3 p = a - up * dot(a, up);
@@ -141,7 +141,7 @@ float wfvOwnAxisSquared(vec3 a, vec3 b)
 }
 
 // The point of an edge whose direction is halfway between those of a and b.
-vec3 wfvOwnBetween(vec3 a, vec3 b)
+vec3 wfvNcBetween(vec3 a, vec3 b)
 {
   float l = length(a);
   float m = length(b);
@@ -149,28 +149,28 @@ vec3 wfvOwnBetween(vec3 a, vec3 b)
 }
 
 // Largest sampled distance between the picture of an edge and its chord, pixels.
-float wfvOwnEdgeError(vec3 a, vec3 b)
+float wfvNcEdgeError(vec3 a, vec3 b)
 {
-  vec3 m = wfvOwnBetween(a, b);
-  return wfvSampledError(wfvSeenPlace(a), wfvSeenPlace(wfvOwnBetween(a, m)), wfvSeenPlace(m),
-    wfvSeenPlace(wfvOwnBetween(m, b)), wfvSeenPlace(b));
+  vec3 m = wfvNcBetween(a, b);
+  return wfvSampledError(wfvSeenPlace(a), wfvSeenPlace(wfvNcBetween(a, m)), wfvSeenPlace(m),
+    wfvSeenPlace(wfvNcBetween(m, b)), wfvSeenPlace(b));
 }
 
 // As wfvChordError, of an edge as this eye sees it: y alone is asked for.
-vec2 wfvOwnChordError(vec3 a, vec3 b)
+vec2 wfvNcChordError(vec3 a, vec3 b)
 {
-  float near = WFV_OWN_NEAR * wfvOwnRadius();
-  if (!(wfvOwnAxisSquared(a, b) > near * near))
+  float near = WFV_NC_NEAR * wfvNcRadius();
+  if (!(wfvNcAxisSquared(a, b) > near * near))
   {
     return vec2(WFV_CURVED, WFV_UNKNOWN);
   }
   vec3 da = normalize(wfvSeenPlace(a));
   vec3 db = normalize(wfvSeenPlace(b));
-  bool unknown = !(dot(da, db) > WFV_OWN_SHORT) || wfvNearsSingularity(da, db);
+  bool unknown = !(dot(da, db) > WFV_NC_SHORT) || wfvNearsSingularity(da, db);
 #if WFV_FACES
   unknown = unknown || wfvFaceOf(da) != wfvFaceOf(db);
 #elif WFV_ROUND
   unknown = unknown || -max(da.z, db.z) < wfvChordEnd();
 #endif
-  return vec2(WFV_CURVED, unknown ? WFV_UNKNOWN : wfvOwnEdgeError(a, b));
+  return vec2(WFV_CURVED, unknown ? WFV_UNKNOWN : wfvNcEdgeError(a, b));
 }

@@ -15,7 +15,7 @@ vec2 wfvArcGap = vec2(0.0); // the angles between which no ray sees the line, or
 vec2 wfvArcInner = vec2(0.0); // the same, or farther apart where the map does not show what is beside them
 
 // Beyond this cosine of its angle from the foot a line goes on no farther.
-const float WFV_OWN_END = 1e-9;
+const float WFV_NC_END = 1e-9;
 
 // Two angles, on either side of 0, near which the image bends most, where top alone is not enough.
 vec2 wfvArcTops = vec2(0.0);
@@ -27,9 +27,9 @@ bool wfvHasGap()
 }
 
 // Where the knots begin and end, in the turns of wfvFromTop; of two tops those of the second too.
-vec4 wfvOwnKnots = vec4(0.0);
+vec4 wfvNcKnots = vec4(0.0);
 
-vec3 wfvOwnAhead(float a)
+vec3 wfvNcAhead(float a)
 {
   return cos(a) * wfvArcTop + sin(a) * wfvArcSide;
 }
@@ -37,51 +37,51 @@ vec3 wfvOwnAhead(float a)
 // Of the line: its point at the top or, where that is very far, its foot; its direction; and what
 // makes the squared horizontal distance to the circle of the way s from there: x + s (y + s z). Beside a gap
 // that is z times the product of the ways from its ends, for the azimuth turns as the root of them.
-vec3 wfvOwnBegin = vec3(0.0);
-vec3 wfvOwnAlong = vec3(0.0);
-vec3 wfvOwnWay = vec3(0.0);
-float wfvOwnScale = 0.0; // one over the cosine of the angle between the two; 0: the foot
+vec3 wfvNcBegin = vec3(0.0);
+vec3 wfvNcAlong = vec3(0.0);
+vec3 wfvNcWay = vec3(0.0);
+float wfvNcScale = 0.0; // one over the cosine of the angle between the two; 0: the foot
 
 // The least such cosine of which float32 leaves enough.
-const float WFV_OWN_FAR = 0.01;
+const float WFV_NC_FAR = 0.01;
 
 // Part of the circle's radius that the horizontal distance is at the least: at the end of a gap there is an
 // azimuth.
-const float WFV_OWN_WAY = 1e-7;
+const float WFV_NC_WAY = 1e-7;
 
-// Squared horizontal distance from the point at the angle a, which is so far from wfvOwnBegin.
-float wfvOwnWayOf(float a, float s, float far)
+// Squared horizontal distance from the point at the angle a, which is so far from wfvNcBegin.
+float wfvNcWayOf(float a, float s, float far)
 {
   if (wfvHasGap())
   {
-    vec2 ways = wfvArcDistance * far * sin(vec2(a) - wfvArcGap) / max(cos(wfvArcGap - wfvArcFoot), WFV_OWN_END);
-    return wfvOwnWay.z * ways.x * ways.y;
+    vec2 ways = wfvArcDistance * far * sin(vec2(a) - wfvArcGap) / max(cos(wfvArcGap - wfvArcFoot), WFV_NC_END);
+    return wfvNcWay.z * ways.x * ways.y;
   }
-  return wfvOwnWay.x + s * (wfvOwnWay.y + s * wfvOwnWay.z);
+  return wfvNcWay.x + s * (wfvNcWay.y + s * wfvNcWay.z);
 }
 
 // What the eye sees of the point at the angle a; lengths are in the stage's unit.
-WfvSight wfvOwnSight(float a)
+WfvRayHit wfvNcHit(float a)
 {
-  float far = 1.0 / max(cos(a - wfvArcFoot), WFV_OWN_END);
+  float far = 1.0 / max(cos(a - wfvArcFoot), WFV_NC_END);
   if (wfvFades(wfvView))
   {
-    WfvSight sight = wfvSee(wfvOwnAhead(a) * (wfvArcDistance * far * wfvScale()), wfvView);
-    sight.distance /= wfvScale();
-    return sight;
+    WfvRayHit hit = wfvSee(wfvNcAhead(a) * (wfvArcDistance * far * wfvScale()), wfvView);
+    hit.distance /= wfvScale();
+    return hit;
   }
-  float s = wfvArcDistance * far * (wfvOwnScale > 0.0 ? sin(a) * wfvOwnScale : sin(a - wfvArcFoot));
+  float s = wfvArcDistance * far * (wfvNcScale > 0.0 ? sin(a) * wfvNcScale : sin(a - wfvArcFoot));
   vec3 up = wfvUpright(wfvView);
-  vec3 p = wfvOwnBegin + s * wfvOwnAlong;
+  vec3 p = wfvNcBegin + s * wfvNcAlong;
   float y = dot(p, up);
   float r = wfvToRight(wfvView) / wfvScale();
-  float way = sqrt(max(wfvOwnWayOf(a, s, far), 0.0));
-  return wfvSeeAt(p - up * y, y, max(way, WFV_OWN_WAY * abs(r)), up, r);
+  float way = sqrt(max(wfvNcWayOf(a, s, far), 0.0));
+  return wfvSeeAt(p - up * y, y, max(way, WFV_NC_WAY * abs(r)), up, r);
 }
 
 vec3 wfvArcAt(float a)
 {
-  return wfvOwnSight(a).direction;
+  return wfvNcHit(a).direction;
 }
 
 // Behind every change of the frame or the range.
@@ -90,15 +90,15 @@ void wfvSetLine()
   float c = cos(wfvArcFoot);
   float s = sin(wfvArcFoot);
   vec3 up = wfvUpright(wfvView);
-  wfvOwnScale = c > WFV_OWN_FAR ? 1.0 / c : 0.0;
-  wfvOwnAlong = c * wfvArcSide - s * wfvArcTop;
-  vec3 begin = c > WFV_OWN_FAR ? wfvArcTop / c : c * wfvArcTop + s * wfvArcSide;
-  wfvOwnBegin = wfvArcDistance * begin;
-  vec3 level = wfvOwnBegin - up * dot(wfvOwnBegin, up);
-  vec3 along = wfvOwnAlong - up * dot(wfvOwnAlong, up);
+  wfvNcScale = c > WFV_NC_FAR ? 1.0 / c : 0.0;
+  wfvNcAlong = c * wfvArcSide - s * wfvArcTop;
+  vec3 begin = c > WFV_NC_FAR ? wfvArcTop / c : c * wfvArcTop + s * wfvArcSide;
+  wfvNcBegin = wfvArcDistance * begin;
+  vec3 level = wfvNcBegin - up * dot(wfvNcBegin, up);
+  vec3 along = wfvNcAlong - up * dot(wfvNcAlong, up);
   float r = wfvFromMiddle(wfvView) / wfvScale();
   float l = length(level);
-  wfvOwnWay = vec3((l - r) * (l + r), 2.0 * dot(level, along), dot(along, along));
+  wfvNcWay = vec3((l - r) * (l + r), 2.0 * dot(level, along), dot(along, along));
 }
 
 float wfvAsinh(float x)
@@ -120,7 +120,7 @@ void wfvSetKnots()
   ends = wfvTwoTops ? vec4(wfvArcRange - wfvArcTops, -wfvArcTops) : ends;
   for (int i = 0; i < 4; i++)
   {
-    wfvOwnKnots[i] = wfvAsinh(ends[i] / wfvArcDelta);
+    wfvNcKnots[i] = wfvAsinh(ends[i] / wfvArcDelta);
   }
 }
 
@@ -132,29 +132,29 @@ float wfvKnot(int i)
   if (wfvTwoTops)
   {
     return share <= 0.5
-      ? wfvArcTops.x + wfvFromTop(mix(wfvOwnKnots.x, wfvOwnKnots.z, 2.0 * share))
-      : wfvArcTops.y + wfvFromTop(mix(wfvOwnKnots.w, wfvOwnKnots.y, 2.0 * share - 1.0));
+      ? wfvArcTops.x + wfvFromTop(mix(wfvNcKnots.x, wfvNcKnots.z, 2.0 * share))
+      : wfvArcTops.y + wfvFromTop(mix(wfvNcKnots.w, wfvNcKnots.y, 2.0 * share - 1.0));
   }
   if (wfvHasGap())
   {
-    return share <= 0.5 ? wfvArcGap.x + wfvFromTop(wfvOwnKnots.x * (1.0 - 2.0 * share))
-                        : wfvArcGap.y + wfvFromTop(wfvOwnKnots.y * (2.0 * share - 1.0));
+    return share <= 0.5 ? wfvArcGap.x + wfvFromTop(wfvNcKnots.x * (1.0 - 2.0 * share))
+                        : wfvArcGap.y + wfvFromTop(wfvNcKnots.y * (2.0 * share - 1.0));
   }
 #if WFV_FLAT_RIM
   return mix(wfvArcRange.x, wfvArcRange.y, 0.5 - 0.5 * cos(WFV_PI * share));
 #else
-  return wfvFromTop(mix(wfvOwnKnots.x, wfvOwnKnots.y, share));
+  return wfvFromTop(mix(wfvNcKnots.x, wfvNcKnots.y, share));
 #endif
 }
 
 #if WFV_FACES || WFV_FLAT_RIM
 // Steps of a search by halves for float32, and of one by thirds; where the latter begins.
-const int WFV_OWN_HALVES = 26;
-const int WFV_OWN_THIRDS = 24;
-const int WFV_OWN_PLACES = 24;
+const int WFV_NC_HALVES = 26;
+const int WFV_NC_THIRDS = 24;
+const int WFV_NC_PLACES = 24;
 
 // By how much the direction at the angle a is inside what the map, or the face, shows.
-float wfvOwnMargin(float a)
+float wfvNcMargin(float a)
 {
   vec3 d = wfvArcAt(a);
 #if WFV_FACES
@@ -165,35 +165,35 @@ float wfvOwnMargin(float a)
 #endif
 }
 
-float wfvOwnMiddle()
+float wfvNcMiddle()
 {
   float best = -1e9;
   float at = wfvArcRange.x;
-  float step_ = (wfvArcRange.y - wfvArcRange.x) / float(WFV_OWN_PLACES);
-  for (int i = 0; i <= WFV_OWN_PLACES; i++)
+  float step_ = (wfvArcRange.y - wfvArcRange.x) / float(WFV_NC_PLACES);
+  for (int i = 0; i <= WFV_NC_PLACES; i++)
   {
     float a = wfvArcRange.x + float(i) * step_;
-    float m = wfvOwnMargin(a);
+    float m = wfvNcMargin(a);
     at = m > best ? a : at;
     best = max(best, m);
   }
   vec2 ends = clamp(vec2(at - step_, at + step_), wfvArcRange.x, wfvArcRange.y);
-  for (int i = 0; i < WFV_OWN_THIRDS; i++)
+  for (int i = 0; i < WFV_NC_THIRDS; i++)
   {
     vec2 inner = mix(ends.xx, ends.yy, vec2(1.0, 2.0) / 3.0);
-    ends = wfvOwnMargin(inner.x) > wfvOwnMargin(inner.y) ? vec2(ends.x, inner.y)
+    ends = wfvNcMargin(inner.x) > wfvNcMargin(inner.y) ? vec2(ends.x, inner.y)
                                                          : vec2(inner.x, ends.y);
   }
   return 0.5 * (ends.x + ends.y);
 }
 
 // The angle between inside and outside at which the one becomes the other.
-float wfvOwnBorder(float inside, float outside)
+float wfvNcBorder(float inside, float outside)
 {
-  for (int i = 0; i < WFV_OWN_HALVES; i++)
+  for (int i = 0; i < WFV_NC_HALVES; i++)
   {
     float a = 0.5 * (inside + outside);
-    bool in_ = wfvOwnMargin(a) >= 0.0;
+    bool in_ = wfvNcMargin(a) >= 0.0;
     inside = in_ ? a : inside;
     outside = in_ ? outside : a;
   }
@@ -203,11 +203,11 @@ float wfvOwnBorder(float inside, float outside)
 // Leaves, of the range of angles, what the map or the face shows: what is inside is in one piece.
 void wfvKeepShown()
 {
-  float middle = wfvOwnMiddle();
+  float middle = wfvNcMiddle();
   vec2 range = wfvArcRange;
-  bool none = !(wfvOwnMargin(middle) >= 0.0);
-  wfvArcRange.x = wfvOwnMargin(range.x) >= 0.0 ? range.x : wfvOwnBorder(middle, range.x);
-  wfvArcRange.y = wfvOwnMargin(range.y) >= 0.0 ? range.y : wfvOwnBorder(middle, range.y);
+  bool none = !(wfvNcMargin(middle) >= 0.0);
+  wfvArcRange.x = wfvNcMargin(range.x) >= 0.0 ? range.x : wfvNcBorder(middle, range.x);
+  wfvArcRange.y = wfvNcMargin(range.y) >= 0.0 ? range.y : wfvNcBorder(middle, range.y);
   wfvArcRange = none ? vec2(1.0, -1.0) : wfvArcRange;
 }
 #endif

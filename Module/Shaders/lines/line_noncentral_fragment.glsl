@@ -4,12 +4,12 @@
 
 flat in vec4 wfvLineFoot;
 
-vec3 wfvLineSight = vec3(0.0); // unit vector from the eye, view coordinates
-float wfvLineSightFar = 0.0; // how far along, scene units
-#define WFV_FROM_EYE wfvLineSight
-#define WFV_DISTANCE wfvLineSightFar
+vec3 wfvLineHitDirection = vec3(0.0); // unit vector from the eye, view coordinates
+float wfvLineHitDistance = 0.0; // how far along, scene units
+#define WFV_FROM_EYE wfvLineHitDirection
+#define WFV_DISTANCE wfvLineHitDistance
 
-void wfvUnpackOwn(vec4 map, bool parts)
+void wfvUnpackNc(vec4 map, bool parts)
 {
   wfvArcFoot = wfvLineFoot.x;
   wfvArcDistance = wfvLineFoot.y;
@@ -36,9 +36,9 @@ float wfvAngleOf(vec3 d)
 // Sets what is seen of the point with this parameter, and its depth.
 void wfvSeeLine(float along)
 {
-  vec3 at = mix(wfvArcEnds.z * wfvOwnAhead(wfvArcEnds.x),
-    wfvArcEnds.w * wfvOwnAhead(wfvArcEnds.y), along);
-  WfvSight sight = wfvSee(at * wfvScale(), wfvView);
-  wfvLineSight = wfvUntilt(sight.direction, wfvView);
-  wfvLineSightFar = sight.distance;
+  vec3 at = mix(wfvArcEnds.z * wfvNcAhead(wfvArcEnds.x),
+    wfvArcEnds.w * wfvNcAhead(wfvArcEnds.y), along);
+  WfvRayHit hit = wfvSee(at * wfvScale(), wfvView);
+  wfvLineHitDirection = wfvUntilt(hit.direction, wfvView);
+  wfvLineHitDistance = hit.distance;
 }

@@ -17,20 +17,20 @@ uniform float wfvPointSize; // pixels
 uniform int wfvSamples;
 uniform vec2 wfvSampleOffsets[WFV_MOST_SAMPLES];
 
-// Pixels: squares are larger by so much, or a point between two pixels, whose own maps are not quite
+// Pixels: squares are larger by so much, or a point between two pixels, whose local maps are not quite
 // the same, would be in neither.
 const float WFV_POINT_SLACK = 0.01;
 
 bool wfvInSquare(vec2 offset)
 {
-  vec3 to = wfvInOwnMap(wfvPointAt, wfvOwnDirection(offset));
+  vec3 to = wfvInLocalMap(wfvPointAt, wfvLocalDirection(offset));
   return to.z > 0.0 && max(abs(to.x), abs(to.y)) <= 0.5 * wfvPointSize + WFV_POINT_SLACK;
 }
 
 void wfvPrepare()
 {
-  wfvTakeOwnMap();
-  vec3 to = wfvInOwnMap(wfvPointAt, wfvOwn.direction);
+  wfvTakeLocalMap();
+  vec3 to = wfvInLocalMap(wfvPointAt, wfvLocal.direction);
   wfvPointCoord = vec2(-0.5, 0.5) * to.xy / (0.5 * wfvPointSize) + 0.5;
   wfvDepth = wfvPointDepth;
   wfvInterpolate();
@@ -43,5 +43,5 @@ void wfvPrepare()
 #ifdef GL_ARB_sample_shading
   gl_SampleMask[0] = mask;
 #endif
-  wfvHide = mask == 0 || !wfvOwn.inside;
+  wfvHide = mask == 0 || !wfvLocal.inside;
 }
