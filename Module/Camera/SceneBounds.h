@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What VTK's bounds of a scene leave wrong: those of balls, sticks, tubes and splats are the bounds
-// of their points alone, and one point at infinity makes all others nothing.
+// What VTK's bounds of a scene leave wrong: those of spheres, cylinders, tubes and splats are the
+// bounds of their points alone, and one point at infinity makes all others nothing.
 #ifndef WideFoVSceneBounds_h
 #define WideFoVSceneBounds_h
 

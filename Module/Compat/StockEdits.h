@@ -24,8 +24,8 @@ enum class Edit
   // of the vertex stage
   FromEye,
   OutputArray,
-  BallRadius,
-  StickAxis,
+  SphereRadius,
+  CylinderAxis,
   SplatRadius,
   // of the fragment stage: what it takes in
   Input,
@@ -55,7 +55,7 @@ enum class Edit
   TextureColorPlace,
   DataPlace,
   // what other text of ours follows
-  ImposterMeeting,
+  ImpostorMeeting,
   DataNormal,
   DepthOffset,
   // volumes
@@ -127,7 +127,7 @@ struct Traits
   bool Wireframe = false;
   bool Glyphs = false;    // placed by a matrix each
   bool Clips = false;     // has clipping planes
-  bool Imposters = false; // VTK's geometry stage makes balls, sticks or splats of points
+  bool Impostors = false; // VTK's geometry stage makes spheres, cylinders or splats of points
 
   // Whether what a shader has if `has` must be found.
   Found If(bool has) const { return this->Known && has ? Found::Must : Found::May; }

@@ -19,7 +19,7 @@ bool IsStockActor(vtkActor* actor)
   return HasTrait(actor, StockActor) && HasTrait(actor->GetMapper(), StockMesh);
 }
 
-// A ball round the place that they turn about.
+// A sphere round the place that they turn about.
 void HoldTurns(vtkProp* prop, double bounds[6])
 {
   const bool turns = vtkFollower::SafeDownCast(prop) || vtkProp3DFollower::SafeDownCast(prop);

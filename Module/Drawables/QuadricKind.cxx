@@ -50,7 +50,7 @@ QuadricPrimitive KindOf(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor, Quadri
     return QuadricAccess::HasRadii(mapper) ? QuadricPrimitive::Splats : QuadricPrimitive::Points;
   }
   return HasTrait(mapper, Spheres) ? QuadricPrimitive::Spheres
-    : HasTrait(mapper, Cylinders)  ? QuadricPrimitive::Sticks
+    : HasTrait(mapper, Cylinders)  ? QuadricPrimitive::Cylinders
                                    : QuadricAccess::Fake(mapper, actor, kind);
 }
 }

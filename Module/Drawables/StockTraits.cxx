@@ -76,7 +76,7 @@ Traits Describe(vtkAbstractMapper* mapper, vtkProp* prop)
   traits.Glyphs = HasTrait(mapper, Glyphs);
   vtkPlaneCollection* const planes = mapper->GetClippingPlanes();
   traits.Clips = planes && planes->GetNumberOfItems() > 0;
-  traits.Imposters = HasTrait(mapper, Spheres) || HasTrait(mapper, Cylinders) ||
+  traits.Impostors = HasTrait(mapper, Spheres) || HasTrait(mapper, Cylinders) ||
     (HasTrait(mapper, Splats) && TextAccess::HasBuffer(polydata, "radiusMC"));
   return traits;
 }

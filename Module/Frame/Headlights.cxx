@@ -53,7 +53,7 @@ void vtkWideFoVHeadlights::Rewrite(const wfv::stock::Traits& traits, std::string
   namespace stock = wfv::stock;
   const bool lit = traits.Light != stock::Lit::No;
   const bool alone = traits.Light == stock::Lit::Headlight;
-  // what is behind it knows the place; imposters work it out before the light
+  // what is behind it knows the place; impostors work it out before the light
   const size_t inside = stock::Look(fragment, stock::Edit::LightPlace, traits.If(lit)).At;
   if (inside == std::string::npos)
   {

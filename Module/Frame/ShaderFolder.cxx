@@ -30,8 +30,8 @@ const char* KindOf(ShaderBuilder::Primitive kind)
       return "triangles";
     case Primitive::Spheres:
       return "spheres";
-    case Primitive::Sticks:
-      return "sticks";
+    case Primitive::Cylinders:
+      return "cylinders";
     case Primitive::Splats:
       return "splats";
     case Primitive::PointSpheres:

@@ -155,7 +155,7 @@ bool wfv::Stages::IsExact() const
   return IsExactTechnique(this->Technique, this->Tolerance);
 }
 
-// Few triangles that take up many pixels each: by the ball round the prop, as it is seen.
+// Few triangles that take up many pixels each: by the sphere round the prop, as it is seen.
 bool wfv::Stages::IsCoarse(const double* bounds, const wfv::PropTraits& traits) const
 {
   if (traits.Few == 0 || !bounds || !vtkMath::AreBoundsInitialized(bounds))

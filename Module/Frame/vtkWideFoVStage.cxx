@@ -169,11 +169,12 @@ vtkMTimeType vtkWideFoVStage::GetShaderStageMTime()
 
 namespace
 {
-bool WarnOfBodies(const std::string& model)
+bool WarnOfImpostors(const std::string& model)
 {
-  vtkGenericWarningMacro(<< "balls, sticks, tubes and splats are drawn without parallax by the "
-                            "stereo model "
-                         << model << "; draw them as surfaces");
+  vtkGenericWarningMacro(
+    << "spheres, cylinders, tubes and splats are drawn without parallax by the "
+       "stereo model "
+    << model << "; draw them as surfaces");
   return true;
 }
 }
@@ -201,7 +202,7 @@ void vtkWideFoVStage::FinishTriangles(wfv::ShaderBuilder::Request& request) cons
   }
   if (!straight && wfv::quadric::Draws(request.Kind))
   {
-    static const bool said = WarnOfBodies(this->Stereo->Name);
+    static const bool said = WarnOfImpostors(this->Stereo->Name);
     (void)said;
   }
   if (request.Kind != wfv::ShaderBuilder::Primitive::Triangles)

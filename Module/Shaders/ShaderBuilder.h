@@ -31,7 +31,7 @@ public:
     Lines,
     Triangles,
     Spheres,      // of the stock sphere mapper
-    Sticks,       // of the stock stick mapper
+    Cylinders,    // of the stock stick mapper
     Splats,       // of the stock point gaussian mapper
     PointSpheres, // points rendered as spheres
     Tubes         // lines rendered as tubes

@@ -355,7 +355,7 @@ TEST(ShaderBuilder, QuadricsMeetTheRayInAnyVariant)
 
 TEST(ShaderBuilder, ThePiecesOfASpanFitWhatAGeometryStageMayEmit)
 {
-  const Sources few = Build("hammer", Builder::Variant::Projected, Builder::Primitive::Sticks);
+  const Sources few = Build("hammer", Builder::Variant::Projected, Builder::Primitive::Cylinders);
   EXPECT_TRUE(Has(few.GeometryStage, "#define WFV_PIECES 4"));
   Builder::Request request;
   request.Projection = wfv::FindProjection("hammer");

@@ -14,7 +14,7 @@ void Prepare(const stock::Traits& traits, bool wide, std::string& geometry, std:
 {
   // stock geometry stages (surface edges, wide lines) would drop our output; without
   // them the surface is drawn without its edges
-  if (wide || !traits.Imposters)
+  if (wide || !traits.Impostors)
   {
     geometry.clear();
   }
@@ -28,7 +28,7 @@ void Prepare(const stock::Traits& traits, bool wide, std::string& geometry, std:
 void Finish(const stock::Traits& traits, bool wide, std::string& vertex, std::string& geometry,
   std::string& fragment)
 {
-  if (traits.Imposters && !wide)
+  if (traits.Impostors && !wide)
   {
     wfv::ShaderBuilder::Declare(geometry, data_geometry_glsl);
   }
@@ -42,9 +42,9 @@ void Finish(const stock::Traits& traits, bool wide, std::string& vertex, std::st
   const bool lit = traits.Light != stock::Lit::No && (traits.Normals || !traits.Wireframe);
   const bool has = stock::Look(fragment, Edit::DataNormal, traits.If(lit)).Number >= 0;
   const std::string normal = has ? "wfvDataNormal(normalVCVSOutput)" : "wfvFlatNormal()";
-  // balls and sticks work their surface out; elsewhere it is what is interpolated
-  const bool ball = fragment.find("centerVCVSOutput") != std::string::npos;
-  const std::string position = ball ? "vertexVC.xyz" : "WFV_PLACE";
+  // spheres and cylinders work their surface out; elsewhere it is what is interpolated
+  const bool sphere = fragment.find("centerVCVSOutput") != std::string::npos;
+  const std::string position = sphere ? "vertexVC.xyz" : "WFV_PLACE";
   stock::Replace(fragment, Edit::DataPlace,
     "  gl_FragData[1] = wfvData(" + position +
       ", gl_PrimitiveID + PrimitiveIDOffset);\n"

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Geometry stage of balls, sticks, tubes and splats: rectangles that surely contain the
+// Geometry stage of spheres, cylinders, tubes and splats: rectangles that surely contain the
 // picture. What is looked for lies in a round cap of directions; a cap becomes a
 // rectangle of angles, and that a rectangle of the map (wfvBounds), in two parts where it
 // reaches across the seam. The fragment stage decides by the ray of each pixel.
 //
 // Positions are in tilted view coordinates, divided by a power of two near the far radius.
 
-flat out vec4 wfvBall;  // centre and radius; tubes: those of the first end
-flat out vec4 wfvOther; // tubes: the second end; sticks: axis and half length
+flat out vec4 wfvSphere;  // centre and radius; tubes: those of the first end
+flat out vec4 wfvOther; // tubes: the second end; cylinders: axis and half length
 flat out vec2 wfvShare; // the part of the length, of 0 to 1, that this rectangle draws
 
-vec4 wfvBallHere = vec4(0.0);
+vec4 wfvSphereHere = vec4(0.0);
 vec4 wfvOtherHere = vec4(0.0);
 vec2 wfvShareHere = vec2(0.0);
 
@@ -52,7 +52,7 @@ float wfvGrowOf(float nearest)
 void wfvEmitCorner(vec2 ndc)
 {
   gl_Position = vec4(ndc * wfvTile.xy + wfvTile.zw, 0.0, 1.0);
-  wfvBall = wfvBallHere;
+  wfvSphere = wfvSphereHere;
   wfvOther = wfvOtherHere;
   wfvShare = wfvShareHere;
   wfvWriteCorners();
@@ -171,18 +171,18 @@ void wfvCoverCap(vec3 centre, float angle, bool front)
 }
 #endif
 
-// Angular radius of the cap that holds a ball seen from the eye; half a turn from inside.
-float wfvBallAngle(vec4 ball)
+// Angular radius of the cap that holds a sphere seen from the eye; half a turn from inside.
+float wfvSphereAngle(vec4 sphere)
 {
-  float d = wfvLength(ball.xyz);
-  float angle = d > ball.w ? wfvAtan2(ball.w, sqrt((d - ball.w) * (d + ball.w))) : WFV_PI;
-  return angle + wfvGrowOf(d - ball.w);
+  float d = wfvLength(sphere.xyz);
+  float angle = d > sphere.w ? wfvAtan2(sphere.w, sqrt((d - sphere.w) * (d + sphere.w))) : WFV_PI;
+  return angle + wfvGrowOf(d - sphere.w);
 }
 
 // Surely nothing to see: wholly inside the near or outside the far sphere, or no number.
-bool wfvBallCulled(vec4 ball)
+bool wfvSphereCulled(vec4 sphere)
 {
-  float d = wfvLength(ball.xyz);
-  return !(ball.w > 0.0) || !(d + ball.w >= wfvView.radii.x / wfvScale()) ||
-    !(d - ball.w - wfvBaselineRadius() <= wfvView.radii.y / wfvScale());
+  float d = wfvLength(sphere.xyz);
+  return !(sphere.w > 0.0) || !(d + sphere.w >= wfvView.radii.x / wfvScale()) ||
+    !(d - sphere.w - wfvBaselineRadius() <= wfvView.radii.y / wfvScale());
 }

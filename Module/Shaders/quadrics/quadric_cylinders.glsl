@@ -11,7 +11,7 @@ void main()
   vec3 axis = normalize(wfvTilt(orientVCVSOutput[0], wfvView));
   float radius = radiusVCVSOutput[0] / wfvScale();
   float half_ = 0.5 * lengthVCVSOutput[0] / wfvScale();
-  wfvBallHere = vec4(centre, radius);
+  wfvSphereHere = vec4(centre, radius);
   wfvOtherHere = vec4(axis, half_);
   wfvCoverSpan(vec4(centre - half_ * axis, radius), vec4(centre + half_ * axis, radius));
 }

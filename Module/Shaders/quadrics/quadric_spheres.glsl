@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Geometry stage of balls: one point in, the rectangles round its ball out. The radius
+// Geometry stage of spheres: one point in, the rectangles round its sphere out. The radius
 // is the sphere mapper's own, or, for points drawn as spheres, so many pixels.
 
 layout(points) in;
@@ -9,12 +9,12 @@ void main()
 {
   vec4 p = gl_in[0].gl_Position;
   vec3 centre = wfvTilt(p.xyz / p.w, wfvView) / wfvScale();
-  wfvBallHere = vec4(centre, WFV_BALL_RADIUS);
+  wfvSphereHere = vec4(centre, WFV_SPHERE_RADIUS);
   wfvOtherHere = vec4(0.0);
   wfvShareHere = vec2(0.0, 1.0);
-  if (!wfvBallCulled(wfvBallHere))
+  if (!wfvSphereCulled(wfvSphereHere))
   {
     // from inside, its back is seen
-    wfvCoverCap(centre, wfvBallAngle(wfvBallHere), wfvLength(centre) > wfvBallHere.w);
+    wfvCoverCap(centre, wfvSphereAngle(wfvSphereHere), wfvLength(centre) > wfvSphereHere.w);
   }
 }

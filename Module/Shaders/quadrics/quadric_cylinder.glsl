@@ -4,13 +4,13 @@
 
 WfvCrossing wfvMeet(vec3 u)
 {
-  vec3 c = wfvBallSeen.xyz;
+  vec3 c = wfvSphereSeen.xyz;
   vec3 axis = wfvOtherSeen.xyz;
   float half_ = wfvOtherSeen.w;
   vec3 across = cross(axis, cross(u, axis));
   float m = length(across);
   vec3 c2 = cross(axis, cross(c, axis));
-  WfvCrossing x = wfvMeetBall(m > 0.0 ? across / m : vec3(0.0), c2, wfvBallSeen.w);
+  WfvCrossing x = wfvMeetSphere(m > 0.0 ? across / m : vec3(0.0), c2, wfvSphereSeen.w);
   float height = dot(c, axis);
   float speed = dot(u, axis);
   if (m > 0.0)
@@ -20,7 +20,7 @@ WfvCrossing wfvMeet(vec3 u)
   else
   {
     // along the axis: inside the circle or not, all the way
-    x.met = length(c2) <= wfvBallSeen.w;
+    x.met = length(c2) <= wfvSphereSeen.w;
     x.distance = vec2(-1e30, 1e30);
   }
   vec2 ends = vec2(height - half_, height + half_) / speed;
