@@ -130,7 +130,7 @@ bool Classifier::SphereMayTear(const vec3& c, double radius, double angle) const
 
 // Seen by rays that begin on a circle an edge is no great circle: from each place another ray
 // looks, by as much as the circle turns between them. True where that moves it by too much.
-bool Classifier::BendsFromEye(const vec3& p, const vec3& q) const
+bool Classifier::CurvesFromEye(const vec3& p, const vec3& q) const
 {
   const WfvView& v = this->V.View;
   const vec3 up(0, v.tilt.x, -v.tilt.y);
@@ -164,7 +164,7 @@ bool Classifier::FitChords(const vec3& p, const vec3& q, int chords) const
     const vec3 at = i < chords ? p + double(i) * step : q;
     const double here = this->LimitAt(at) * glm::dot(at, at);
     if (!(step2 <= std::min(before, here)) ||
-      (this->V.EyeRadius > 0 && this->BendsFromEye(at - step, at)))
+      (this->V.EyeRadius > 0 && this->CurvesFromEye(at - step, at)))
     {
       return false;
     }

@@ -40,7 +40,7 @@ class WFV_EXPORT Classifier
 {
 public:
   // Of the tolerance: what the turning of the eyes' circle may take, beside what the map itself
-  // bends.
+  // curvature.
   static constexpr double EyeShare = 0.2;
 
   // Chords that stand for an edge, at the most; and for one of a triangle whose edges all have
@@ -73,7 +73,7 @@ private:
   bool MayTear(const vec3 p[3], double farthest, double angle) const;
   bool SphereMayTear(const vec3& centre, double radius, double angle) const;
   bool IsOnOneFace(const vec3 p[3], double beside) const;
-  bool BendsFromEye(const vec3& p, const vec3& q) const;
+  bool CurvesFromEye(const vec3& p, const vec3& q) const;
 
   const ClassifierView& V;
   Family Axis;

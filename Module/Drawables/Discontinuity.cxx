@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawables/Discontinuity.h"
 
-#include "Projections/Bounds/Bend.h"
+#include "Projections/Bounds/Curvature.h"
 
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
@@ -12,18 +12,18 @@
 
 namespace
 {
-// Angle about a pole or the antipode, degrees, inside which edges of one degree bend
+// Angle about a pole or the antipode, degrees, inside which edges of one degree curve
 // by more than the default tolerance at the sizes a window has (2048 x 1024): a prop
 // that reaches in gets the pre-clip too.
 constexpr double MeridianPoleCap = 5;
 constexpr double AntipodeCap = 25;
 
-// NDC per squared radian: where a view bends more (wfv::Bend), edges of one degree may be
+// NDC per squared radian: where a view curves more (wfv::Curvature), edges of one degree may be
 // off by more than the default tolerance at these sizes anywhere, and every prop gets the
 // pre-clip: 8 * 0.25 / (1024 (pi/180)^2) = 6.4.
 constexpr double MostCurvature = 6;
 
-// Radians: the bound of wfv::Bend is for edges that look no longer.
+// Radians: the bound of wfv::Curvature is for edges that look no longer.
 constexpr double LongestAngle = 0.09;
 
 // Range of the tilted view coordinates of a box in world coordinates.
@@ -134,7 +134,7 @@ bool MeetsDiscontinuity(
 bool vtkWideFoVNeedsPreClip(const wfv::Projection& projection, const wfv::WfvView& view,
   const double bounds[6], const double worldToView[16], double footprint)
 {
-  if (view.bend > MostCurvature || (footprint > 0 && !ShowsAll(projection, view)))
+  if (view.curvature > MostCurvature || (footprint > 0 && !ShowsAll(projection, view)))
   {
     return true;
   }
@@ -174,6 +174,7 @@ double vtkWideFoVChordError(const wfv::Projection& projection, const wfv::WfvVie
   const double sine2 = SineToSingularity2(projection.Axis, low, high);
   // what lies beyond such a rim would be drawn inside it
   const bool folds = projection.FlatRim && high[2] >= 0;
-  return angle <= LongestAngle && sine2 > 0 && !folds ? 0.125 * view.bend * angle * angle / sine2
-                                                      : VTK_DOUBLE_MAX;
+  return angle <= LongestAngle && sine2 > 0 && !folds
+    ? 0.125 * view.curvature * angle * angle / sine2
+    : VTK_DOUBLE_MAX;
 }

@@ -6,7 +6,7 @@
 #include "Projections/Projection.h"
 
 // True where a prop with these world bounds may need the pre-clip: it comes near a seam, a
-// pole, the antipode or a face border of the projection, or the view bends too much for any
+// pole, the antipode or a face border of the projection, or the view curves too much for any
 // mesh. worldToView: row-major, 4 x 4. footprint: radians by which what is drawn may look larger
 // than these bounds, which counts at the borders of the picture too.
 bool vtkWideFoVNeedsPreClip(const wfv::Projection& projection, const wfv::WfvView& view,

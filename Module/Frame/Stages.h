@@ -145,7 +145,7 @@ public:
   vtkNew<vtkWideFoVStage> Sky;
 
 private:
-  // True where no edge of the prop bends by more than the tolerance, seen from here.
+  // True where no edge of the prop leaves its chord by more than the tolerance, seen from here.
   bool IsFine(vtkProp* prop, const double bounds[6], wfv::PropTraits& traits);
 
   // For a prop whose rays begin all in one place.
@@ -200,9 +200,9 @@ private:
 
   // The present view's, made when they are first asked for.
   std::shared_ptr<const wfv::ChordLimits> GetLimits(double tolerance);
-  std::shared_ptr<const wfv::LocalBend> Bends;
-  wfv::WfvView BendsView;
-  const wfv::Projection* BendsProjection = nullptr;
+  std::shared_ptr<const wfv::LocalCurvature> Curvature;
+  wfv::WfvView CurvatureView;
+  const wfv::Projection* CurvatureProjection = nullptr;
   std::shared_ptr<const wfv::ChordLimits> Limits;
   wfv::vec2 LimitsPixels{ 0 };
   double LimitsTolerance = 0;

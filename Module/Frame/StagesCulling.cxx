@@ -211,19 +211,19 @@ bool wfv::Stages::IsCulled(vtkProp* prop, const double* b, wfv::PropTraits& trai
 std::shared_ptr<const wfv::ChordLimits> wfv::Stages::GetLimits(double tolerance)
 {
   const wfv::WfvView& a = this->View;
-  const wfv::WfvView& b = this->BendsView;
-  const bool same = this->Bends && this->BendsProjection == this->Projection &&
+  const wfv::WfvView& b = this->CurvatureView;
+  const bool same = this->Curvature && this->CurvatureProjection == this->Projection &&
     a.halfFov == b.halfFov && a.scale == b.scale && a.lens == b.lens && a.lens5 == b.lens5;
   if (!same)
   {
-    this->Bends = std::make_shared<wfv::LocalBend>(*this->Projection, a);
-    this->BendsView = a;
-    this->BendsProjection = this->Projection;
+    this->Curvature = std::make_shared<wfv::LocalCurvature>(*this->Projection, a);
+    this->CurvatureView = a;
+    this->CurvatureProjection = this->Projection;
   }
   if (!same || this->LimitsPixels != this->Pixels || this->LimitsTolerance != tolerance)
   {
     this->Limits = std::make_shared<wfv::ChordLimits>(
-      *this->Projection, this->View, *this->Bends, this->Pixels, tolerance);
+      *this->Projection, this->View, *this->Curvature, this->Pixels, tolerance);
     this->LimitsPixels = this->Pixels;
     this->LimitsTolerance = tolerance;
   }

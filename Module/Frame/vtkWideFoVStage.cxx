@@ -16,7 +16,7 @@
 #include "Frame/RefusedShaders.h"
 #include "Frame/Stages.h"
 #include "Frame/Tessellation.h"
-#include "Projections/Bounds/Bend.h"
+#include "Projections/Bounds/Curvature.h"
 #include "Shaders/quadrics/QuadricShaders.h"
 #include "vtkWideFoVCamera.h"
 

@@ -196,7 +196,7 @@ DirectionMap::DirectionMap(int width, int height, const std::vector<float>& dire
   this->MarkPixels();
   this->ChooseCells();
   this->BoundCells();
-  this->BendCells();
+  this->FindCellCurvature();
   this->PlantSeeds();
 }
 
@@ -205,7 +205,7 @@ void DirectionMap::MarkPixels()
   const int w = this->Width;
   const Steps right(this->Directions, w, this->Height, 1);
   const Steps up(this->Directions, w, this->Height, 0);
-  const auto bend = [](double a, double b) {
+  const auto changes = [](double a, double b) {
     return a < 0 || b < 0 || std::abs(a - b) > WFV_SIMPLE_CHANGE * std::min(a, b);
   };
   const auto square = [&](int x, int y) {
@@ -228,8 +228,8 @@ void DirectionMap::MarkPixels()
       bits |= up.Hangs(x, y - 1) ? WFV_PIXEL_DOWN : 0;
       bits |= square(x, y) ? WFV_PIXEL_SQUARE : 0;
       const bool simple = square(x, y) && square(x - 1, y) && square(x, y - 1) &&
-        square(x - 1, y - 1) && !bend(right.At(x, y), right.At(x - 1, y)) &&
-        !bend(up.At(x, y), up.At(x, y - 1));
+        square(x - 1, y - 1) && !changes(right.At(x, y), right.At(x - 1, y)) &&
+        !changes(up.At(x, y), up.At(x, y - 1));
       texel[3] = static_cast<float>(simple ? bits | WFV_PIXEL_SIMPLE : bits);
     }
   }

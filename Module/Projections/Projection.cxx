@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Projection.h"
 
-#include "Bounds/Bend.h"
+#include "Bounds/Curvature.h"
 #include "DirectionMap.h"
 #include "NumberText.h"
 #include "StereoModel.h"
@@ -197,7 +197,7 @@ View::View(const Projection& projection, const ViewOptions& o)
   v.depthMapping = static_cast<int>(o.Mapping);
   v.scale = vec2(1, 1);
   v.scale = Scale(projection, o, v);
-  v.bend = Bend(projection, v);
+  v.curvature = Curvature(projection, v);
   v.eye = static_cast<int>(o.Stereo.Eye);
   const StereoParameters both =
     this->Stereo ? this->Stereo->Parameters(o.Stereo, v) : StereoParameters();

@@ -204,7 +204,7 @@ struct WfvPlaces
   vec4 first;
   vec4 second;
   bool simple; // of a cell: all its pixels are
-  float bend; // of a single rectangle: steps of pixels in it change from one to the next by no larger
+  float curvature; // of a single rectangle: steps of pixels in it change from one to the next by no larger
               // part of them, and no two of its places see one direction; 1 or more: not known
 };
 
@@ -214,7 +214,7 @@ WFV_FN WfvPlaces wfvNoPlaces()
   none.first = vec4(1e9, 1e9, -1e9, -1e9);
   none.second = none.first;
   none.simple = true;
-  none.bend = 1.0;
+  none.curvature = 1.0;
   return none;
 }
 
@@ -254,7 +254,7 @@ WFV_FN WfvPlaces wfvWithPlaces(WfvPlaces places, WfvPlaces more)
 {
   WfvPlaces result = wfvWithPlace(wfvWithPlace(places, more.first), more.second);
   result.simple = places.simple && more.simple;
-  result.bend = 1.0;
+  result.curvature = 1.0;
   return result;
 }
 
@@ -272,9 +272,9 @@ WFV_FN WfvPlaces wfvApart(WfvPlaces places)
 }
 
 // Among simple pixels a step differs from the next by so much of it at the most, so a straight edge of n
-// pixels bends by no more than an eighth of this times n squared; twice that.
+// pixels curves by no more than an eighth of this times n squared; twice that.
 const float WFV_SIMPLE_CHANGE = 0.05;
-const float WFV_CLOSE_BEND = 0.25 * WFV_SIMPLE_CHANGE;
+const float WFV_CLOSE_CURVATURE = 0.25 * WFV_SIMPLE_CHANGE;
 
 // The largest chord for which the angle over it is at most so many chords.
 const float WFV_CAP_CHORD = 1.0;
@@ -283,21 +283,21 @@ const float WFV_CAP_ANGLE = 1.05;
 // Pixels that an edge reaches beyond its ends, for the kinks between pixels.
 const float WFV_EDGE_KINKS = 2.0;
 
-// Pixels of an edge times the bend (WfvPlaces) of where it lies: up to this nothing is known of more.
+// Pixels of an edge times the curvature (WfvPlaces) of where it lies: up to this nothing is known of more.
 const float WFV_EDGE_LIMIT = 0.5;
 
-// Of the bend times the length squared: so far a straight edge lies beside its chord. Its curvature is
-// at most twice the bend, and a circle is a little more than a parabola.
+// Of the curvature times the length squared: so far a straight edge lies beside its chord. It curves
+// by at most twice as much, and a circle is a little more than a parabola.
 const float WFV_EDGE_SIDE = 0.3;
 
 // Pixels: not known.
 const float WFV_ASTRAY = 1e9;
 
 // Pixels of the map that the picture of a straight edge may lie beside its chord, which is so long.
-WFV_FN float wfvBesideChord(float chord, float bend)
+WFV_FN float wfvBesideChord(float chord, float curvature)
 {
   float far = chord + WFV_EDGE_KINKS;
-  return bend * far <= WFV_EDGE_LIMIT ? WFV_EDGE_SIDE * bend * far * far : WFV_ASTRAY;
+  return curvature * far <= WFV_EDGE_LIMIT ? WFV_EDGE_SIDE * curvature * far * far : WFV_ASTRAY;
 }
 
 // What is added to the left side of the first rectangle in the table where a cell is simple.
@@ -323,7 +323,7 @@ WFV_FN WfvPlaces wfvCapPlaces(vec3 centre, float angle, WfvView v)
     places.second = wfvCellTexel(v, column + 1, row);
     places.simple = places.first.x > 0.5 * WFV_SIMPLE_CELL && places.first.x < 2.0 * WFV_SIMPLE_CELL;
     places.first.x = places.simple ? places.first.x - WFV_SIMPLE_CELL : places.first.x;
-    places.bend = places.second.x <= places.second.z ? 1.0 : places.second.y;
+    places.curvature = places.second.x <= places.second.z ? 1.0 : places.second.y;
   }
   return places;
 }

@@ -3,7 +3,7 @@
 // that two off-axis perspectives look at, onto the plane of zero parallax. What is at the depth
 // `offset` stays where it is; what is nearer grows and is seen to the other side by each eye.
 // Source: Ardouin et al. 2014, section 3.5. The rays of this eye are curves: lines of the
-// cube, that the map bends.
+// cube, that the map curves.
 //
 // v.halfEyes: half of iod, NDC
 // v.stereo:   x, y  the viewer, between the eyes: NDC to the right of and above the cube's axis

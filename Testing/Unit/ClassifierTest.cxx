@@ -124,7 +124,7 @@ struct Classified
     this->V.Culls = false;
     this->V.EyeRadius = own ? wfvFromMiddle(v) : 0;
     this->V.Limits = std::make_shared<ChordLimits>(
-      p, v, LocalBend(p, v), Size, own ? (1 - Classifier::EyeShare) * tolerance : tolerance);
+      p, v, LocalCurvature(p, v), Size, own ? (1 - Classifier::EyeShare) * tolerance : tolerance);
     this->Classes.reset(new Classifier(this->V));
   }
 

@@ -5,7 +5,7 @@
 const int WFV_KIND_STRAIGHT = 0;       // no edge leaves its chord by more than the tolerance
 const int WFV_KIND_REAR = 1;        // meets a straight seam: split, or ray-tested on both sides
 const int WFV_KIND_POLE = 2;        // ray-tested: holds a pole or the antipode, or meets a discontinuity
-const int WFV_KIND_EXACT = 3;       // ray-tested: bent by more than the tolerance, or all are
+const int WFV_KIND_EXACT = 3;       // ray-tested: curved by more than the tolerance, or all are
 const int WFV_KIND_VERTEX = 4;      // projected, as it is or cut into smaller ones
 const int WFV_KIND_OTHER = 5;       // a line or a point
 const int WFV_KIND_TESSELLATED = 8; // + level: tessellated, level 1 to 64

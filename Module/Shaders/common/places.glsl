@@ -36,5 +36,5 @@ vec2 wfvMiddleOf(vec4 r)
 // map on as far as that, may be wrong about it.
 float wfvCarriedOn(float texels)
 {
-  return 4.0 * WFV_CLOSE_BEND * texels * texels;
+  return 4.0 * WFV_CLOSE_CURVATURE * texels * texels;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Lines: shapes that surely contain the picture of each, for line_fragment.glsl, which
-// says what the picture is. An arc that the map bends little gets one rectangle along its
+// says what the picture is. An arc that the map curves little gets one rectangle along its
 // chord. Others are parted at the places where the map may curve or part them, and each
 // part gets a rectangle of its own; which part a pixel belongs to is decided there.
 
@@ -10,8 +10,8 @@ layout(triangle_strip, max_vertices = WFV_LINE_VERTICES) out;
 flat out vec3 wfvLineTop;  // the frame of the arc and
 flat out vec3 wfvLineSide;
 flat out vec4 wfvLineEnds; // its ends, as in line_arc.glsl
-flat out vec4 wfvLineMap;  // modes 0, 1: the chord, pixels; 2, 3: cut, bend, own range
-flat out int wfvLineMode;  // 0 chord, 1 gently bent, 2 anything, 3 two dots; on a face: 4, 5
+flat out vec4 wfvLineMap;  // modes 0, 1: the chord, pixels; 2, 3: cut, sagitta, own range
+flat out int wfvLineMode;  // 0 chord, 1 gently curved, 2 anything, 3 two dots; on a face: 4, 5
 #if WFV_FACES || WFV_FLAT_RIM || WFV_NON_CENTRAL
 flat out vec2 wfvLineRange; // the angles that the map, or this face, shows
 #endif
@@ -29,12 +29,12 @@ const float WFV_LINE_EXPANSION = 1.8;
 
 // Largest ratio of half the width to the radius of the image's curvature for which the
 // nearest point is found by Newton's steps from the chord.
-const float WFV_LINE_BEND = 0.25;
+const float WFV_LINE_CURVATURE = 0.25;
 
-// Largest bend, over the length of the chord, for the same.
+// Largest sagitta, over the length of the chord, for the same.
 const float WFV_LINE_SAGITTA = 0.05;
 
-// Pixels: a bend so small is none, whatever the length of the chord.
+// Pixels: a sagitta so small is none, whatever the length of the chord.
 const float WFV_LINE_FLAT = 0.05;
 
 // Pixels: the largest distance of a chord that may stand for its arc.
@@ -144,7 +144,7 @@ struct WfvStretch
 {
   vec2 from;
   vec2 to;
-  float bend;
+  float sagitta;
 };
 
 WfvStretch wfvMeasure(float lo, float hi, float ref)
@@ -152,11 +152,11 @@ WfvStretch wfvMeasure(float lo, float hi, float ref)
   WfvStretch s;
   s.from = wfvArcPixel(lo, ref);
   s.to = wfvArcPixel(hi, ref);
-  s.bend = 0.0;
+  s.sagitta = 0.0;
   for (int i = 1; i < 4; i++)
   {
     vec2 p = wfvArcPixel(mix(lo, hi, 0.25 * float(i)), ref);
-    s.bend = max(s.bend, wfvFromChord(s.from, s.to, p));
+    s.sagitta = max(s.sagitta, wfvFromChord(s.from, s.to, p));
   }
   return s;
 }
@@ -230,7 +230,7 @@ void wfvEmitAngles(float lo, float hi, float ref)
 bool wfvChordHolds(WfvStretch s, float lo, float hi)
 {
   return cos(hi - lo) > WFV_LINE_LONG && !wfvLineSingular(wfvArcAt(lo), wfvArcAt(hi)) &&
-    WFV_LINE_EXPANSION * s.bend <= 0.25 * min(wfvViewport.z, wfvViewport.w);
+    WFV_LINE_EXPANSION * s.sagitta <= 0.25 * min(wfvViewport.z, wfvViewport.w);
 }
 #endif
 
@@ -261,7 +261,7 @@ void wfvEmitParts(float from, float to, float ref)
     WfvStretch s = wfvMeasure(lo, hi, ref);
     if (wfvChordHolds(s, lo, hi))
     {
-      wfvEmitAlong(s.from, s.to, wfvLineGrow() + WFV_LINE_EXPANSION * s.bend);
+      wfvEmitAlong(s.from, s.to, wfvLineGrow() + WFV_LINE_EXPANSION * s.sagitta);
     }
     else
     {
@@ -275,15 +275,15 @@ void wfvEmitParts(float from, float to, float ref)
 int wfvModeOf(WfvStretch s)
 {
   float l = length(s.to - s.from);
-  bool gentle = s.bend <= WFV_LINE_FLAT ||
-    (s.bend <= WFV_LINE_SAGITTA * l && 4.0 * s.bend * wfvLineWidth <= WFV_LINE_BEND * l * l);
-  return s.bend <= WFV_LINE_STRAIGHT ? 0 : (gentle ? 1 : 2);
+  bool gentle = s.sagitta <= WFV_LINE_FLAT ||
+    (s.sagitta <= WFV_LINE_SAGITTA * l && 4.0 * s.sagitta * wfvLineWidth <= WFV_LINE_CURVATURE * l * l);
+  return s.sagitta <= WFV_LINE_STRAIGHT ? 0 : (gentle ? 1 : 2);
 }
 
 void wfvEmitStretch(WfvStretch s)
 {
   wfvMapOut = vec4(s.from, s.to);
-  wfvEmitAlong(s.from, s.to, wfvLineGrow() + (wfvModeOut == 0 ? 0.0 : WFV_LINE_EXPANSION * s.bend));
+  wfvEmitAlong(s.from, s.to, wfvLineGrow() + (wfvModeOut == 0 ? 0.0 : WFV_LINE_EXPANSION * s.sagitta));
 }
 
 #if !WFV_NON_CENTRAL
@@ -324,7 +324,7 @@ void wfvEmitOnFaces(bool dots); // line_on_faces.glsl
 #elif WFV_SAMPLED
 void wfvEmitOnDirections(bool dots); // line_on_directions.glsl
 #else
-// Emits the one rectangle of an arc that bends little; false where it does not.
+// Emits the one rectangle of an arc that curves little; false where it does not.
 bool wfvEmitGentle()
 {
   float lo = wfvArcRange.x;

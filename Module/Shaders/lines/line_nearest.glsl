@@ -34,14 +34,14 @@ const float WFV_LINE_STEP = 0.002;
 // Pixels of the differences, each way, by which slopes are measured.
 const float WFV_LINE_DIFFERENCE = 2.0;
 
-// Smallest share of the squared speed that stays of it where the image bends away.
+// Smallest share of the squared speed that stays of it where the image curves away.
 const float WFV_LINE_DAMPING = 0.3;
 
 // Largest step, in turns of wfvStepped.
 const float WFV_LINE_LONGEST_STEP = 0.7;
 
 // The angle `turn` farther on, in units that grow with the distance from where the image
-// bends: the far from top, the larger.
+// curves: the far from top, the larger.
 float wfvStepped(float a, float turn)
 {
   float base = abs(a) > 0.5 * WFV_PI ? (a < 0.0 ? -WFV_PI : WFV_PI) : 0.0;
@@ -62,10 +62,10 @@ vec2 wfvNewtonTurn(vec2 p, float c, float ref)
   vec2 here = wfvArcPixel(c, ref);
   vec2 behind = wfvArcPixel(wfvStepped(c, h), ref);
   vec2 slope = (behind - before) / (2.0 * h);
-  vec2 bend = (behind - 2.0 * here + before) / (h * h);
+  vec2 curvature = (behind - 2.0 * here + before) / (h * h);
   vec2 r = wfvAcrossSeam(p - here);
   float speed = dot(slope, slope);
-  float m = max(speed - dot(r, bend), WFV_LINE_DAMPING * speed);
+  float m = max(speed - dot(r, curvature), WFV_LINE_DAMPING * speed);
   float turn = m > 0.0 ? dot(r, slope) / m : 0.0;
   turn = clamp(turn, -WFV_LINE_LONGEST_STEP, WFV_LINE_LONGEST_STEP);
   return vec2(turn, abs(turn) * sqrt(speed));

@@ -17,7 +17,7 @@ vec2 wfvArcInner = vec2(0.0); // the same, or farther apart where the map does n
 // Beyond this cosine of its angle from the foot a line goes on no farther.
 const float WFV_NC_END = 1e-9;
 
-// Two angles, on either side of 0, near which the image bends most, where top alone is not enough.
+// Two angles, on either side of 0, near which the image curves most, where top alone is not enough.
 vec2 wfvArcTops = vec2(0.0);
 bool wfvTwoTops = false;
 
@@ -125,7 +125,7 @@ void wfvSetKnots()
 }
 
 // Angle of knot i, 0 to 4 WFV_KNOTS, from one end of the range to the other. They are dense where
-// the image may bend: near top, or both ends of a gap, or, where a map is flat at its rim, the ends.
+// the image may curve: near top, or both ends of a gap, or, where a map is flat at its rim, the ends.
 float wfvKnot(int i)
 {
   float share = float(i) / float(4 * WFV_KNOTS);

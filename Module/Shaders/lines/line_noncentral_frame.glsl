@@ -5,7 +5,7 @@
 // Part of the line's or the circle's distance that the frame's is at the least.
 const float WFV_NC_LEAST = 0.1;
 
-// Radii of the circle: what passes its axis nearer than so many may bend much overhead and
+// Radii of the circle: what passes its axis nearer than so many may curve much overhead and
 // underfoot; and what is nearer to its middle is bounded by nothing less than the window.
 const float WFV_NC_AXIS = 16.0;
 const float WFV_NC_CLOSE = 1.5;
@@ -17,7 +17,7 @@ const int WFV_NC_STEPS = 30;
 // Steps of a search by halves for float32.
 const int WFV_NC_CUTS = 26;
 
-// Radians: the scale of the bends at the ends of a gap, where the image runs as the root of the angle.
+// Radians: the scale of the curves at the ends of a gap, where the image runs as the root of the angle.
 const float WFV_GAP_DELTA = 1e-5;
 
 // Sine under which both axes count, and radians by which they have to be apart on the line.
@@ -149,7 +149,7 @@ vec2 wfvFindGap(float at)
     vec2(wfvAtan2(x - half_, wfvArcDistance), wfvAtan2(x + half_, wfvArcDistance));
 }
 
-// How bent the image may be where the line is at the angle a: the sine of the angle to the axis of
+// How curved the image may be where the line is at the angle a: the sine of the angle to the axis of
 // the map or, for a line beside it, to that of the circle.
 float wfvNcSine(float a)
 {
@@ -246,7 +246,7 @@ void wfvFrameTop()
   wfvNcWindow = wfvHasGap() || wfvTwoTops || length(nearest) < WFV_NC_CLOSE * wfvNcRadius();
 }
 
-// True where what lies between two angles comes near to where a map or the circle bends without bound.
+// True where what lies between two angles comes near to where a map or the circle curves without bound.
 bool wfvNcSingular(float lo, float hi, float sine)
 {
   float top = clamp(0.0, lo, hi);

@@ -11,7 +11,7 @@ bool wfvChordHolds(WfvStretch s, float lo, float hi)
 #endif
   return cos(hi - lo) > WFV_LINE_LONG && !flat_ && !wfvNcWindow &&
     !wfvNcSingular(lo, hi, wfvLineSingularSine()) &&
-    WFV_LINE_EXPANSION * s.bend <= 0.25 * min(wfvViewport.z, wfvViewport.w);
+    WFV_LINE_EXPANSION * s.sagitta <= 0.25 * min(wfvViewport.z, wfvViewport.w);
 }
 
 // The angle of place i of a stretch, dense near the top as knots are.

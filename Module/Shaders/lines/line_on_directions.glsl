@@ -40,14 +40,14 @@ bool wfvEmitClose(WfvPlaces places, float lo, float hi)
   vec3 p = wfvFindIn(r, m.xy, wfvArcAt(lo));
   vec3 q = wfvFindIn(r, m.xy, wfvArcAt(hi));
   float chord = length(q.xy - p.xy);
-  float bend = WFV_CLOSE_BEND * chord * chord + WFV_SEARCH_REST;
+  float sagitta = WFV_CLOSE_CURVATURE * chord * chord + WFV_SEARCH_REST;
   if (!(max(p.z, max(m.z, q.z)) < WFV_SEARCH_REST && chord < WFV_LINE_CLOSE &&
-        length(m.xy - 0.5 * (p.xy + q.xy)) <= bend))
+        length(m.xy - 0.5 * (p.xy + q.xy)) <= sagitta))
   {
     return false;
   }
   vec2 texel = wfvViewport.zw * wfvTile.xy / wfvView.tables.xy; // pixels
-  float grow = bend + wfvCarriedOn(0.5 * wfvLineWidth / min(texel.x, texel.y));
+  float grow = sagitta + wfvCarriedOn(0.5 * wfvLineWidth / min(texel.x, texel.y));
   wfvEmitAlong(wfvTilePixel(wfvNdcOfPixel(p.xy, wfvView)),
     wfvTilePixel(wfvNdcOfPixel(q.xy, wfvView)), wfvLineGrow() + grow * max(texel.x, texel.y));
   return true;

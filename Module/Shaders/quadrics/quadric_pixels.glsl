@@ -19,7 +19,7 @@ const float WFV_AZIMUTH_STEP = 0.1;
 
 #if WFV_ANGULAR
 // The derivative of the map along an angle, by differences of fourth order: near a pole
-// maps bend within a few steps.
+// maps curve within a few steps.
 vec2 wfvMapSlope(vec2 a, vec2 h)
 {
   vec2 near = wfvMap(a + h, wfvView) - wfvMap(a - h, wfvView);

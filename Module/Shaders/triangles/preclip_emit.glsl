@@ -5,7 +5,7 @@
 //   split         it crosses a straight seam: two polygons that meet it exactly
 //                 (the paper's rear triangle);
 //   ray-tested    it holds a pole or the antipode (the paper's pole triangle), or
-//                 bends more than the tolerance: a shape that surely contains its
+//                 curves more than the tolerance: a shape that surely contains its
 //                 picture, and the fragment stage decides by the pixel's ray.
 
 #if WFV_INVOCATIONS > 1
@@ -100,7 +100,7 @@ vec3 wfvSpans[3]; // as wfvSpan0, ..
 vec2 wfvC[3] = vec2[3](vec2(0.0), vec2(0.0), vec2(0.0)); // corners in the picture
 vec4 wfvSeamPlaces = vec4(0.0);
 float wfvChordBound = 0.0; // pixels: how far the edges surely stay from their chords
-bool wfvBent = false; // an edge bends by more than the tolerance
+bool wfvCurved = false; // an edge curves by more than the tolerance
 int wfvEmitted = 0;
 
 #if WFV_EXACT

@@ -21,7 +21,7 @@ int wfvCoverKind(bool seam, bool discontinuous)
   bool pole = wfvHolds(2, 1.0);
 #endif
 #if WFV_BY_RAYS
-  return pole || discontinuous ? WFV_KIND_POLE : wfvBent ? WFV_KIND_EXACT : wfvSplitKind(seam);
+  return pole || discontinuous ? WFV_KIND_POLE : wfvCurved ? WFV_KIND_EXACT : wfvSplitKind(seam);
 #elif WFV_EXACT
   return WFV_KIND_EXACT;
 #else

@@ -27,7 +27,7 @@ bool wfvReachesSeam()
   return false;
 }
 
-// Largest squared ratio of an edge to its distance (five degrees) for which the bend may
+// Largest squared ratio of an edge to its distance (five degrees) for which the curvature may
 // be bounded by its second derivative.
 const float WFV_EASY_EDGE = 0.008;
 
@@ -77,14 +77,14 @@ bool wfvEasy(vec3 lengths)
 #endif
   float nearest = min(sines.x, min(sines.y, sines.z)) - sqrt(longest) - turned.x;
   nearest = min(nearest, 1.0);
-  // the bound of wfv::Bend (Projections/Bend.h), on both axes
-  float bend = 0.125 * wfvView.bend * length(0.5 * wfvViewport.zw * wfvTile.xy) * longest;
+  // the bound of wfv::Curvature (Bounds/Curvature.h), on both axes
+  float sagitta = 0.125 * wfvView.curvature * length(0.5 * wfvViewport.zw * wfvTile.xy) * longest;
 #if WFV_ROUND
   vec3 cosines = -vec3(wfvP[0].z, wfvP[1].z, wfvP[2].z) / lengths;
   float least = min(cosines.x, min(cosines.y, cosines.z)) - turned.x;
   nearest = least < wfvChordEnd() ? 0.0 : nearest;
 #endif
-  wfvChordBound = (bend + turned.y) / max(nearest * nearest, 1e-12);
+  wfvChordBound = (sagitta + turned.y) / max(nearest * nearest, 1e-12);
   return longest <= WFV_EASY_EDGE && nearest > wfvSingularSine() && wfvChordBound <= tolerance;
 }
 
@@ -105,8 +105,8 @@ bool wfvOutside(vec3 lengths)
 #endif
 }
 
-// True where the triangle holds a pole or an edge of it bends too much; sets wfvS, wfvChordBound
-// and wfvBent. Unless it is asked for nothing is measured.
+// True where the triangle holds a pole or an edge of it curves too much; sets wfvS, wfvChordBound
+// and wfvCurved. Unless it is asked for nothing is measured.
 //
 // A loop, of no round then: software rendering runs through both sides of a branch, but through a loop only
 // as long as a triangle of several needs it; and compilers unroll none whose rounds they cannot count,
@@ -132,15 +132,15 @@ bool wfvMustCover(bool asked)
     b = c;
     c = first;
   }
-  wfvBent = min(wfvS.x, min(wfvS.y, wfvS.z)) < 0.0;
+  wfvCurved = min(wfvS.x, min(wfvS.y, wfvS.z)) < 0.0;
 #if WFV_EXACT
   return true;
 #elif WFV_FACES
-  return wfvBent;
+  return wfvCurved;
 #elif WFV_MERIDIAN
-  return wfvBent || wfvHolds(1, 1.0) || wfvHolds(1, -1.0);
+  return wfvCurved || wfvHolds(1, 1.0) || wfvHolds(1, -1.0);
 #else
-  return wfvBent || wfvHolds(2, 1.0);
+  return wfvCurved || wfvHolds(2, 1.0);
 #endif
 }
 

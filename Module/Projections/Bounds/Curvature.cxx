@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Projections/Bounds/Bend.h"
+#include "Projections/Bounds/Curvature.h"
 
 #include <algorithm>
 #include <mutex>
@@ -8,8 +8,8 @@ namespace wfv
 {
 namespace
 {
-// For what lies between the samples; Testing/Unit/BendTest.cxx looks there.
-constexpr double BendSafety = 1.25;
+// For what lies between the samples; Testing/Unit/CurvatureTest.cxx looks there.
+constexpr double CurvatureSafety = 1.25;
 
 // Radians: how far round what the window shows, and at how many distances on the way.
 const double Margin = glm::radians(10.0);
@@ -89,9 +89,9 @@ struct Tangents
   vec3 At(double angle) const { return this->U * std::cos(angle) + this->V * std::sin(angle); }
 };
 
-// The weighted bend and stretch at one direction of the map's own frame; 0 where they are not asked
-// for.
-vec3 BendAt(const Projection& p, const WfvView& v, const vec3& d)
+// The weighted curvature and stretch at one direction of the map's own frame; 0 where they are not
+// asked for.
+vec3 CurvatureAt(const Projection& p, const WfvView& v, const vec3& d)
 {
   const double sine = SineToSingularity(p.Axis, d);
   if (sine < Singular)
@@ -129,27 +129,27 @@ std::vector<vec3> BorderDirections(const Projection& p, const WfvView& v)
 
 vec3 Compute(const Projection& p, const WfvView& v)
 {
-  vec3 bend(0);
+  vec3 curvature(0);
   for (int i = 0; i <= Inner; i++)
   {
     for (int j = 0; j <= Inner; j++)
     {
       const WfvRay ray = p.Unproject(vec2(-1 + 2.0 * i / Inner, -1 + 2.0 * j / Inner), v);
-      bend = ray.inside ? glm::max(bend, BendAt(p, v, ray.direction)) : bend;
+      curvature = ray.inside ? glm::max(curvature, CurvatureAt(p, v, ray.direction)) : curvature;
     }
   }
   for (const vec3& d : BorderDirections(p, v))
   {
-    bend = glm::max(bend, BendAt(p, v, d));
+    curvature = glm::max(curvature, CurvatureAt(p, v, d));
     const Tangents tangents(d);
     for (int i = 0; i < MarginSteps * MarginDirections; i++)
     {
       const vec3 t = tangents.At(2 * WFV_PI * i / MarginDirections);
       const double a = Margin * (1 + i / MarginDirections) / MarginSteps;
-      bend = glm::max(bend, BendAt(p, v, d * std::cos(a) + t * std::sin(a)));
+      curvature = glm::max(curvature, CurvatureAt(p, v, d * std::cos(a) + t * std::sin(a)));
     }
   }
-  return BendSafety * bend;
+  return CurvatureSafety * curvature;
 }
 
 // One view that was asked for.
@@ -157,7 +157,7 @@ struct Kept
 {
   const Projection* Map;
   WfvView View;
-  vec3 Bend; // and stretch
+  vec3 Curvature; // and stretch
 
   bool Is(const Projection& p, const WfvView& v) const
   {
@@ -222,7 +222,7 @@ double SineToSingularity(Family family, const vec3& d)
 
 namespace
 {
-vec3 BendAndStretch(const Projection& p, const WfvView& v)
+vec3 CurvatureAndStretch(const Projection& p, const WfvView& v)
 {
   if (p.Axis == Family::Sampled)
   {
@@ -236,25 +236,25 @@ vec3 BendAndStretch(const Projection& p, const WfvView& v)
     std::find_if(kept.begin(), kept.end(), [&](const Kept& k) { return k.Is(p, v); });
   if (known != kept.end())
   {
-    return known->Bend;
+    return known->Curvature;
   }
   if (kept.size() == MaxKept)
   {
     kept.erase(kept.begin());
   }
   kept.push_back({ &p, v, Compute(p, v) });
-  return kept.back().Bend;
+  return kept.back().Curvature;
 }
 }
 
-double Bend(const Projection& p, const WfvView& v)
+double Curvature(const Projection& p, const WfvView& v)
 {
-  return BendAndStretch(p, v).x;
+  return CurvatureAndStretch(p, v).x;
 }
 
 vec2 Stretch(const Projection& p, const WfvView& v)
 {
-  const vec3 both = BendAndStretch(p, v);
+  const vec3 both = CurvatureAndStretch(p, v);
   return vec2(both.y, both.z);
 }
 }

@@ -18,11 +18,11 @@ namespace
 // .. of it: so many degrees of evenness are told apart.
 constexpr int Degrees = 8;
 
-// Pixels of a rectangle along and across, together, times their bend: up to this no two of its
+// Pixels of a rectangle along and across, together, times their curvature: up to this no two of its
 // places see one direction, for no step is turned or stretched by as much as itself (e^0.64 - 1).
 constexpr double OnePiece = 0.9;
 
-double BendOfDegree(int degree)
+double CurvatureOfDegree(int degree)
 {
   return std::ldexp(WFV_SIMPLE_CHANGE, -degree);
 }
@@ -55,9 +55,9 @@ public:
     {
       for (int x = 1; x + 1 < this->Width; x++)
       {
-        const double bend = this->Hangs(x, y) ? this->BendAt(x, y) : 1;
+        const double curvature = this->Hangs(x, y) ? this->CurvatureAt(x, y) : 1;
         int degree = -1;
-        while (degree + 1 < Degrees && bend <= BendOfDegree(degree + 1))
+        while (degree + 1 < Degrees && curvature <= CurvatureOfDegree(degree + 1))
         {
           degree++;
         }
@@ -111,7 +111,7 @@ private:
   }
 
   // The largest of the second differences, in steps.
-  double BendAt(int x, int y) const
+  double CurvatureAt(int x, int y) const
   {
     const vec3 d = this->At(x, y);
     const vec3 right = this->At(x + 1, y) - d;
@@ -123,12 +123,13 @@ private:
       this->At(x - 1, y - 1) - d + left + down };
     const vec3 stepX = 0.5 * (right + left);
     const vec3 stepY = 0.5 * (up + down);
-    double bend = std::max(InSteps(right - left, stepX, stepY), InSteps(up - down, stepX, stepY));
+    double curvature =
+      std::max(InSteps(right - left, stepX, stepY), InSteps(up - down, stepX, stepY));
     for (const vec3& twist : twists)
     {
-      bend = std::max(bend, InSteps(twist, stepX, stepY));
+      curvature = std::max(curvature, InSteps(twist, stepX, stepY));
     }
-    return bend;
+    return curvature;
   }
 
   const DirectionMap& Map;
@@ -141,7 +142,7 @@ private:
 
 // The rectangle of a cell is one piece where it is its only one and all pixels in it are as even as
 // its size asks for.
-void DirectionMap::BendCells()
+void DirectionMap::FindCellCurvature()
 {
   Evenness even(*this);
   const auto pixel = [](double ndc, int count) {
@@ -149,7 +150,7 @@ void DirectionMap::BendCells()
   };
   for (int degree = 0; degree < Degrees; degree++)
   {
-    const double bend = BendOfDegree(degree);
+    const double curvature = CurvatureOfDegree(degree);
     even.Count(degree);
     for (std::size_t i = 0; i < this->CellBounds.size(); i += 2)
     {
@@ -164,9 +165,9 @@ void DirectionMap::BendCells()
       const int y0 = pixel(first[1], this->Height);
       const int x1 = pixel(first[2], this->Width);
       const int y1 = pixel(first[3], this->Height);
-      if (bend * (x1 - x0 + y1 - y0) <= OnePiece && even.AreAll(x0, y0, x1, y1))
+      if (curvature * (x1 - x0 + y1 - y0) <= OnePiece && even.AreAll(x0, y0, x1, y1))
       {
-        second[1] = static_cast<float>(bend);
+        second[1] = static_cast<float>(curvature);
       }
     }
   }

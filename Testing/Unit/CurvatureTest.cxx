@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The figure `bend` of a view bounds how far chords are from their edges, in the picture.
-#include "Projections/Bounds/Bend.h"
+// The figure `curvature` of a view bounds how far chords are from their edges, in the picture.
+#include "Projections/Bounds/Curvature.h"
 #include "Views.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ using namespace wfv::test;
 
 namespace
 {
-// Radians: the longest edge that the stages judge by the bend, five degrees
+// Radians: the longest edge that the stages judge by the curvature, five degrees
 // (WFV_EASY_EDGE), and the nearest to a singular point (WFV_SINGULAR_ANGLE).
 constexpr double LongestEdge = 0.089;
 constexpr double NearestSingular = 0.035;
@@ -70,7 +70,7 @@ double WorstRatio(const View& view, const vec3& a, const vec3& b, double angle)
   {
     return 0;
   }
-  return std::max(worst.x, worst.y) / (v.bend * angle * angle / (8 * sine * sine));
+  return std::max(worst.x, worst.y) / (v.curvature * angle * angle / (8 * sine * sine));
 }
 
 // Edges that begin at what the window shows.
@@ -119,7 +119,7 @@ std::vector<NamedView> Views()
 }
 }
 
-TEST(Bend, BoundsEveryChord)
+TEST(Curvature, BoundsEveryChord)
 {
   std::mt19937_64 engine(11);
   double least = 1;
@@ -127,11 +127,11 @@ TEST(Bend, BoundsEveryChord)
   for (const NamedView& v : Views())
   {
     const double worst = WorstOf(v, 20000, engine);
-    EXPECT_LE(worst, 1) << v.Name << " bend " << v.TheView.GetParameters().bend;
+    EXPECT_LE(worst, 1) << v.Name << " curvature " << v.TheView.GetParameters().curvature;
     if (v.Options.HorizontalFov >= v.TheView.GetProjection().MaxHorizontalFov - 1e-9)
     {
-      std::cout << v.Name << ": bend " << v.TheView.GetParameters().bend << ", worst chord "
-                << worst << " of the bound\n";
+      std::cout << v.Name << ": curvature " << v.TheView.GetParameters().curvature
+                << ", worst chord " << worst << " of the bound\n";
     }
     if (worst < least)
     {
@@ -143,7 +143,7 @@ TEST(Bend, BoundsEveryChord)
 }
 
 // Once a view is known the figure is looked up; the first time it takes milliseconds.
-TEST(Bend, IsKept)
+TEST(Curvature, IsKept)
 {
   for (const Projection& p : Projections())
   {
@@ -155,8 +155,8 @@ TEST(Bend, IsKept)
     const auto end = std::chrono::steady_clock::now();
     std::cout << p.Name << ": " << std::chrono::duration<double, std::milli>(end - start).count()
               << " ms\n";
-    EXPECT_GT(view.GetParameters().bend, 0) << p.Name;
-    EXPECT_TRUE(std::isfinite(view.GetParameters().bend)) << p.Name;
-    EXPECT_EQ(View(p, o).GetParameters().bend, view.GetParameters().bend) << p.Name;
+    EXPECT_GT(view.GetParameters().curvature, 0) << p.Name;
+    EXPECT_TRUE(std::isfinite(view.GetParameters().curvature)) << p.Name;
+    EXPECT_EQ(View(p, o).GetParameters().curvature, view.GetParameters().curvature) << p.Name;
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Projections/Bounds/LocalBend.h"
+#include "Projections/Bounds/LocalCurvature.h"
 
-#include "Projections/Bounds/Bend.h"
+#include "Projections/Bounds/Curvature.h"
 
 #include <algorithm>
 #include <limits>
@@ -11,10 +11,10 @@ namespace wfv
 namespace
 {
 // Along a face of the cube, and nodes along it: one more on either side.
-constexpr int Cells = LocalBend::Cells;
+constexpr int Cells = LocalCurvature::Cells;
 constexpr int Nodes = Cells + 3;
 
-// For what lies between the nodes; Testing/Unit/LocalBendTest.cxx looks there.
+// For what lies between the nodes; Testing/Unit/LocalCurvatureTest.cxx looks there.
 constexpr double LocalSafety = 1.25;
 
 // Sine of the angle from a singular point below which there is no bound.
@@ -34,9 +34,9 @@ vec3 FromFace(int face, double s, double t)
   return glm::normalize(d);
 }
 
-std::vector<LocalBend::Around> FindNeighbours()
+std::vector<LocalCurvature::Around> FindNeighbours()
 {
-  std::vector<LocalBend::Around> all(LocalBend::NumberOfCells);
+  std::vector<LocalCurvature::Around> all(LocalCurvature::NumberOfCells);
   for (std::size_t cell = 0; cell < all.size(); cell++)
   {
     const int face = static_cast<int>(cell / (Cells * Cells));
@@ -46,17 +46,17 @@ std::vector<LocalBend::Around> FindNeighbours()
     {
       const double s = -1 + (2.0 * (i + k % 3) - 1) / Cells;
       const double t = -1 + (2.0 * (j + k / 3) - 1) / Cells;
-      all[cell][k] = LocalBend::CellOf(FromFace(face, s, t));
+      all[cell][k] = LocalCurvature::CellOf(FromFace(face, s, t));
     }
   }
   return all;
 }
 
 // Each cell holds for those round it as well.
-std::vector<LocalBend::Cell> Spread(const std::vector<LocalBend::Cell>& table)
+std::vector<LocalCurvature::Cell> Spread(const std::vector<LocalCurvature::Cell>& table)
 {
-  const std::vector<LocalBend::Around>& neighbours = LocalBend::GetNeighbours();
-  std::vector<LocalBend::Cell> wider(table);
+  const std::vector<LocalCurvature::Around>& neighbours = LocalCurvature::GetNeighbours();
+  std::vector<LocalCurvature::Cell> wider(table);
   for (std::size_t cell = 0; cell < table.size(); cell++)
   {
     for (const std::size_t other : neighbours[cell])
@@ -70,7 +70,7 @@ std::vector<LocalBend::Cell> Spread(const std::vector<LocalBend::Cell>& table)
   return wider;
 }
 
-LocalBend::Cell NodeAt(const Projection& p, const WfvView& v, int face, int i, int j)
+LocalCurvature::Cell NodeAt(const Projection& p, const WfvView& v, int face, int i, int j)
 {
   const vec3 d = FromFace(face, -1 + 2.0 * (i - 1) / Cells, -1 + 2.0 * (j - 1) / Cells);
   if (SineToSingularity(p.Axis, d) < LocalSingular)
@@ -86,7 +86,7 @@ LocalBend::Cell NodeAt(const Projection& p, const WfvView& v, int face, int i, i
 }
 }
 
-LocalBend::LocalBend(const Projection& p, const WfvView& v)
+LocalCurvature::LocalCurvature(const Projection& p, const WfvView& v)
 {
   std::vector<Cell>& table = this->Tables[0];
   table.assign(NumberOfCells, Cell{ { 0, 0, 0 } });
@@ -121,7 +121,7 @@ LocalBend::LocalBend(const Projection& p, const WfvView& v)
   }
 }
 
-const std::vector<LocalBend::Around>& LocalBend::GetNeighbours()
+const std::vector<LocalCurvature::Around>& LocalCurvature::GetNeighbours()
 {
   static const std::vector<Around> neighbours = FindNeighbours();
   return neighbours;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The table of bends bounds how far chords are from their edges, place by place.
-#include "Projections/Bounds/LocalBend.h"
+#include "Projections/Bounds/LocalCurvature.h"
 #include "Views.h"
 
 #include <gtest/gtest.h>
@@ -37,12 +37,12 @@ struct Worst
   int All = 0;
 };
 
-void Add(
-  Worst& worst, const View& view, const LocalBend& bends, int level, const vec3& a, const vec3& b)
+void Add(Worst& worst, const View& view, const LocalCurvature& curvature, int level, const vec3& a,
+  const vec3& b)
 {
   const Projection& p = view.GetProjection();
   const WfvView& v = view.GetParameters();
-  const LocalBend::Cell& at = bends.At(a, level);
+  const LocalCurvature::Cell& at = curvature.At(a, level);
   worst.All += level == 0;
   if (!std::isfinite(at[0]) || !std::isfinite(at[1]))
   {
@@ -66,7 +66,7 @@ void Add(
 
 Worst Measure(const View& view, std::mt19937_64& engine)
 {
-  const LocalBend bends(view.GetProjection(), view.GetParameters());
+  const LocalCurvature curvature(view.GetProjection(), view.GetParameters());
   std::uniform_real_distribution<double> unit(-1, 1);
   Worst worst;
   for (int i = 0; i < EdgesOfView; ++i)
@@ -77,19 +77,19 @@ Worst Measure(const View& view, std::mt19937_64& engine)
     const vec3& a = ray.direction;
     const vec3 t = glm::normalize(other - a * glm::dot(other, a));
     const double share = 0.5 * (1 + Shortest) + 0.5 * (1 - Shortest) * unit(engine);
-    const int level = i % LocalBend::Levels;
-    const double angle = LocalBend::LongestEdge * (1 << level) * share;
+    const int level = i % LocalCurvature::Levels;
+    const double angle = LocalCurvature::LongestEdge * (1 << level) * share;
     const vec3 b = a * std::cos(angle) + t * std::sin(angle);
     if (ray.inside && !IsDiscontinuous(view.GetProjection(), a, b))
     {
-      Add(worst, view, bends, level, a, b);
+      Add(worst, view, curvature, level, a, b);
     }
   }
   return worst;
 }
 }
 
-TEST(LocalBend, BoundsEveryChord)
+TEST(LocalCurvature, BoundsEveryChord)
 {
   std::mt19937_64 engine(12);
   for (const Projection& p : Projections())

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How far chords are from the edges that they stand for, place by place.
-#ifndef WideFoVLocalBend_h
-#define WideFoVLocalBend_h
+#ifndef WideFoVLocalCurvature_h
+#define WideFoVLocalCurvature_h
 
 #include "Projections/Projection.h"
 
@@ -11,23 +11,23 @@
 
 namespace wfv
 {
-// wfv::Bend bounds a whole view by its worst place; this is a table of directions, the cells of
-// a cube's faces, each with a bound for itself and its neighbours. A chord of an edge of the
+// wfv::Curvature bounds a whole view by its worst place; this is a table of directions, the cells
+// of a cube's faces, each with a bound for itself and its neighbours. A chord of an edge of the
 // angle a (radians), which is at most a cell's (LongestEdge), is at most At(d) a^2 / 8 away from
 // its edge on either axis, NDC, with d any direction of the edge, as long as the edge crosses no
 // discontinuity. Infinite near the points that the family stretches without bound. A third number
 // bounds the stretch: how far a place moves, NDC, per radian that the direction turns. Of longer
 // edges coarser levels of the table say as much, each with a bound for all that is near its cells.
-class WFV_EXPORT LocalBend
+class WFV_EXPORT LocalCurvature
 {
 public:
   static constexpr double LongestEdge = 0.03; // radians; cells measure from 0.031 (corners) on
 
   static constexpr int Levels = 4; // each is for edges twice as long as the one before it
 
-  LocalBend(const Projection& projection, const WfvView& view);
+  LocalCurvature(const Projection& projection, const WfvView& view);
 
-  // Bend along x and y, NDC per radian squared; stretch, NDC per radian.
+  // Curvature along x and y, NDC per radian squared; stretch, NDC per radian.
   using Cell = std::array<float, 3>;
 
   // direction: of any length but 0, in the map's own frame (behind the tilt).
