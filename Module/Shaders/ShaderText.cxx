@@ -70,14 +70,18 @@ std::string Define(const char* name, int value)
   return std::string("#define ") + name + " " + std::to_string(value) + "\n";
 }
 
+bool IsExact(const Request& r)
+{
+  return r.ByRays || r.Stage == wfv::ShaderBuilder::Variant::Exact;
+}
+
 namespace
 {
 bool AllRayTested(const Request& r)
 {
   return r.Kind == wfv::ShaderBuilder::Primitive::Triangles &&
     r.Stage != wfv::ShaderBuilder::Variant::Projected &&
-    r.Stage != wfv::ShaderBuilder::Variant::Cut &&
-    (r.ByRays || r.Stage == wfv::ShaderBuilder::Variant::Exact);
+    r.Stage != wfv::ShaderBuilder::Variant::Cut && IsExact(r);
 }
 }
 
@@ -105,8 +109,7 @@ std::string ViewSource(const Request& r)
     Define("WFV_MERIDIAN", meridian) + Define("WFV_FACES", faces) + Define("WFV_SAMPLED", sampled) +
     Define("WFV_ROUND", r.Projection->Axis == wfv::Family::Azimuthal) +
     Define("WFV_STRAIGHT_SEAM", r.Projection->StraightSeam) +
-    Define("WFV_FLAT_RIM", r.Projection->FlatRim) +
-    Define("WFV_EXACT", r.ByRays || r.Stage == wfv::ShaderBuilder::Variant::Exact) +
+    Define("WFV_FLAT_RIM", r.Projection->FlatRim) + Define("WFV_EXACT", IsExact(r)) +
     Define("WFV_BY_RAYS", r.ByRays) + Define("WFV_MEETS_CHORDS", r.MeetsChords && AllRayTested(r)) +
     Define("WFV_SEVERAL_CHORDS", r.SeveralChords && AllRayTested(r) && !NonCentral(r)) +
     Define("WFV_FP64", r.Fp64) + Define("WFV_DEPTH_MAPPING(v)", r.DepthMapping) +

@@ -72,6 +72,9 @@ std::string CornerInputs(const std::vector<Varying>& varyings,
 // Components of all copies.
 int CornerComponents(const std::vector<Varying>& varyings, int corners);
 
+// True where nothing is drawn by its chords: WFV_EXACT.
+bool IsExact(const Request& r);
+
 // True for triangles and exact lines of an eye with non-central rays.
 bool NonCentral(const Request& r);
 

@@ -68,15 +68,16 @@ std::string GeometrySource(const Request& r, const std::vector<Varying>& varying
   const std::string corners = CornerOutputs(varyings, 2);
   if (NonCentral(r))
   {
-    return head + line_noncentral_glsl + line_noncentral_frame_glsl + corners + line_geometry_glsl +
-      line_noncentral_geometry_glsl;
+    return head + line_noncentral_glsl + line_noncentral_frame_glsl + line_noncentral_tops_glsl +
+      corners + line_emit_glsl + line_shapes_glsl + line_noncentral_geometry_glsl +
+      line_geometry_glsl;
   }
-  const std::string arcs = head + line_frame_glsl + corners + line_geometry_glsl;
-  if (r.Projection->Axis == Family::Sampled)
-  {
-    return arcs + places_glsl + line_on_directions_glsl;
-  }
-  return arcs + (r.Projection->Axis == Family::Faces ? line_on_faces_glsl : "");
+  const Family family = r.Projection->Axis;
+  return head + line_frame_glsl + corners + line_emit_glsl + line_shapes_glsl + line_central_glsl +
+    (family == Family::Faces        ? line_on_faces_glsl
+        : family == Family::Sampled ? std::string(places_glsl) + line_on_directions_glsl
+                                    : line_arcs_glsl) +
+    line_geometry_glsl;
 }
 
 std::string FragmentSource(
@@ -87,7 +88,8 @@ std::string FragmentSource(
   return std::string(line_arc_glsl) +
     (NonCentral(r) ? std::string(line_noncentral_glsl) + line_noncentral_fragment_glsl : "") +
     line_fragment_glsl +
-    (localMap ? std::string(local_map_glsl) + line_local_map_glsl : line_nearest_glsl) +
+    (localMap ? std::string(local_map_glsl) + line_local_map_glsl
+              : std::string(line_newton_glsl) + line_starts_glsl + line_nearest_glsl) +
     CornerInputs(varyings, { "(1.0 - wfvAlong)", "wfvAlong" });
 }
 }

@@ -58,16 +58,16 @@ dvec3 wfvFp64(int i)
 // they miss them, and the edges round a vertex agree. Not on maps with a pole or an antipode, by
 // which the least turn is many pixels.
 #if WFV_FP64
-const float WFV_ASIDE = 4e-13; // rays are in double too
+const float WFV_EDGE_TURN = 4e-13; // rays are in double too
 #else
-const float WFV_ASIDE = 4e-7;
+const float WFV_EDGE_TURN = 4e-7;
 #endif
-const float WFV_ASIDE_PIXELS = 1e-3;
+const float WFV_EDGE_TURN_PIXELS = 1e-3;
 
-vec3 wfvAside()
+vec3 wfvEdgeTurn()
 {
   float pixel = 2.0 * wfvView.halfFov.y / (wfvViewport.w * wfvTile.y);
-  return vec3(min(WFV_ASIDE, WFV_ASIDE_PIXELS * pixel), 0.0, 0.0);
+  return vec3(min(WFV_EDGE_TURN, WFV_EDGE_TURN_PIXELS * pixel), 0.0, 0.0);
 }
 #endif
 
@@ -93,7 +93,7 @@ WFV_EDGE wfvEdgePlane(int i, int j)
   dvec3 q = ordered ? wfvFp64(j) : wfvFp64(i);
   dvec3 n = cross(p, q - p);
 #if WFV_FACES
-  n += cross(dvec3(wfvAside()), n);
+  n += cross(dvec3(wfvEdgeTurn()), n);
 #endif
 #if WFV_FP64
   dvec3 seen = wfvTiltFp64(n);
