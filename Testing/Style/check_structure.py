@@ -24,6 +24,7 @@ from sources import CPP, SHADERS, find_sources
 
 MAX_FUNCTION_LINES = 39  # "under 40": what fits a screen
 MAX_SOURCE_LINES = 450  # "about 400": one idea a file
+MAX_SHADER_LINES = 250  # a file has one question of a stage
 
 # The floors of the module, from the ground up; those in one row do not know each other. A folder
 # includes from itself and the floors below it. On the roof are the public classes.
@@ -144,9 +145,10 @@ def check_length(source):
     """Short functions, short sources."""
     if not source.is_code:
         return
-    if len(source.lines) > MAX_SOURCE_LINES:
-        text = "%d lines, at most %d" % (len(source.lines), MAX_SOURCE_LINES)
-        yield MAX_SOURCE_LINES + 1, "source length", text
+    most = MAX_SHADER_LINES if source.is_kind(SHADERS) else MAX_SOURCE_LINES
+    if len(source.lines) > most:
+        text = "%d lines, at most %d" % (len(source.lines), most)
+        yield most + 1, "source length", text
     functions = []
     if source.is_kind(CPP + SHADERS):
         functions = cpp_functions(source.text)
