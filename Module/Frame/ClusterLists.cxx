@@ -147,7 +147,7 @@ bool ClusterDraw::Prepare(vtkPolyData* data, vtkActor* actor, vtkWideFoVStage* s
 
 void ClusterDraw::Classify(vtkPolyData* data)
 {
-  this->Found = FrameCounts();
+  this->Found = FrameStatistics();
   vtkDataArray* const points = data->GetPoints() ? data->GetPoints()->GetData() : nullptr;
   auto* const singles = vtkFloatArray::SafeDownCast(points);
   auto* const doubles = vtkDoubleArray::SafeDownCast(points);

@@ -107,7 +107,7 @@ void wfv::Stages::Begin(
   this->SetPart(renderer, this->Projected->GetTile());
   this->SetEyes(camera, stereo);
   this->Fine.Begin(renderer);
-  this->Counts = wfv::FrameCounts();
+  this->Counts = wfv::FrameStatistics();
   this->DrawnKeys.clear();
   this->Programs.BeginFrame();
   this->NumberView(stereo);

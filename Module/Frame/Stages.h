@@ -9,7 +9,7 @@
 #include "Frame/BufferScale.h"
 #include "Frame/DirectionTextures.h"
 #include "Frame/FineDepth.h"
-#include "Frame/FrameCounts.h"
+#include "Frame/FrameStatistics.h"
 #include "Frame/ProgramMemory.h"
 #include "Frame/ShaderClock.h"
 #include "Frame/ShaderFolder.h"
@@ -121,7 +121,7 @@ public:
   std::vector<const vtkInformation*> DrawnKeys;
 
   // What this frame did and left out.
-  wfv::FrameCounts Counts;
+  wfv::FrameStatistics Counts;
   std::chrono::duration<double> ClusterTime{ 0 }; // of all frames, for making clusters of meshes
   wfv::ShaderClock Shaders;
   wfv::ShaderMemory Texts;

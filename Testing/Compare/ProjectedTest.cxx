@@ -205,7 +205,7 @@ void ExpectByRays(Drawing& picture, vtkPolyData* mesh, const Shot& shot)
     picture.SetTolerance(ByRays);
     picture.SetTechnique(technique);
     const reference::DrawnPicture drawn = picture.Draw(shot);
-    EXPECT_EQ(picture.GetNumberOfPlainDraws(), 0);
+    EXPECT_EQ(picture.GetNumberOfProjectedDraws(), 0);
     const reference::RayCaster caster(mesh, picture.GetView(), picture.GetPose());
     const reference::Metrics m = reference::Compare(drawn, caster, ByRays);
     EXPECT_EQ(m.UnexplainedPixels, 0) << Details(shot, picture.GetView(), m);
@@ -219,7 +219,7 @@ void ExpectPlainWithin(Drawing& picture, vtkPolyData* mesh, const Shot& shot, do
   picture.SetTolerance(tolerance);
   picture.SetTechnique(vtkWideFoVPass::AUTO);
   const reference::DrawnPicture drawn = picture.Draw(shot);
-  EXPECT_GT(picture.GetNumberOfPlainDraws(), 0);
+  EXPECT_GT(picture.GetNumberOfProjectedDraws(), 0);
   const reference::RayCaster caster(mesh, picture.GetView(), picture.GetPose());
   const reference::Metrics m = reference::Compare(drawn, caster, tolerance);
   EXPECT_LE(m.MaxPx, tolerance) << Details(shot, picture.GetView(), m);
@@ -249,7 +249,7 @@ TEST(Projected, LargeMeshesAreClassifiedAnew)
       drawing->SetTechnique(vtkWideFoVPass::AUTO);
     }
     const reference::DrawnPicture first = picture.Draw(MakeLargeShot(0.3));
-    EXPECT_GT(picture.GetNumberOfPlainDraws(), 0);
+    EXPECT_GT(picture.GetNumberOfProjectedDraws(), 0);
     const reference::DrawnPicture second = picture.Draw(MakeLargeShot(-0.4));
     EXPECT_NE(first.Cell, second.Cell);
     ExpectSame(other.Draw(MakeLargeShot(-0.4)), second);
@@ -346,7 +346,7 @@ TEST(Projected, SurfacesMayCrossAtEdges)
     {
       picture.SetTolerance(tolerance);
       ExpectCrossings(picture, shot, picture.Draw(shot), tolerance);
-      EXPECT_GT(picture.GetNumberOfPlainDraws(), 0);
+      EXPECT_GT(picture.GetNumberOfProjectedDraws(), 0);
     }
     ExpectByRays(picture, mesh, shot);
   }

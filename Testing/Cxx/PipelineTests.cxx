@@ -149,7 +149,7 @@ TEST(Pipeline, TheGeometryStageIsUsedWhereADiscontinuityIsMet)
     test.Renderer->AddActor(Ball(place.Position[0], place.Position[1], place.Position[2]));
     test.Window->Render();
     EXPECT_EQ(test.Pass()->GetNumberOfPreClipDraws(), place.PreClip) << place.Position[2];
-    EXPECT_EQ(test.Pass()->GetNumberOfPlainDraws(), 1 - place.PreClip) << place.Position[2];
+    EXPECT_EQ(test.Pass()->GetNumberOfProjectedDraws(), 1 - place.PreClip) << place.Position[2];
   }
 }
 
@@ -164,7 +164,7 @@ TEST(Pipeline, TheMiddleOfADomeIsNoDiscontinuity)
     test.Renderer->AddActor(Ball(0, 0, z));
     test.Window->Render();
     EXPECT_EQ(test.Pass()->GetNumberOfPreClipDraws(), preClip) << z;
-    EXPECT_EQ(test.Pass()->GetNumberOfPlainDraws(), 1 - preClip) << z;
+    EXPECT_EQ(test.Pass()->GetNumberOfProjectedDraws(), 1 - preClip) << z;
   }
 }
 
@@ -177,17 +177,17 @@ TEST(Pipeline, OneActorInAViewThatTurnsKeepsItsBuffers)
   test.Window->Render();
   const vtkMTimeType built = Inside::BuildTime(ball->GetMapper());
   int preClip = 0;
-  int plain = 0;
+  int projected = 0;
   for (int i = 0; i < 12; i++)
   {
     test.Camera->Yaw(30);
     test.Window->Render();
     preClip += test.Pass()->GetNumberOfPreClipDraws();
-    plain += test.Pass()->GetNumberOfPlainDraws();
+    projected += test.Pass()->GetNumberOfProjectedDraws();
   }
-  EXPECT_EQ(preClip + plain, 12);
+  EXPECT_EQ(preClip + projected, 12);
   EXPECT_GT(preClip, 0);
-  EXPECT_GT(plain, 0);
+  EXPECT_GT(projected, 0);
   EXPECT_EQ(Inside::BuildTime(ball->GetMapper()), built);
 }
 
