@@ -87,8 +87,8 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  // Triangles of one kind: runs of whole clusters, drawn by the mapper's own indices, and those of
-  // mixed clusters, drawn by indices of their own.
+  // Triangles of one kind: draw ranges of complete clusters, by the mapper's own indices, and those
+  // of mixed clusters, by indices of their own.
   struct KindDraw
   {
     std::vector<vtkIdType> Firsts;

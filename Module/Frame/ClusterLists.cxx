@@ -231,7 +231,7 @@ void ClusterDraw::KindDraw::AddRun(vtkIdType first, vtkIdType count)
   this->Counts.push_back(count);
 }
 
-// Triangles of a mixed cluster; runs of one class are drawn as runs where all are of one.
+// Triangles of a mixed cluster; those of one class in a row are a draw range where all are of one.
 void ClusterDraw::AddMixed(int cluster)
 {
   const vtkIdType first = this->Mesh.GetFirst(cluster);
