@@ -3,6 +3,8 @@
 
 #include "Compat/Gl.h"
 #include "Compat/StockText.h"
+#include "Drawables/Kinds/DrawableKinds.h"
+#include "Drawables/StockTraits.h"
 #include "Shaders/aov/DataShaders.h"
 #include "vtkWideFoVCamera.h"
 
@@ -50,14 +52,11 @@ vtkSmartPointer<vtkFloatArray> AddArray(vtkImageData* image, const char* name, i
   return array;
 }
 
-// These draw their points, whatever the cells are: a primitive is a point.
+// A primitive is a point.
 bool DrawsPoints(vtkProp* prop)
 {
   auto* actor = vtkActor::SafeDownCast(prop);
-  vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
-  return mapper &&
-    (mapper->IsA("vtkOpenGLSphereMapper") || mapper->IsA("vtkOpenGLStickMapper") ||
-      mapper->IsA("vtkPointGaussianMapper"));
+  return actor && wfv::HasTrait(actor->GetMapper(), wfv::PointsAlone);
 }
 
 // Primitive numbers of the mapper's draws back to cells of its polydata.

@@ -2,6 +2,7 @@
 #include "vtkWideFoVPass.h"
 
 #include "Camera/ActiveCamera.h"
+#include "Compat/Reports.h"
 #include "Compat/VersionCheck.h"
 #include "Frame/PartActor.h"
 #include "Frame/Technique.h"
@@ -54,27 +55,12 @@ void vtkWideFoVPass::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "DebugView: " << this->DebugView << "\n"
      << indent << "ShaderFolder: " << this->ShaderFolder << "\n"
      << indent << "DelegatePass: " << this->Internal->Delegate.Get() << "\n"
-     << indent << "NumberOfPlainDraws: " << this->NumberOfPlainDraws << "\n"
-     << indent << "NumberOfPreClipDraws: " << this->NumberOfPreClipDraws << "\n"
-     << indent << "NumberOfExactDraws: " << this->NumberOfExactDraws << "\n"
-     << indent << "NumberOfTessellateDraws: " << this->NumberOfTessellateDraws << "\n"
      << indent << "KeepUpdateRate: " << this->KeepUpdateRate << "\n"
      << indent << "Relaxation: " << this->Relaxation << "\n"
      << indent << "RelaxationRange: " << this->RelaxationRange[0] << ", "
      << this->RelaxationRange[1] << "\n"
      << indent << "Culling: " << this->Culling << "\n"
-     << indent << "NumberOfDrawnProps: " << this->NumberOfDrawnProps << "\n"
-     << indent << "NumberOfCulledProps: " << this->NumberOfCulledProps << "\n"
-     << indent << "NumberOfClusters: " << this->NumberOfClusters << "\n"
-     << indent << "NumberOfCulledClusters: " << this->NumberOfCulledClusters << "\n"
-     << indent << "NumberOfTriangles: " << this->NumberOfTriangles << "\n"
-     << indent << "NumberOfCulledTriangles: " << this->NumberOfCulledTriangles << "\n"
-     << indent << "NumberOfProjectedTriangles: " << this->NumberOfProjectedTriangles << "\n"
-     << indent << "NumberOfChosenProps: " << this->NumberOfChosenProps << "\n"
-     << indent << "NumberOfClassifiedMeshes: " << this->NumberOfClassifiedMeshes << "\n"
-     << indent << "NumberOfMadePrograms: " << this->NumberOfMadePrograms << "\n"
-     << indent << "ShaderTime: " << this->ShaderTime << "\n"
-     << indent << "ClusterTime: " << this->ClusterTime << "\n";
+     << indent << "Statistics: " << this->GetStatistics() << "\n";
 }
 
 void vtkWideFoVPass::SetDelegatePass(vtkRenderPass* pass)
@@ -148,11 +134,11 @@ void vtkWideFoVPass::FindRelaxation(const vtkRenderState* s)
     return; // both alike
   }
   const double share = renderer->GetAllocatedRenderTime() / eyes;
-  const bool hurries =
+  const bool interactive =
     this->KeepUpdateRate && !renderer->GetSelector() && eyes * share <= LongestShare;
   this->Relaxation = NOT_RELAXED;
   in.Enlargement = 0;
-  if (!hurries)
+  if (!interactive)
   {
     in.Rate.Stand();
     return;
@@ -169,12 +155,19 @@ bool vtkWideFoVPass::IsExact()
   return IsExactTechnique(this->Technique, this->Tolerance);
 }
 
+const char* vtkWideFoVPass::GetTechniqueAsString(int technique)
+{
+  const std::vector<wfv::TechniqueEntry>& all = wfv::Techniques();
+  const bool known = technique >= 0 && technique < static_cast<int>(all.size());
+  return known ? all[static_cast<std::size_t>(technique)].Name.c_str() : nullptr;
+}
+
 bool vtkWideFoVPass::IsExactTechnique(int technique, double tolerance)
 {
   return wfv::Stages::IsExactTechnique(technique, tolerance);
 }
 
-// A pass over the picture draws by a plain copy of the camera; the view is that of the frame's own.
+// A pass over the picture draws by a copy of the camera; the view is that of the frame's own.
 void vtkWideFoVPass::Render(const vtkRenderState* s)
 {
   vtkRenderer* const renderer = s->GetRenderer();
@@ -223,7 +216,7 @@ void vtkWideFoVPass::DrawFlat(const vtkRenderState* s, vtkWideFoVCamera* camera)
 {
   Internals& in = *this->Internal;
   std::vector<vtkProp*> volumes;
-  const bool moved = camera && camera->GetEyeReach() > 0;
+  const bool moved = camera && camera->GetBaselineRadius() > 0;
   for (int i = 0; moved && i < s->GetPropArrayCount(); i++)
   {
     if (vtkVolume::SafeDownCast(s->GetPropArray()[i]))
@@ -269,8 +262,8 @@ void vtkWideFoVPass::RenderWide(const vtkRenderState* s, vtkWideFoVCamera* camer
   this->BeginStages(renderer, camera);
   in.Props.Choose(in.Stages, in.Stages.GetViewNumber());
   const int seen = this->Cull(props, renderer->GetSelector() != nullptr);
-  this->NumberOfDrawnProps = seen + static_cast<int>(in.Flat.size() + in.Labels.size());
-  this->NumberOfCulledProps = count - this->NumberOfDrawnProps;
+  this->Figures.DrawnProps = seen + static_cast<int>(in.Flat.size() + in.Labels.size());
+  this->Figures.CulledProps = count - this->Figures.DrawnProps;
   wfv::RendererAccess::SetCount(renderer, props, seen);
   const vtkWideFoVRenderer::BackgroundDrawer backdrop(
     renderer, [&in, renderer]() { in.Backdrop.Draw(renderer, in.Stages.Sky); });
@@ -301,37 +294,42 @@ void vtkWideFoVPass::WriteShaders()
 
 void vtkWideFoVPass::ResetCounts(int props)
 {
-  this->NumberOfPlainDraws = this->NumberOfPreClipDraws = 0;
-  this->NumberOfExactDraws = this->NumberOfTessellateDraws = 0;
-  this->NumberOfClusters = this->NumberOfCulledClusters = 0;
-  this->NumberOfTriangles = this->NumberOfCulledTriangles = this->NumberOfProjectedTriangles = 0;
-  this->NumberOfChosenProps = this->NumberOfClassifiedMeshes = 0;
-  this->NumberOfCulledProps = 0;
-  this->NumberOfDrawnProps = props;
+  const wfv::FrameStatistics before = this->Figures;
+  this->Figures = {};
+  this->Figures.DrawnProps = props;
+  this->Figures.MadePrograms = before.MadePrograms;
+  this->Figures.ShaderTime = before.ShaderTime;
+  this->Figures.ClusterTime = before.ClusterTime;
 }
 
 void vtkWideFoVPass::TakeCounts()
 {
   const wfv::Stages& stages = this->Internal->Stages;
-  this->NumberOfPlainDraws = stages.Plain->GetNumberOfDraws() + stages.Cut->GetNumberOfDraws();
+  wfv::FrameStatistics now = stages.Counts;
+  now.DrawnProps = this->Figures.DrawnProps;
+  now.CulledProps = this->Figures.CulledProps;
+  now.ProjectedDraws = stages.Projected->GetNumberOfDraws() + stages.Cut->GetNumberOfDraws();
   // of the tessellate stage too, what cannot be tessellated is drawn by the pre-clip
   const int patches = stages.Tessellate->GetNumberOfTessellateDraws();
-  this->NumberOfPreClipDraws = stages.PreClip->GetNumberOfDraws() +
-    stages.PreClipOfFew->GetNumberOfDraws() + stages.PreClipAtChords->GetNumberOfDraws() +
-    stages.Tessellate->GetNumberOfDraws() - patches;
-  this->NumberOfTessellateDraws = patches;
-  this->NumberOfExactDraws =
-    stages.Exact->GetNumberOfDraws() + stages.ExactInSingle->GetNumberOfDraws();
-  this->NumberOfClusters = stages.Counts.Clusters;
-  this->NumberOfCulledClusters = stages.Counts.UnseenClusters;
-  this->NumberOfTriangles = stages.Counts.Triangles;
-  this->NumberOfCulledTriangles = stages.Counts.UnseenTriangles;
-  this->NumberOfProjectedTriangles = stages.Counts.ProjectedTriangles;
-  this->NumberOfChosenProps = stages.Counts.ChosenProps;
-  this->NumberOfClassifiedMeshes = stages.Counts.ClassifiedMeshes;
-  this->NumberOfMadePrograms = stages.Shaders.GetNumberOfPrograms();
-  this->ShaderTime = stages.Shaders.GetSeconds();
-  this->ClusterTime = stages.ClusterTime.count();
+  now.PreClipDraws = stages.PreClip->GetNumberOfDraws() + stages.PreClipOfFew->GetNumberOfDraws() +
+    stages.PreClipAtChords->GetNumberOfDraws() + stages.Tessellate->GetNumberOfDraws() - patches;
+  now.TessellateDraws = patches;
+  now.ExactDraws = stages.Exact->GetNumberOfDraws() + stages.ExactInSingle->GetNumberOfDraws();
+  now.MadePrograms = stages.Shaders.GetNumberOfPrograms();
+  now.ShaderTime = stages.Shaders.GetSeconds();
+  now.ClusterTime = stages.ClusterTime.count();
+  this->Figures = now;
+}
+
+int vtkWideFoVPass::GetNumberOfPlainDraws()
+{
+  if (wfv::IsNews("GetNumberOfPlainDraws"))
+  {
+    vtkWarningMacro(
+      "GetNumberOfPlainDraws is called GetNumberOfProjectedDraws; the old name goes with "
+      "the next release");
+  }
+  return this->GetNumberOfProjectedDraws();
 }
 
 void vtkWideFoVPass::ReleaseGraphicsResources(vtkWindow* window)

@@ -18,7 +18,8 @@
 #ifndef vtkWideFoVPass_h
 #define vtkWideFoVPass_h
 
-#include "vtkWideFoVAbi.h" // For VTK_ABI_NAMESPACE_BEGIN
+#include "FrameStatistics.h" // For GetFrameStatistics
+#include "vtkWideFoVAbi.h"   // For VTK_ABI_NAMESPACE_BEGIN
 
 #include "vtkOpenGLRenderPass.h"
 #include "vtkRenderingWideFoVModule.h" // For export macro
@@ -45,7 +46,7 @@ public:
   ///@}
 
   /**
-   * What a primitive that the projection bends or tears is drawn with.
+   * What a primitive that the projection curves or parts is drawn with.
    */
   enum Techniques
   {
@@ -72,6 +73,12 @@ public:
   void SetTechniqueToVertex() { this->SetTechnique(VERTEX); }
   ///@}
 
+  /**
+   * The name that a technique has on command lines, such as "auto"; nullptr where there is none of
+   * that number.
+   */
+  static const char* GetTechniqueAsString(int technique);
+
   ///@{
   /**
    * Largest distance, in pixels, between a drawn edge and its true curve (default 0.25, clamped to
@@ -95,7 +102,7 @@ public:
   ///@{
   /**
    * Colour every primitive by what happened to it (default off): let through as it is,
-   * split at the seam, covered because of a pole, exact, tessellated by level, projected by
+   * split at the seam, ray-tested because of a pole, exact, tessellated by level, projected by
    * the vertex stage. Documentation/debug-view.md shows the colours.
    */
   vtkSetMacro(DebugView, vtkTypeBool);
@@ -152,7 +159,7 @@ public:
 
   ///@{
   /**
-   * The least and the most that frames are relaxed which have to hurry (default 0, 4). Alike they
+   * The least and the most that interactive frames are relaxed (default 0, 4). Alike they
    * fix it, whatever frames take. Both are clamped to the Relaxations, the most to the least.
    */
   void SetRelaxationRange(int least, int most);
@@ -174,64 +181,37 @@ public:
   vtkRenderPass* GetDelegatePass();
   ///@}
 
-  ///@{
   /**
-   * What the last frame drew: draw calls of what is projected, with the pre-clip,
-   * with everything exact, and tessellated.
+   * What the last frame drew and left out, and what it had to do anew.
    */
-  vtkGetMacro(NumberOfPlainDraws, int);
-  vtkGetMacro(NumberOfPreClipDraws, int);
-  vtkGetMacro(NumberOfExactDraws, int);
-  vtkGetMacro(NumberOfTessellateDraws, int);
-  ///@}
+  const wfv::FrameStatistics& GetFrameStatistics() { return this->Figures; }
 
   ///@{
   /**
-   * What the last frame left out: visible props that it drew and did not; clusters of 128
-   * triangles, all of them and those that were not drawn (meshes of less than 256 triangles have
-   * none).
+   * The same one by one: structures have no wrapping.
    */
-  vtkGetMacro(NumberOfDrawnProps, int);
-  vtkGetMacro(NumberOfCulledProps, int);
-  vtkGetMacro(NumberOfClusters, int);
-  vtkGetMacro(NumberOfCulledClusters, int);
-  ///@}
-
-  ///@{
-  /**
-   * The same by triangles: those of the meshes that have clusters; those of them that were not
-   * drawn, for their cluster is outside the view; and those that were drawn by their chords, as
-   * they are or cut into smaller ones, but for props that are projected as a whole. What a geometry
-   * stage lets fall is not known here.
-   */
-  vtkGetMacro(NumberOfTriangles, vtkIdType);
-  vtkGetMacro(NumberOfCulledTriangles, vtkIdType);
-  vtkGetMacro(NumberOfProjectedTriangles, vtkIdType);
-  ///@}
-
-  ///@{
-  /**
-   * What the last frame had to do that could not be kept from the one before: actors whose stage
-   * was chosen, meshes whose clusters were classified. 0 where nothing has changed.
-   */
-  vtkGetMacro(NumberOfChosenProps, int);
-  vtkGetMacro(NumberOfClassifiedMeshes, int);
-  ///@}
-
-  ///@{
-  /**
-   * Shader programs that were made so far, in all frames, and the seconds that it took to write
-   * their text and to make them: each when it is first needed. Some drivers finish a program only
-   * when it is first drawn with; that is not in ShaderTime.
-   */
-  vtkGetMacro(NumberOfMadePrograms, int);
-  vtkGetMacro(ShaderTime, double);
+  int GetNumberOfDrawnProps() { return this->Figures.DrawnProps; }
+  int GetNumberOfCulledProps() { return this->Figures.CulledProps; }
+  int GetNumberOfProjectedDraws() { return this->Figures.ProjectedDraws; }
+  int GetNumberOfPreClipDraws() { return this->Figures.PreClipDraws; }
+  int GetNumberOfExactDraws() { return this->Figures.ExactDraws; }
+  int GetNumberOfTessellateDraws() { return this->Figures.TessellateDraws; }
+  int GetNumberOfClusters() { return this->Figures.Clusters; }
+  int GetNumberOfCulledClusters() { return this->Figures.CulledClusters; }
+  vtkIdType GetNumberOfTriangles() { return this->Figures.Triangles; }
+  vtkIdType GetNumberOfCulledTriangles() { return this->Figures.CulledTriangles; }
+  vtkIdType GetNumberOfProjectedTriangles() { return this->Figures.ProjectedTriangles; }
+  int GetNumberOfChosenProps() { return this->Figures.ChosenProps; }
+  int GetNumberOfClassifiedMeshes() { return this->Figures.ClassifiedMeshes; }
+  int GetNumberOfMadePrograms() { return this->Figures.MadePrograms; }
+  double GetShaderTime() { return this->Figures.ShaderTime; }
+  double GetClusterTime() { return this->Figures.ClusterTime; }
   ///@}
 
   /**
-   * Seconds that it took so far, in all frames, to make clusters of meshes: once a mesh.
+   * GetNumberOfProjectedDraws by its old name, for one release.
    */
-  vtkGetMacro(ClusterTime, double);
+  int GetNumberOfPlainDraws();
 
   /**
    * These figures in words, a line each: of the last frame, or, while one is drawn, of what it
@@ -256,26 +236,11 @@ protected:
   double Tolerance = 0.25;
   vtkTypeBool DebugView = 0;
   std::string ShaderFolder;
-  int NumberOfPlainDraws = 0;
-  int NumberOfPreClipDraws = 0;
-  int NumberOfExactDraws = 0;
-  int NumberOfTessellateDraws = 0;
   vtkTypeBool Culling = 1;
   vtkTypeBool KeepUpdateRate = 0;
   int Relaxation = NOT_RELAXED;
   int RelaxationRange[2] = { NOT_RELAXED, QUARTER_SIZE };
-  int NumberOfDrawnProps = 0;
-  int NumberOfCulledProps = 0;
-  int NumberOfClusters = 0;
-  int NumberOfCulledClusters = 0;
-  vtkIdType NumberOfTriangles = 0;
-  vtkIdType NumberOfCulledTriangles = 0;
-  vtkIdType NumberOfProjectedTriangles = 0;
-  int NumberOfChosenProps = 0;
-  int NumberOfClassifiedMeshes = 0;
-  int NumberOfMadePrograms = 0;
-  double ShaderTime = 0;
-  double ClusterTime = 0;
+  wfv::FrameStatistics Figures;
   bool Draws = false;      // a wide frame, just now
   bool InDelegate = false; // that is what draws it
 

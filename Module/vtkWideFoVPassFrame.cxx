@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWideFoVPass: what a wide frame draws, and to where.
 #include "Camera/Tile.h"
+#include "Drawables/Kinds/DrawableKinds.h"
 #include "Drawables/Sky.h"
 #include "Frame/BlockClusters.h"
 #include "Frame/FlatDraws.h"
@@ -44,8 +45,7 @@ namespace
 bool LeavesOutWhatIsBehind(vtkProp* prop)
 {
   auto* const actor = vtkActor2D::SafeDownCast(prop);
-  vtkMapper2D* const mapper = actor ? actor->GetMapper() : nullptr;
-  return mapper && mapper->IsA("vtkLabelPlacementMapper");
+  return actor && wfv::HasTrait(actor->GetMapper(), wfv::InFrontOnly);
 }
 }
 
@@ -69,7 +69,7 @@ int vtkWideFoVPass::Cull(vtkProp** props, bool selects)
     {
       in.Labels.push_back(static_cast<vtkActor2D*>(prop));
     }
-    else if (!in.Texts.Take(prop) && !in.Props.IsUnseen(i) && !wfv::sky::IsLeftOut(prop, selects))
+    else if (!in.Texts.Take(prop) && !in.Props.IsCulled(i) && !wfv::sky::IsLeftOut(prop, selects))
     {
       in.Chosen.push_back(in.Props.GetStage(i));
       props[seen++] = prop;
@@ -154,7 +154,7 @@ void vtkWideFoVPass::DrawLabels(vtkRenderer* renderer)
     DrawOverlay(labels, renderer);
   }
   in.Camera->SetNothingBehind(false);
-  in.Texts.Draw(renderer, in.Camera, in.Stages.Plain->GetTile());
+  in.Texts.Draw(renderer, in.Camera, in.Stages.Projected->GetTile());
 }
 
 // Of a pass over the picture, which may be larger. What that draws by a copy of the camera has a

@@ -7,8 +7,6 @@
 
 namespace
 {
-const char* const Names[] = { "auto", "exact", "tessellate", "preclip", "vertex" };
-
 void AddLine(std::string& text, const char* format, ...)
 {
   char line[160];
@@ -27,20 +25,18 @@ std::string vtkWideFoVPass::GetStatistics()
     this->TakeCounts();
   }
   std::string text;
-  AddLine(text, "%s, tolerance %g px%s", Names[this->Technique], this->Tolerance,
+  AddLine(text, "%s, tolerance %g px%s", GetTechniqueAsString(this->Technique), this->Tolerance,
     this->Relaxation > 0 ? ", relaxed" : "");
+  const wfv::FrameStatistics& f = this->Figures;
+  const auto count = [](vtkIdType n) { return static_cast<long long>(n); };
+  AddLine(text, "props: %d drawn, %d left out", f.DrawnProps, f.CulledProps);
+  AddLine(text, "clusters: %d, %d left out", f.Clusters, f.CulledClusters);
   AddLine(
-    text, "props: %d drawn, %d left out", this->NumberOfDrawnProps, this->NumberOfCulledProps);
-  AddLine(text, "clusters: %d, %d left out", this->NumberOfClusters, this->NumberOfCulledClusters);
-  AddLine(text, "their triangles: %lld, %lld left out",
-    static_cast<long long>(this->NumberOfTriangles),
-    static_cast<long long>(this->NumberOfCulledTriangles));
-  AddLine(
-    text, "of those projected: %lld", static_cast<long long>(this->NumberOfProjectedTriangles));
-  AddLine(text, "draws: plain %d, pre-clip %d, tessellate %d, exact %d", this->NumberOfPlainDraws,
-    this->NumberOfPreClipDraws, this->NumberOfTessellateDraws, this->NumberOfExactDraws);
-  AddLine(
-    text, "anew: %d props, %d meshes", this->NumberOfChosenProps, this->NumberOfClassifiedMeshes);
-  AddLine(text, "shaders: %d in %.1f ms", this->NumberOfMadePrograms, 1000 * this->ShaderTime);
+    text, "their triangles: %lld, %lld left out", count(f.Triangles), count(f.CulledTriangles));
+  AddLine(text, "of those projected: %lld", count(f.ProjectedTriangles));
+  AddLine(text, "draws: projected %d, pre-clip %d, tessellate %d, exact %d", f.ProjectedDraws,
+    f.PreClipDraws, f.TessellateDraws, f.ExactDraws);
+  AddLine(text, "anew: %d props, %d meshes", f.ChosenProps, f.ClassifiedMeshes);
+  AddLine(text, "shaders: %d in %.1f ms", f.MadePrograms, 1000 * f.ShaderTime);
   return text;
 }

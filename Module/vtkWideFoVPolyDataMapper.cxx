@@ -69,14 +69,14 @@ void vtkWideFoVPolyDataMapper::RenderPiece(vtkRenderer* renderer, vtkActor* acto
   }
   wfv::Stages& stages = this->Internal->Stages;
   const double* const bounds = actor->GetBounds();
-  wfv::PropFacts facts;
+  wfv::PropTraits traits;
   stages.Begin(renderer, camera, this->Technique, this->Tolerance);
   stages.SetDebugView(this->DebugView != 0);
-  if (stages.IsUnseen(actor, bounds, facts))
+  if (stages.IsCulled(actor, bounds, traits))
   {
     return;
   }
-  stage = stages.Choose(actor, bounds, facts);
+  stage = stages.Choose(actor, bounds, traits);
   this->Internal->Keys.Attach(actor, stage);
   this->Superclass::RenderPiece(renderer, actor);
   this->Internal->Keys.Detach(actor, stage);

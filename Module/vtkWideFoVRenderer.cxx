@@ -80,7 +80,7 @@ bool vtkWideFoVRenderer::HasFlatEye()
 {
   auto* camera = vtkWideFoVCamera::SafeDownCast(this->ActiveCamera);
   return camera && !camera->IsWide() && camera->GetCurrentEye() != vtkWideFoVCamera::MIDDLE_EYE &&
-    camera->GetEyeReach() > 0;
+    camera->GetBaselineRadius() > 0;
 }
 
 void vtkWideFoVRenderer::PoseToView(double& x, double& y, double& z)

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes the server manager XML of the view: the template with what the registry of
-// projections and stereo models know put in.
+// Writes the server manager XML of the view: the template with what the registries of
+// projections, stereo models and techniques know put in.
 //
 //   widefov-view-xml TEMPLATE OUTPUT
+#include "Frame/Technique.h"
 #include "Projections/Projection.h"
 #include "Stereo/Stereo.h"
 
@@ -48,6 +49,29 @@ std::string StereoChoices()
     text += Choice(m.Name);
   }
   return text;
+}
+
+// What a combo box offers, with the number of each.
+std::string TechniqueChoices()
+{
+  std::string text;
+  for (const wfv::TechniqueEntry& t : wfv::Techniques())
+  {
+    text += "          <Entry text=\"" + Escape(t.Title) + "\" value=\"" +
+      std::to_string(wfv::FindTechnique(t.Name)) + "\" />\n";
+  }
+  return text;
+}
+
+// A sentence a technique: how it draws.
+std::string TechniqueHelp()
+{
+  std::string text;
+  for (const wfv::TechniqueEntry& t : wfv::Techniques())
+  {
+    text += "          " + t.Title + ": " + t.Help + ".\n";
+  }
+  return Escape(text);
 }
 
 // A sentence a model: its name for people.
@@ -134,6 +158,8 @@ void Write(const std::string& source, const std::string& output)
   Replace(text, "@PROJECTION_HELP@\n", Help());
   Replace(text, "@STEREO_CHOICES@\n", StereoChoices());
   Replace(text, "@STEREO_HELP@\n", StereoHelp());
+  Replace(text, "@TECHNIQUE_CHOICES@\n", TechniqueChoices());
+  Replace(text, "@TECHNIQUE_HELP@\n", TechniqueHelp());
   NameModels(text);
   std::ofstream out(output);
   out << text;

@@ -243,12 +243,7 @@ void CheckDrawing(Options& o)
 
 void CheckTechnique(Options& o)
 {
-  o.Technique = o.TechniqueName == "exact" ? Technique::Exact
-    : o.TechniqueName == "tessellate"      ? Technique::Tessellate
-    : o.TechniqueName == "preclip"         ? Technique::PreClip
-    : o.TechniqueName == "vertex"          ? Technique::Vertex
-    : o.TechniqueName == "cubemap"         ? Technique::CubeMap
-                                           : Technique::Auto;
+  o.Technique = TechniqueOf(o.TechniqueName);
   if (o.Technique != Technique::CubeMap)
   {
     return;

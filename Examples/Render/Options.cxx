@@ -62,8 +62,7 @@ void DeclareView(CLI::App& app, Options& o, FieldsOfView& fov)
 void DeclareDrawing(CLI::App& app, Options& o)
 {
   Group group(app, "Drawing");
-  group.Choice("--technique", o.TechniqueName,
-    { "auto", "exact", "tessellate", "preclip", "vertex", "cubemap" }, {}, "how it is drawn");
+  group.Choice("--technique", o.TechniqueName, TechniqueNames(), {}, "how it is drawn");
   group.Integer("--cubemap-resolution", o.CubeMapResolution, 1, 16384, "pixels a cube face");
   group.Number("--tolerance", "PX", o.Tolerance, { 0.001, 1e6 },
     "largest distance between a drawn edge and its true curve, pixels");

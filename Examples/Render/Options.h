@@ -3,6 +3,7 @@
 #ifndef WideFoVOptions_h
 #define WideFoVOptions_h
 
+#include "Frame/Technique.h"
 #include "HeadPose.h"
 #include "Look.h"
 #include "Projections/Projection.h"
@@ -26,15 +27,21 @@ namespace widefov
 {
 struct FieldsOfView; // OptionCheck.h
 
+// Those of the module by their numbers, and stock VTK's pass.
 enum class Technique
 {
-  Auto,
-  Exact,
-  Tessellate,
-  PreClip,
-  Vertex,
+  Auto = wfv::TechniqueAuto,
+  Exact = wfv::TechniqueExact,
+  Tessellate = wfv::TechniqueTessellate,
+  PreClip = wfv::TechniquePreClip,
+  Vertex = wfv::TechniqueVertex,
   CubeMap
 };
+
+std::vector<std::string> TechniqueNames();
+
+// Auto where nothing has that name.
+Technique TechniqueOf(const std::string& name);
 
 // Everything a user can ask for; the defaults are those of the command line. Angles in
 // degrees, distances in scene units.

@@ -13,26 +13,6 @@
 
 namespace widefov
 {
-namespace
-{
-int PassTechnique(Technique technique)
-{
-  switch (technique)
-  {
-    case Technique::Exact:
-      return vtkWideFoVPass::EXACT;
-    case Technique::Tessellate:
-      return vtkWideFoVPass::TESSELLATE;
-    case Technique::PreClip:
-      return vtkWideFoVPass::PRECLIP;
-    case Technique::Vertex:
-      return vtkWideFoVPass::VERTEX;
-    default:
-      return vtkWideFoVPass::AUTO;
-  }
-}
-}
-
 vtkSmartPointer<vtkPanoramicProjectionPass> MakeCubeMapPass(const Options& o)
 {
   vtkNew<vtkLightsPass> lights;
@@ -65,12 +45,12 @@ vtkSmartPointer<vtkPanoramicProjectionPass> MakeCubeMapPass(const Options& o)
 bool DrawsPerspective(const Options& o)
 {
   return o.ExactPerspective ||
-    vtkWideFoVPass::IsExactTechnique(PassTechnique(o.Technique), o.Tolerance);
+    vtkWideFoVPass::IsExactTechnique(static_cast<int>(o.Technique), o.Tolerance);
 }
 
 void SetUpWidePass(vtkWideFoVPass* pass, const Options& o)
 {
-  pass->SetTechnique(PassTechnique(o.Technique));
+  pass->SetTechnique(static_cast<int>(o.Technique));
   pass->SetTolerance(o.Tolerance);
   pass->SetDebugView(o.DebugView);
   pass->SetShaderFolder(o.DumpShaders.c_str());

@@ -16,7 +16,7 @@ void TakeCounts(vtkWideFoVPass* pass, int others, RenderStats& stats)
   stats.TrianglesProjected = pass->GetNumberOfProjectedTriangles();
   stats.ChosenProps = pass->GetNumberOfChosenProps();
   stats.ClassifiedMeshes = pass->GetNumberOfClassifiedMeshes();
-  stats.PlainDraws = pass->GetNumberOfPlainDraws();
+  stats.PlainDraws = pass->GetNumberOfProjectedDraws();
   stats.PreClipDraws = pass->GetNumberOfPreClipDraws();
   stats.TessellateDraws = pass->GetNumberOfTessellateDraws();
   stats.ExactDraws = pass->GetNumberOfExactDraws();

@@ -181,7 +181,7 @@ void Sights::PlaceVolume(Options& sight) const
   const auto look = [&](wfv::Eye eye) {
     return wfv::LookThrough(screen, wfv::EyeOf(head, s.InterpupillaryDistance, eye));
   };
-  const wfv::ScreenSight middle = look(wfv::Eye::Middle);
+  const wfv::ScreenFrustum middle = look(wfv::Eye::Middle);
   s.Viewer = { { middle.Center.x, middle.Center.y } };
   s.Distance = 1 / middle.Half.x;
   s.Iod = std::max(0., look(wfv::Eye::Right).Center.x - look(wfv::Eye::Left).Center.x);

@@ -14,10 +14,6 @@ namespace widefov
 {
 namespace
 {
-constexpr const char* Techniques[] = { "auto", "exact", "tessellate", "preclip", "vertex",
-  "cubemap" };
-constexpr int TechniqueCount = 6;
-
 // Behind none the usual one of a picture all round.
 std::vector<std::string> StereoNames()
 {
@@ -33,16 +29,6 @@ std::vector<std::string> StereoNames()
   return names;
 }
 
-int IndexOf(const std::string& technique)
-{
-  int index = 0;
-  while (index + 1 < TechniqueCount && technique != Techniques[index])
-  {
-    index++;
-  }
-  return index;
-}
-
 // The name so many steps behind the present one, round and round.
 std::string NameBehind(const std::vector<std::string>& names, const std::string& name, int step)
 {
@@ -55,7 +41,7 @@ std::string NameBehind(const std::vector<std::string>& names, const std::string&
 bool CanBeTiled(const Options& options)
 {
   const wfv::Projection& p = *wfv::FindProjection(options.Projection);
-  return p.Axis != wfv::Family::Planar && options.TechniqueName != "cubemap";
+  return p.Axis != wfv::Family::Planar && TechniqueOf(options.TechniqueName) != Technique::CubeMap;
 }
 
 std::string WhyNot(const Options& options, bool tiled)
@@ -93,7 +79,7 @@ bool GiveUpTechnique(Options& o)
     return false;
   }
   o.Technique = Technique::Auto;
-  o.TechniqueName = "auto";
+  o.TechniqueName = TechniqueNames().front();
   return true;
 }
 
@@ -130,11 +116,11 @@ void StepProjection(Options& o, const Fields& fields, int step, bool tiled)
 
 bool StepTechnique(Options& o, int step, bool tiled)
 {
-  const int index = IndexOf(o.TechniqueName);
-  for (int tries = 1; tries < TechniqueCount; tries++)
+  const std::vector<std::string> names = TechniqueNames();
+  for (int tries = 1; tries < static_cast<int>(names.size()); tries++)
   {
     Options next = o;
-    next.TechniqueName = Techniques[(index + step * tries + TechniqueCount) % TechniqueCount];
+    next.TechniqueName = NameBehind(names, o.TechniqueName, step * tries);
     if (WhyNot(next, tiled).empty())
     {
       CheckDrawn(next);

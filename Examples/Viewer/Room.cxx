@@ -66,7 +66,7 @@ std::optional<Vector3> RayOf(const Options& sight, double x, double y)
   if (sight.Screen && !ShowsCube(sight))
   {
     const wfv::vec3 eye = stands ? head.Position : wfv::vec3(0);
-    const wfv::ScreenSight through = wfv::LookThrough(sight.Screen->Corners, eye);
+    const wfv::ScreenFrustum through = wfv::LookThrough(sight.Screen->Corners, eye);
     ray = wfv::DirectionThrough(through, wfv::vec2(x, y));
   }
   else

@@ -176,7 +176,7 @@ FrameCost ViewerStage::Measure()
   if (camera != nullptr && camera->IsWide())
   {
     vtkWideFoVPass* const pass = this->WidePass;
-    cost.Draws = DrawCounts{ pass->GetNumberOfPlainDraws(), pass->GetNumberOfPreClipDraws(),
+    cost.Draws = DrawCounts{ pass->GetNumberOfProjectedDraws(), pass->GetNumberOfPreClipDraws(),
       pass->GetNumberOfTessellateDraws(), pass->GetNumberOfExactDraws(),
       pass->GetNumberOfDrawnProps(), pass->GetNumberOfCulledProps(), pass->GetNumberOfTriangles(),
       pass->GetNumberOfCulledTriangles(), pass->GetNumberOfProjectedTriangles(),

@@ -1,83 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Camera/SceneBounds.h"
 
-#include "Compat/Splats.h"
+#include "Drawables/Kinds/DrawableKinds.h"
 
 #include "vtkActor.h"
 #include "vtkBillboardTextActor3D.h"
 #include "vtkBoundingBox.h"
-#include "vtkDataArray.h"
+#include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
-#include "vtkOpenGLSphereMapper.h"
-#include "vtkOpenGLStickMapper.h"
-#include "vtkPointData.h"
-#include "vtkPolyData.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace
 {
-// The names of these arrays are for the mappers alone.
-class BallAccess : public vtkOpenGLSphereMapper
-{
-public:
-  static const char* Name(vtkOpenGLSphereMapper* m) { return m->*(&BallAccess::ScaleArray); }
-};
-
-class StickAccess : public vtkOpenGLStickMapper
-{
-public:
-  static const char* Name(vtkOpenGLStickMapper* m) { return m->*(&StickAccess::ScaleArray); }
-};
-
-// The largest value of a component of a point array, or the one given where there is none.
-double Largest(vtkPolyData* data, const char* name, int component, double otherwise)
-{
-  vtkDataArray* array = data && name ? data->GetPointData()->GetArray(name) : nullptr;
-  if (!array || component >= array->GetNumberOfComponents())
-  {
-    return otherwise;
-  }
-  double range[2];
-  array->GetRange(range, component);
-  return std::max(0.0, range[1]);
-}
-
-double ReachOfMapper(vtkMapper* mapper)
-{
-  // most are these, and to ask of what class something is takes long
-  const char* const name = mapper->GetClassName();
-  if (!std::strcmp(name, "vtkOpenGLPolyDataMapper") ||
-    !std::strcmp(name, "vtkWideFoVPolyDataMapper"))
-  {
-    return 0;
-  }
-  if (auto* balls = vtkOpenGLSphereMapper::SafeDownCast(mapper))
-  {
-    return Largest(balls->GetInput(), BallAccess::Name(balls), 0, balls->GetRadius());
-  }
-  if (auto* sticks = vtkOpenGLStickMapper::SafeDownCast(mapper))
-  {
-    const char* name = StickAccess::Name(sticks);
-    return Largest(sticks->GetInput(), name, 1, 0) + 0.5 * Largest(sticks->GetInput(), name, 0, 0);
-  }
-  if (auto* splats = vtkPointGaussianMapper::SafeDownCast(mapper))
-  {
-    return splats->GetScaleFactor() * wfv::SplatBound(splats) *
-      Largest(splats->GetInput(), splats->GetScaleArray(), 0, 1);
-  }
-  return 0;
-}
-
 // Of tubes and points as spheres, over their distance: a pixel of a map is seen under no
 // more than this, but at places where maps shrink.
-double ReachOfPixels(vtkProperty* property, vtkRenderer* renderer)
+double OverhangOfPixels(vtkProperty* property, vtkRenderer* renderer)
 {
   const double tubes = property->GetRenderLinesAsTubes() ? property->GetLineWidth() : 0;
   const double spheres = property->GetRenderPointsAsSpheres() ? property->GetPointSize() : 0;
@@ -91,7 +34,7 @@ double ReachOfPixels(vtkProperty* property, vtkRenderer* renderer)
 
 // Of an actor without a mapper, such as axes, which is drawn by others that it keeps to itself: its
 // letters stand beside its bounds. Stock VTK adds as much to the clipping range of any scene.
-double ReachBesideBounds(vtkActor* actor)
+double OverhangOfLetters(vtkActor* actor)
 {
   const double* const bounds = actor->GetBounds();
   return bounds && vtkMath::AreBoundsInitialized(bounds)
@@ -99,7 +42,7 @@ double ReachBesideBounds(vtkActor* actor)
     : 0;
 }
 
-double ReachOfActor(vtkActor* actor, vtkRenderer* renderer, double farthest)
+double OverhangOfActor(vtkActor* actor, vtkRenderer* renderer, double farthest)
 {
   if (!actor->GetVisibility())
   {
@@ -107,20 +50,20 @@ double ReachOfActor(vtkActor* actor, vtkRenderer* renderer, double farthest)
   }
   if (!actor->GetMapper())
   {
-    return ReachBesideBounds(actor);
+    return OverhangOfLetters(actor);
   }
-  const double pixels = farthest * ReachOfPixels(actor->GetProperty(), renderer);
-  return std::max(ReachOfMapper(actor->GetMapper()), pixels);
+  const double pixels = farthest * OverhangOfPixels(actor->GetProperty(), renderer);
+  return std::max(wfv::Overhang(actor->GetMapper()), pixels);
 }
 
 // Of the actors in something that is more than one. Such a collection may hold other props as well.
 // A text is a rectangle, and one of no letters ends the program where it is asked.
-double ReachOfParts(vtkProp* prop, vtkRenderer* renderer, double farthest)
+double OverhangOfParts(vtkProp* prop, vtkRenderer* renderer, double farthest)
 {
-  double reach = 0;
+  double overhang = 0;
   if (vtkBillboardTextActor3D::SafeDownCast(prop))
   {
-    return reach;
+    return overhang;
   }
   vtkNew<vtkPropCollection> parts;
   prop->GetActors(parts);
@@ -129,24 +72,25 @@ double ReachOfParts(vtkProp* prop, vtkRenderer* renderer, double farthest)
   while (vtkObject* const part = parts->GetNextItemAsObject(it))
   {
     auto* const actor = vtkActor::SafeDownCast(part);
-    reach = std::max(reach, actor ? ReachOfActor(actor, renderer, farthest) : 0.0);
+    overhang = std::max(overhang, actor ? OverhangOfActor(actor, renderer, farthest) : 0.0);
   }
-  return reach;
+  return overhang;
 }
 
-double Reach(vtkRenderer* renderer, double farthest)
+double OverhangOfAll(vtkRenderer* renderer, double farthest)
 {
-  double reach = 0;
+  double overhang = 0;
   vtkPropCollection* const props = renderer->GetViewProps();
   vtkCollectionSimpleIterator it;
   props->InitTraversal(it);
   while (vtkProp* prop = props->GetNextProp(it))
   {
     auto* const actor = vtkActor::SafeDownCast(prop);
-    reach = std::max(reach,
-      actor ? ReachOfActor(actor, renderer, farthest) : ReachOfParts(prop, renderer, farthest));
+    overhang = std::max(overhang,
+      actor ? OverhangOfActor(actor, renderer, farthest)
+            : OverhangOfParts(prop, renderer, farthest));
   }
-  return reach;
+  return overhang;
 }
 
 bool IsEndless(const double bounds[6])
@@ -193,10 +137,10 @@ void InflateForQuadrics(vtkRenderer* renderer, const double eye[3], double bound
   double centre[3];
   box.GetCenter(centre);
   const double distance = std::sqrt(vtkMath::Distance2BetweenPoints(centre, eye));
-  const double reach = Reach(renderer, distance + 0.5 * box.GetDiagonalLength());
-  if (reach > 0 && std::isfinite(reach))
+  const double overhang = OverhangOfAll(renderer, distance + 0.5 * box.GetDiagonalLength());
+  if (overhang > 0 && std::isfinite(overhang))
   {
-    box.Inflate(reach);
+    box.Inflate(overhang);
     box.GetBounds(bounds);
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What VTK's bounds of a scene leave wrong: those of balls, sticks, tubes and splats are the bounds
-// of their points alone, and one point at infinity makes all others nothing.
+// What VTK's bounds of a scene leave wrong: those of spheres, cylinders, tubes and splats are the
+// bounds of their points alone, and one point at infinity makes all others nothing.
 #ifndef WideFoVSceneBounds_h
 #define WideFoVSceneBounds_h
 
@@ -16,8 +16,9 @@ namespace wfv
 // with a point at infinity would have all others at the near clip sphere.
 void LeaveOutEndless(vtkRenderer* renderer, double bounds[6]);
 
-// Grows the bounds of the renderer's props, in world coordinates, by the reach of its
-// actors (not of parts of assemblies). The eye tells how large a size in pixels may be.
+// Grows the bounds of the renderer's props, in world coordinates, by what its
+// actors draw beyond them (not parts of assemblies). The eye tells how large a size in pixels may
+// be.
 void InflateForQuadrics(vtkRenderer* renderer, const double eye[3], double bounds[6]);
 }
 

@@ -33,7 +33,7 @@ TilePixels PixelsOfTile(vtkRenderer* renderer)
     const double shown = std::max(1, size[i]);
     const bool whole = tile[i] <= vp[i] && tile[i + 2] >= vp[i + 2];
     pixels.Size[i] = shown;
-    pixels.Whole[i] = whole ? shown : std::max(1.0, pixel(vp[i + 2]) - pixel(vp[i]));
+    pixels.Full[i] = whole ? shown : std::max(1.0, pixel(vp[i + 2]) - pixel(vp[i]));
     pixels.Start[i] = whole ? 0 : pixel(std::max(vp[i], tile[i])) - pixel(vp[i]);
   }
   return pixels;
@@ -47,13 +47,13 @@ double PictureAspect(vtkRenderer* renderer)
     return aspect;
   }
   const TilePixels pixels = PixelsOfTile(renderer);
-  if (pixels.Whole == pixels.Size)
+  if (pixels.Full == pixels.Size)
   {
     return aspect;
   }
   // a renderer may have an aspect of its own; rounding is none
   const double own = aspect * pixels.Size.y / pixels.Size.x;
-  return (std::abs(own - 1) < AspectRounding ? 1 : own) * pixels.Whole.x / pixels.Whole.y;
+  return (std::abs(own - 1) < AspectRounding ? 1 : own) * pixels.Full.x / pixels.Full.y;
 }
 
 void SetTileUniforms(vtkShaderProgram* program, const TilePixels& pixels, const float tile[4],
@@ -67,7 +67,7 @@ void SetTileUniforms(vtkShaderProgram* program, const TilePixels& pixels, const 
   for (int i = 0; i < 2; i++)
   {
     const double larger = viewport[i + 2] / pixels.Size[i];
-    const double whole = pixels.Whole[i] * larger;
+    const double whole = pixels.Full[i] * larger;
     const double start = pixels.Start[i] * larger;
     picture[i] = static_cast<float>(viewport[i] - start);
     picture[i + 2] = static_cast<float>(whole);

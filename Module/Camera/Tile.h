@@ -17,7 +17,7 @@ namespace wfv
 // and how large the two are, pixels.
 struct TilePixels
 {
-  vec2 Whole;
+  vec2 Full;
   vec2 Start;
   vec2 Size;
 };

@@ -2,7 +2,7 @@
 #include "vtkWideFoVCamera.h"
 
 #include "Camera/CameraInternals.h"
-#include "Projections/Bounds/SightPyramid.h"
+#include "Projections/Bounds/ViewFrustum.h"
 
 #include "vtkMath.h"
 #include "vtkMatrix3x3.h"
@@ -50,9 +50,9 @@ void DistanceToBounds(const double p[3], const double b[6], double& nearest, dou
     const double low = b[2 * i] - p[i];
     const double high = p[i] - b[2 * i + 1];
     const double outside = std::max({ low, high, 0.0 });
-    const double reach = std::max(std::abs(low), std::abs(high));
+    const double away = std::max(std::abs(low), std::abs(high));
     near2 += outside * outside;
-    far2 += reach * reach;
+    far2 += away * away;
   }
   nearest = std::sqrt(near2);
   farthest = std::sqrt(far2);
@@ -341,15 +341,15 @@ void vtkWideFoVCamera::ResetClipRadii(const double bounds[6])
     return;
   }
   // seen from a point of the eyes' circle it is that much nearer, or farther
-  const double reach = this->GetEyeReach();
-  if (reach == 0)
+  const double radius = this->GetBaselineRadius();
+  if (radius == 0)
   {
     farthest = wfv::FarthestSeen(this->GetDrawnProjection(), this->Internal->Options,
       CornersOf(bounds, this->GetModelViewTransformMatrix()))
                  .value_or(farthest);
   }
-  const double f = (farthest + reach) * (1 + ClipMargin);
-  const double n = std::max((nearest - reach) * (1 - ClipMargin), NearOverFar * f);
+  const double f = (farthest + radius) * (1 + ClipMargin);
+  const double n = std::max((nearest - radius) * (1 - ClipMargin), NearOverFar * f);
   std::array<double, 2>& radii = this->Internal->Options.Radii;
   if (n != radii[0] || f != radii[1])
   {

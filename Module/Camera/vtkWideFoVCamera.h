@@ -279,7 +279,10 @@ public:
 
   /// How far the eyes of the stereo model are from the camera's position, scene units: 0 where
   /// they are there.
-  virtual double GetEyeReach();
+  virtual double GetBaselineRadius();
+
+  /// Its old name, for one release.
+  double GetEyeReach();
 
   ///@{
   /// Whether the techniques draw the projection "perspective" as they do all others (default off:

@@ -4,6 +4,7 @@
 
 #include "Camera/CameraInternals.h"
 #include "Camera/Tile.h"
+#include "Compat/Reports.h"
 #include "Stereo/Comfort.h"
 #include "Stereo/Stereo.h"
 
@@ -285,7 +286,7 @@ void vtkWideFoVCamera::GetPerspectiveEye(double aspect, float eye[3])
   }
 }
 
-double vtkWideFoVCamera::GetEyeReach()
+double vtkWideFoVCamera::GetBaselineRadius()
 {
   const wfv::StereoModel* const model = this->GetFittingModel();
   const wfv::StereoOptions& o = this->Internal->Options.Stereo;
@@ -295,6 +296,16 @@ double vtkWideFoVCamera::GetEyeReach()
   }
   const double half = vtkMath::RadiansFromDegrees(0.5 * this->Internal->Options.HorizontalFov);
   return model && !this->IsWide() ? o.Separation * o.Convergence * std::tan(half) : 0;
+}
+
+double vtkWideFoVCamera::GetEyeReach()
+{
+  if (wfv::IsNews("GetEyeReach"))
+  {
+    vtkWarningMacro(
+      "GetEyeReach is called GetBaselineRadius; the old name goes with the next release");
+  }
+  return this->GetBaselineRadius();
 }
 
 void vtkWideFoVCamera::GetFrustumPlanesOfBoth(double aspect, double planes[24])

@@ -220,8 +220,8 @@ void vtkWideFoVCamera::FindPart(vtkRenderer* renderer)
   std::array<double, 4> part;
   for (int i = 0; i < 2; i++)
   {
-    part[2 * i] = 2 * pixels.Start[i] / pixels.Whole[i] - 1;
-    part[2 * i + 1] = 2 * (pixels.Start[i] + pixels.Size[i]) / pixels.Whole[i] - 1;
+    part[2 * i] = 2 * pixels.Start[i] / pixels.Full[i] - 1;
+    part[2 * i + 1] = 2 * (pixels.Start[i] + pixels.Size[i]) / pixels.Full[i] - 1;
   }
   if (part != this->Internal->Part)
   {

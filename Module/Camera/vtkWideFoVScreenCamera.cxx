@@ -45,9 +45,9 @@ void FromVector(const wfv::vec3& from, double v[3])
 }
 
 // From the room to the eye's own coordinates, along the sides of the screen.
-void ToSight(const wfv::ScreenSight& sight, const wfv::vec3& eye, vtkMatrix4x4* matrix)
+void ToFrustum(const wfv::ScreenFrustum& frustum, const wfv::vec3& eye, vtkMatrix4x4* matrix)
 {
-  const wfv::vec3 rows[3] = { sight.Right, sight.Up, sight.Back };
+  const wfv::vec3 rows[3] = { frustum.Right, frustum.Up, frustum.Back };
   for (int i = 0; i < 3; i++)
   {
     for (int j = 0; j < 3; j++)
@@ -179,7 +179,7 @@ void vtkWideFoVScreenCamera::SetInterpupillaryDistance(double distance)
   this->UpdateEye();
 }
 
-double vtkWideFoVScreenCamera::GetEyeReach()
+double vtkWideFoVScreenCamera::GetBaselineRadius()
 {
   return this->GetCurrentEye() != MIDDLE_EYE ? 0.5 * this->GetInterpupillaryDistance() : 0;
 }
@@ -191,9 +191,9 @@ double vtkWideFoVScreenCamera::GetScreenDistance()
 
 void vtkWideFoVScreenCamera::UpdateEye()
 {
-  const wfv::ScreenSight sight = wfv::LookThrough(this->In->Screen, this->In->EyeOf(this));
-  const double half[2] = { sight.Half.x, sight.Half.y };
-  const double center[2] = { sight.Center.x, sight.Center.y };
+  const wfv::ScreenFrustum frustum = wfv::LookThrough(this->In->Screen, this->In->EyeOf(this));
+  const double half[2] = { frustum.Half.x, frustum.Half.y };
+  const double center[2] = { frustum.Center.x, frustum.Center.y };
   this->SetFrustum(half, center);
   this->ComputeViewTransform();
 }
@@ -202,10 +202,10 @@ void vtkWideFoVScreenCamera::ComputeViewTransform()
 {
   this->Superclass::ComputeViewTransform();
   const wfv::vec3 eye = this->In->EyeOf(this);
-  vtkNew<vtkMatrix4x4> toSight;
-  ToSight(wfv::LookThrough(this->In->Screen, eye), eye, toSight);
+  vtkNew<vtkMatrix4x4> toFrustum;
+  ToFrustum(wfv::LookThrough(this->In->Screen, eye), eye, toFrustum);
   this->ViewTransform->Identity();
-  this->ViewTransform->Concatenate(toSight);
+  this->ViewTransform->Concatenate(toFrustum);
   this->ViewTransform->Concatenate(this->Transform->GetMatrix());
 }
 

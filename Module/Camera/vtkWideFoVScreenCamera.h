@@ -81,7 +81,7 @@ public:
    */
   void PrepareFrame(vtkRenderer* renderer) override;
   void GetFrustumPlanes(double aspect, double planes[24]) override;
-  double GetEyeReach() override;
+  double GetBaselineRadius() override;
   ///@}
 
 protected:

@@ -51,7 +51,7 @@ bool ClassifierView::operator==(const ClassifierView& o) const
     a.radii == b.radii && a.lens == b.lens && a.lens5 == b.lens5 && a.maxAngle == b.maxAngle &&
     a.map == b.map && this->Part.Low == o.Part.Low && this->Part.High == o.Part.High &&
     this->Limits == o.Limits && this->Stereo == o.Stereo && this->Culls == o.Culls &&
-    this->EyeRadius == o.EyeRadius && this->Reach == o.Reach;
+    this->EyeRadius == o.EyeRadius && this->BaselineRadius == o.BaselineRadius;
 }
 
 Classifier::Classifier(const ClassifierView& view)
@@ -149,7 +149,7 @@ bool Classifier::IsNearAxis(const vec3& p, double edge2) const
 
 // Seen by rays that begin on a circle an edge is no great circle: from each place another ray
 // looks, by as much as the circle turns between them. True where that moves it by too much.
-bool Classifier::BendsFromEye(const vec3& p, const vec3& q) const
+bool Classifier::CurvesFromEye(const vec3& p, const vec3& q) const
 {
   const WfvView& v = this->V.View;
   const vec3 way = q - p;
@@ -186,16 +186,16 @@ double Classifier::LimitAt(const vec3& p) const
 }
 
 // Whether the chord of an edge stands for it in the pictures of both eyes, whose rays begin on a
-// circle. reach2: as of ChordsOf.
-bool Classifier::HasChordFromEyes(const vec3& p, const vec3& q, double reach2) const
+// circle. limit2: as of ChordsOf.
+bool Classifier::HasChordFromEyes(const vec3& p, const vec3& q, double limit2) const
 {
   const vec3 way = q - p;
   const double length2 = glm::dot(way, way);
-  if (length2 <= reach2 && !this->BendsFromEye(p, q))
+  if (length2 <= limit2 && !this->CurvesFromEye(p, q))
   {
     return true;
   }
-  if (!(length2 <= MostTimesLonger2 * reach2) || this->IsNearAxis(p, length2))
+  if (!(length2 <= MostTimesLonger2 * limit2) || this->IsNearAxis(p, length2))
   {
     return false;
   }
@@ -207,7 +207,7 @@ bool Classifier::HasChordFromEyes(const vec3& p, const vec3& q, double reach2) c
     std::array<vec3, 5> seen;
     for (std::size_t i = 0; i < seen.size(); i++)
     {
-      const WfvSight s = this->V.Stereo->See(p + 0.25 * double(i) * way, v);
+      const auto s = this->V.Stereo->See(p + 0.25 * double(i) * way, v);
       seen[i] = s.distance * s.direction;
     }
     near = near && this->V.Limits->AreNearChord(seen);
@@ -234,17 +234,17 @@ bool Classifier::FitChords(const vec3& p, const vec3& q, int chords) const
   return true;
 }
 
-// reach2: the squared length of a chord at the shorter of its ends, at the most.
-int Classifier::ChordsOf(const vec3& p, const vec3& q, double reach2) const
+// limit2: the squared length of a chord at the shorter of its ends, at the most.
+int Classifier::ChordsOf(const vec3& p, const vec3& q, double limit2) const
 {
   const vec3 way = q - p;
   const double length2 = glm::dot(way, way);
   const bool own = this->V.EyeRadius > 0;
-  if (length2 <= reach2 && !own)
+  if (length2 <= limit2 && !own)
   {
     return 1;
   }
-  if (!(length2 <= MostChords * MostChords * reach2))
+  if (!(length2 <= MostChords * MostChords * limit2))
   {
     return 0;
   }
@@ -255,14 +255,14 @@ int Classifier::ChordsOf(const vec3& p, const vec3& q, double reach2) const
   if (own)
   {
     // where each pixel's ray begins elsewhere, the fragment stage does not find one of several
-    return this->HasChordFromEyes(from, to, reach2) ? 1 : 0;
+    return this->HasChordFromEyes(from, to, limit2) ? 1 : 0;
   }
   constexpr double longer = ChordLimits::MostLonger * ChordLimits::MostLonger;
-  if (length2 <= longer * reach2 && this->V.Limits->IsNearChord(from, to))
+  if (length2 <= longer * limit2 && this->V.Limits->IsNearChord(from, to))
   {
     return 1;
   }
-  int chords = std::max(1, static_cast<int>(std::ceil(std::sqrt(length2 / reach2))));
+  int chords = std::max(1, static_cast<int>(std::ceil(std::sqrt(length2 / limit2))));
   while (chords <= MostChords && !this->FitChords(from, to, chords))
   {
     chords++;
@@ -284,8 +284,8 @@ bool Classifier::MayProject(const vec3 p[3]) const
     !this->MayTear(p, std::sqrt(farthest2), std::sqrt(angle2));
 }
 
-// No chord stands for an edge that is torn; all triangles at it are ray-tested.
-void Classifier::LeaveTornEdges(const vec3 p[3], Triangle& t) const
+// No chord stands for an edge that meets a discontinuity; all triangles at it are ray-tested.
+void Classifier::LeaveDiscontinuousEdges(const vec3 p[3], Triangle& t) const
 {
   for (int i = 0; i < 3; i++)
   {
@@ -303,23 +303,23 @@ void Classifier::LeaveTornEdges(const vec3 p[3], Triangle& t) const
 Classifier::Triangle Classifier::OfTriangle(const vec3& a, const vec3& b, const vec3& c) const
 {
   const vec3 p[3] = { a, b, c };
-  double reach2[3];
+  double limit2[3];
   for (int i = 0; i < 3; i++)
   {
-    reach2[i] = this->LimitAt(p[i]) * glm::dot(p[i], p[i]);
+    limit2[i] = this->LimitAt(p[i]) * glm::dot(p[i], p[i]);
   }
   Triangle t;
   for (int i = 0; i < 3; i++)
   {
     const int j = (i + 1) % 3;
     const int k = (i + 2) % 3;
-    t.Chords[i] = this->ChordsOf(p[j], p[k], std::min(reach2[j], reach2[k]));
+    t.Chords[i] = this->ChordsOf(p[j], p[k], std::min(limit2[j], limit2[k]));
   }
   const int most = std::max({ t.Chords[0], t.Chords[1], t.Chords[2] });
   const int least = std::min({ t.Chords[0], t.Chords[1], t.Chords[2] });
   if (least == 0 || (most > MostRows && least > 1) || !this->MayProject(p))
   {
-    this->LeaveTornEdges(p, t);
+    this->LeaveDiscontinuousEdges(p, t);
     return t;
   }
   t.Class = most == 1 ? DrawClass::Projected : DrawClass::Cut;
@@ -329,10 +329,10 @@ Classifier::Triangle Classifier::OfTriangle(const vec3& a, const vec3& b, const 
 DrawClass Classifier::OfCluster(const Box& box, double radius, double edge) const
 {
   Box seen = box;
-  seen.Grow(this->V.Reach);
+  seen.Grow(this->V.BaselineRadius);
   if (this->V.Culls &&
     (this->AllAround ? !IsBetweenClips(this->V.View, seen)
-                     : IsUnseen(*this->V.Map, this->V.View, seen, this->V.Part)))
+                     : IsCulled(*this->V.Map, this->V.View, seen, this->V.Part)))
   {
     return DrawClass::Culled;
   }

@@ -31,7 +31,7 @@ struct ClassifierView
   bool Culls = true;
   double EyeRadius = 0;                // of the circle that rays begin on, scene units
   const StereoModel* Stereo = nullptr; // where there is such a circle
-  double Reach = 0;                    // of the rays' beginnings from the origin, scene units
+  double BaselineRadius = 0;           // of the rays' beginnings from the origin, scene units
 
   bool operator==(const ClassifierView& other) const;
 };
@@ -41,7 +41,7 @@ class WFV_EXPORT Classifier
 {
 public:
   // Of the tolerance: what the turning of the eyes' circle may take, beside what the map itself
-  // bends.
+  // curvature.
   static constexpr double EyeShare = 0.2;
 
   // Chords that stand for an edge, at the most; and for one of a triangle whose edges all have
@@ -66,17 +66,17 @@ public:
   Triangle OfTriangle(const vec3& a, const vec3& b, const vec3& c) const;
 
 private:
-  int ChordsOf(const vec3& p, const vec3& q, double reach2) const;
+  int ChordsOf(const vec3& p, const vec3& q, double limit2) const;
   double LimitAt(const vec3& p) const;
   bool FitChords(const vec3& p, const vec3& q, int chords) const;
   bool MayProject(const vec3 p[3]) const;
-  void LeaveTornEdges(const vec3 p[3], Triangle& t) const;
+  void LeaveDiscontinuousEdges(const vec3 p[3], Triangle& t) const;
   bool MayTear(const vec3 p[3], double farthest, double angle) const;
   bool SphereMayTear(const vec3& centre, double radius, double angle) const;
   bool IsOnOneFace(const vec3 p[3], double beside) const;
   bool IsNearAxis(const vec3& p, double edge2) const;
-  bool BendsFromEye(const vec3& p, const vec3& q) const;
-  bool HasChordFromEyes(const vec3& p, const vec3& q, double reach2) const;
+  bool CurvesFromEye(const vec3& p, const vec3& q) const;
+  bool HasChordFromEyes(const vec3& p, const vec3& q, double limit2) const;
 
   const ClassifierView& V;
   Family Axis;

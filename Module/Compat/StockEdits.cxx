@@ -43,9 +43,9 @@ const std::vector<Entry> AllEdits{
     { Matching(901, R"(\bMC[DV]CMatrix\s*\*\s*vertexMC\b)") } },
   { Edit::OutputArray, "array of outputs", "with clipping planes", Required,
     { Matching(901, R"(\bout\s+float\s+(\w+)\s*\[\s*(\d+)\s*\]\s*;)") } },
-  { Edit::BallRadius, "radius of a ball", "sphere and stick mappers", Required,
+  { Edit::SphereRadius, "radius of a sphere", "sphere and stick mappers", Required,
     { Literal(901, "out float radiusVCVSOutput;") } },
-  { Edit::StickAxis, "axis of a stick", "stick mappers", Required,
+  { Edit::CylinderAxis, "axis of a cylinder", "stick mappers", Required,
     { Matching(901, R"(out float lengthVCVSOutput;\s*out vec3 orientVCVSOutput;)") } },
   // 9.4 draws ellipses in squares that the vertex stage works out; not those of ellipsoids
   { Edit::SplatRadius, "radius of a splat", "point gaussians", Required,
@@ -111,7 +111,7 @@ const std::vector<Entry> AllEdits{
     { Literal(901, "//VTK::DepthPeeling::Impl") } },
 
   // what other text of ours follows
-  { Edit::ImposterMeeting, "meeting of ray and imposter", "sphere and stick mappers", Required,
+  { Edit::ImpostorMeeting, "meeting of ray and impostor", "sphere and stick mappers", Required,
     { { 901, "  vec3 EyePos;", false, "gl_FragDepth = (pos.z / pos.w + 1.0) / 2.0;" } } },
   { Edit::DataNormal, "normal for the data", "data pass, with light; not wireframes", Required,
     { Literal(901, "vec3 normalVCVSOutput =") } },

@@ -24,8 +24,8 @@ enum class Edit
   // of the vertex stage
   FromEye,
   OutputArray,
-  BallRadius,
-  StickAxis,
+  SphereRadius,
+  CylinderAxis,
   SplatRadius,
   // of the fragment stage: what it takes in
   Input,
@@ -55,7 +55,7 @@ enum class Edit
   TextureColorPlace,
   DataPlace,
   // what other text of ours follows
-  ImposterMeeting,
+  ImpostorMeeting,
   DataNormal,
   DepthOffset,
   // volumes
@@ -117,8 +117,8 @@ enum class Lit
   Otherwise
 };
 
-// What the mapper that draws says of the text that VTK writes for it (StockText.h).
-struct Facts
+// What the mapper that draws says of the text that VTK writes for it (StockTraits.h).
+struct Traits
 {
   bool Known = false; // all of it is VTK's own: nobody else's code, no volume
   Lit Light = Lit::No;
@@ -127,7 +127,7 @@ struct Facts
   bool Wireframe = false;
   bool Glyphs = false;    // placed by a matrix each
   bool Clips = false;     // has clipping planes
-  bool Imposters = false; // VTK's geometry stage makes balls, sticks or splats of points
+  bool Impostors = false; // VTK's geometry stage makes spheres, cylinders or splats of points
 
   // Whether what a shader has if `has` must be found.
   Found If(bool has) const { return this->Known && has ? Found::Must : Found::May; }

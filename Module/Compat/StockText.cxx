@@ -4,16 +4,6 @@
 #include "Compat/Reports.h"
 #include "WideFoVGlsl.h"
 
-#include "vtkActor.h"
-#include "vtkInformation.h"
-#include "vtkInformationIntegerKey.h"
-#include "vtkLightingMapPass.h"
-#include "vtkOpenGLHelper.h"
-#include "vtkOpenGLPolyDataMapper.h"
-#include "vtkOpenGLVertexBufferObjectGroup.h"
-#include "vtkPlaneCollection.h"
-#include "vtkProperty.h"
-#include "vtkShaderProperty.h"
 #include "vtkVersion.h"
 
 #include <sstream>
@@ -24,44 +14,6 @@ namespace stock
 {
 namespace
 {
-// What a pass may know of a mapper only from inside.
-class TextAccess : public vtkOpenGLPolyDataMapper
-{
-public:
-  static bool HasBuffer(vtkOpenGLPolyDataMapper* mapper, const char* name)
-  {
-    return (mapper->*(&TextAccess::VBOs))->GetNumberOfComponents(name) > 0;
-  }
-
-  static bool HasNormals(vtkOpenGLPolyDataMapper* mapper)
-  {
-    return HasBuffer(mapper, "normalMC") || mapper->*(&TextAccess::HaveCellNormals);
-  }
-
-  // As VTK counts: without a light nothing is lit, but by PBR.
-  static Lit LightOf(vtkOpenGLPolyDataMapper* mapper, bool physical)
-  {
-    const auto& all = mapper->*(&TextAccess::PrimitiveInfo);
-    const auto found = all.find(mapper->*(&TextAccess::LastBoundBO));
-    if (found == all.end() || (!physical && found->second.LastLightCount == 0))
-    {
-      return Lit::No;
-    }
-    const int complexity = static_cast<int>(found->second.LastLightComplexity);
-    return complexity <= 0 ? Lit::No : complexity == 1 ? Lit::Headlight : Lit::Otherwise;
-  }
-};
-
-// Code or replacements of the user's own, and pictures of normals, which have no light.
-bool IsForeign(vtkActor* actor)
-{
-  vtkInformation* const info = actor->GetPropertyKeys();
-  vtkShaderProperty* const code = actor->GetShaderProperty();
-  return code->HasVertexShaderCode() || code->HasFragmentShaderCode() ||
-    code->HasGeometryShaderCode() || code->GetNumberOfShaderReplacements() > 0 ||
-    (info && info->Has(vtkLightingMapPass::RENDER_NORMALS()));
-}
-
 std::string Version(int number)
 {
   return number == Unreleased
@@ -82,29 +34,6 @@ std::string Sentence(Edit edit)
   }
   return words.str();
 }
-}
-
-Facts Describe(vtkAbstractMapper* mapper, vtkProp* prop)
-{
-  auto* const polydata = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
-  auto* const actor = vtkActor::SafeDownCast(prop);
-  Facts facts;
-  if (!polydata || !actor)
-  {
-    return facts;
-  }
-  facts.Known = !IsForeign(actor);
-  facts.Physical = actor->GetProperty()->GetInterpolation() == VTK_PBR;
-  facts.Light = TextAccess::LightOf(polydata, facts.Physical);
-  facts.Normals = TextAccess::HasNormals(polydata);
-  facts.Wireframe = actor->GetProperty()->GetRepresentation() == VTK_WIREFRAME;
-  facts.Glyphs = mapper->IsA("vtkOpenGLGlyph3DHelper");
-  vtkPlaneCollection* const planes = mapper->GetClippingPlanes();
-  facts.Clips = planes && planes->GetNumberOfItems() > 0;
-  facts.Imposters = mapper->IsA("vtkOpenGLSphereMapper") || mapper->IsA("vtkOpenGLStickMapper") ||
-    (mapper->IsA("vtkOpenGLPointGaussianMapperHelper") &&
-      TextAccess::HasBuffer(polydata, "radiusMC"));
-  return facts;
 }
 
 bool ReportMissing(

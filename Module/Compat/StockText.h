@@ -1,21 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What VTK writes into the shaders of a mapper, by what the mapper says of itself: what an edit
-// must find is not decided by the text in which it looks. And what becomes of a shader in which
-// something was not found.
+// What becomes of a shader in which an edit found nothing.
 #ifndef WideFoVStockText_h
 #define WideFoVStockText_h
 
 #include "vtkAbstractMapper.h"
 #include "vtkObject.h"
-#include "vtkProp.h"
 #include "Compat/StockEdits.h"
 
 namespace wfv
 {
 namespace stock
 {
-Facts Describe(vtkAbstractMapper* mapper, vtkProp* prop);
-
 // Where an edit found nothing in these: says so by an error of `object`, once for each edit in this
 // process, with what is done instead, and returns true.
 bool ReportMissing(

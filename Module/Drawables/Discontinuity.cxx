@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawables/Discontinuity.h"
 
-#include "Projections/Bounds/Bend.h"
+#include "Projections/Bounds/Curvature.h"
 
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
@@ -12,18 +12,18 @@
 
 namespace
 {
-// Angle about a pole or the antipode, degrees, inside which edges of one degree bend
+// Angle about a pole or the antipode, degrees, inside which edges of one degree curve
 // by more than the default tolerance at the sizes a window has (2048 x 1024): a prop
 // that reaches in gets the pre-clip too.
 constexpr double MeridianPoleCap = 5;
 constexpr double AntipodeCap = 25;
 
-// NDC per squared radian: where a view bends more (wfv::Bend), edges of one degree may be
+// NDC per squared radian: where a view curves more (wfv::Curvature), edges of one degree may be
 // off by more than the default tolerance at these sizes anywhere, and every prop gets the
 // pre-clip: 8 * 0.25 / (1024 (pi/180)^2) = 6.4.
-constexpr double PlainBend = 6;
+constexpr double MostCurvature = 6;
 
-// Radians: the bound of wfv::Bend is for edges that look no longer.
+// Radians: the bound of wfv::Curvature is for edges that look no longer.
 constexpr double LongestAngle = 0.09;
 
 // Range of the tilted view coordinates of a box in world coordinates.
@@ -56,10 +56,10 @@ double Farthest2(const double low[3], const double high[3])
   return sum;
 }
 
-// Makes it so much larger that it holds all that looks no farther from it than `reach`.
-void Grow(double low[3], double high[3], double reach)
+// Makes it so much larger that it holds all that looks no farther from it than `footprint`.
+void Grow(double low[3], double high[3], double footprint)
 {
-  const double by = reach * std::sqrt(Farthest2(low, high));
+  const double by = footprint * std::sqrt(Farthest2(low, high));
   for (int i = 0; i < 3; i++)
   {
     low[i] -= by;
@@ -132,16 +132,16 @@ bool MeetsDiscontinuity(
 }
 
 bool vtkWideFoVNeedsPreClip(const wfv::Projection& projection, const wfv::WfvView& view,
-  const double bounds[6], const double worldToView[16], double reach)
+  const double bounds[6], const double worldToView[16], double footprint)
 {
-  if (view.bend > PlainBend || (reach > 0 && !ShowsAll(projection, view)))
+  if (view.curvature > MostCurvature || (footprint > 0 && !ShowsAll(projection, view)))
   {
     return true;
   }
   double low[3];
   double high[3];
   ViewBounds(bounds, worldToView, view, low, high);
-  Grow(low, high, reach);
+  Grow(low, high, footprint);
   return MeetsDiscontinuity(projection, low, high);
 }
 
@@ -174,6 +174,7 @@ double vtkWideFoVChordError(const wfv::Projection& projection, const wfv::WfvVie
   const double sine2 = SineToSingularity2(projection.Axis, low, high);
   // what lies beyond such a rim would be drawn inside it
   const bool folds = projection.FlatRim && high[2] >= 0;
-  return angle <= LongestAngle && sine2 > 0 && !folds ? 0.125 * view.bend * angle * angle / sine2
-                                                      : VTK_DOUBLE_MAX;
+  return angle <= LongestAngle && sine2 > 0 && !folds
+    ? 0.125 * view.curvature * angle * angle / sine2
+    : VTK_DOUBLE_MAX;
 }

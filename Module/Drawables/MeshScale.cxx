@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawables/MeshScale.h"
 
-#include "Compat/CompositeMapper.h"
+#include "Drawables/Kinds/DrawableKinds.h"
 
 #include "vtkActor.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
-#include "vtkGlyph3DMapper.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPoints.h"
@@ -87,8 +86,7 @@ double MeshScale::Get(vtkProp* prop)
 {
   auto* const actor = vtkActor::SafeDownCast(prop);
   auto* const mapper = actor ? vtkPolyDataMapper::SafeDownCast(actor->GetMapper()) : nullptr;
-  if (!mapper || vtkGlyph3DMapper::SafeDownCast(actor->GetMapper()) ||
-    vtkWideFoVCompositeMapper::SafeDownCast(mapper) || !mapper->GetInput())
+  if (!mapper || HasTrait(mapper, NotItsInput) || !mapper->GetInput())
   {
     return Unknown;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How coarse the data of a prop are: the longest edge, found once a change of the data.
-// With the nearest distance of the prop it bounds how far any edge bends in the picture.
+// With the nearest distance of the prop it bounds how far any edge curves in the picture.
 #ifndef WideFoVMeshScale_h
 #define WideFoVMeshScale_h
 

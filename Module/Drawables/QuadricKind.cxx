@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawables/QuadricKind.h"
 
+#include "Drawables/Kinds/DrawableKinds.h"
+
 #include "vtkActor.h"
 #include "vtkOpenGLHelper.h"
 #include "vtkOpenGLPolyDataMapper.h"
@@ -42,17 +44,14 @@ namespace quadric
 {
 QuadricPrimitive KindOf(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor, QuadricPrimitive kind)
 {
-  if (mapper->IsA("vtkOpenGLPointGaussianMapperHelper"))
+  if (HasTrait(mapper, Splats))
   {
-    // without a radius it draws plain points
+    // without a radius it draws points
     return QuadricAccess::HasRadii(mapper) ? QuadricPrimitive::Splats : QuadricPrimitive::Points;
   }
-  if (mapper->IsA("vtkOpenGLSphereMapper") || mapper->IsA("vtkOpenGLStickMapper"))
-  {
-    return mapper->IsA("vtkOpenGLSphereMapper") ? QuadricPrimitive::Spheres
-                                                : QuadricPrimitive::Sticks;
-  }
-  return QuadricAccess::Fake(mapper, actor, kind);
+  return HasTrait(mapper, Spheres) ? QuadricPrimitive::Spheres
+    : HasTrait(mapper, Cylinders)  ? QuadricPrimitive::Cylinders
+                                   : QuadricAccess::Fake(mapper, actor, kind);
 }
 }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which of a mapper's draws are balls, sticks, tubes or splats: what the stock mapper would
+// Which of a mapper's draws are spheres, cylinders, tubes or splats: what the stock mapper would
 // fake in the plane of the picture.
 #ifndef WideFoVQuadricKind_h
 #define WideFoVQuadricKind_h

@@ -3,6 +3,7 @@
 
 #include "Compat/Reports.h"
 #include "Compat/SmartMapper.h"
+#include "Drawables/Kinds/DrawableKinds.h"
 
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkLight.h"
@@ -98,11 +99,7 @@ int FindDirectional(vtkRenderer* renderer)
 // Those that draw by GPU ray casting, unless told otherwise.
 bool IsByGpu(vtkAbstractVolumeMapper* mapper)
 {
-  if (mapper->IsA("vtkSmartVolumeMapper"))
-  {
-    return wfv::MayDrawByGpu(mapper);
-  }
-  return mapper->IsA("vtkGPUVolumeRayCastMapper") || mapper->IsA("vtkMultiBlockVolumeMapper");
+  return HasTrait(mapper, GpuRays) && (!HasTrait(mapper, MayChoose) || MayDrawByGpu(mapper));
 }
 
 }
@@ -126,13 +123,13 @@ bool IsFlatVolume(vtkProp* prop)
   return true;
 }
 
-Facts Describe(vtkRenderer* renderer, vtkVolume* volume)
+Traits Describe(vtkRenderer* renderer, vtkVolume* volume)
 {
-  Facts facts;
-  facts.Known = !HasOwnCode(volume);
-  facts.Shaded = volume->GetProperty()->GetShade() != 0;
-  facts.Directional = FindDirectional(renderer);
-  return facts;
+  Traits traits;
+  traits.Known = !HasOwnCode(volume);
+  traits.Shaded = volume->GetProperty()->GetShade() != 0;
+  traits.Directional = FindDirectional(renderer);
+  return traits;
 }
 
 void SetCover(vtkShaderProgram* program, const Pictures& pictures, const vec2& pixels)

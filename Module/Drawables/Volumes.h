@@ -24,7 +24,7 @@ namespace volume
 bool IsFlatVolume(vtkProp* prop);
 
 // Of the text that VTK's GPU ray casting writes for the volume.
-Facts Describe(vtkRenderer* renderer, vtkVolume* volume);
+Traits Describe(vtkRenderer* renderer, vtkVolume* volume);
 
 // The uniforms of volume_geometry.glsl: rectangles that hold these pictures, none of which meets
 // another; pixels: of the whole picture.

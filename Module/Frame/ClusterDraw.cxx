@@ -24,7 +24,7 @@ vtkWideFoVStage* ClusterDraw::GetStage(Kind kind, vtkWideFoVStage* stage)
   switch (kind)
   {
     case Projected:
-      return stages->Plain;
+      return stages->Projected;
     case Cut:
       return stages->Cut;
     case AtChords:

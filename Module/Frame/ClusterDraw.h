@@ -6,7 +6,7 @@
 #include "Clusters/Classifier.h"
 #include "Clusters/Clusters.h"
 #include "Frame/BufferTexture.h"
-#include "Frame/FrameCounts.h"
+#include "Frame/FrameStatistics.h"
 #include "vtkWideFoVAbi.h"
 
 #include "vtkNew.h"
@@ -87,8 +87,8 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  // Triangles of one kind: runs of whole clusters, drawn by the mapper's own indices, and those of
-  // mixed clusters, drawn by indices of their own.
+  // Triangles of one kind: draw ranges of complete clusters, by the mapper's own indices, and those
+  // of mixed clusters, by indices of their own.
   struct KindDraw
   {
     std::vector<vtkIdType> Firsts;
@@ -138,7 +138,7 @@ private:
   std::vector<unsigned int> Codes; // of the triangles of mixed clusters: the kind, and the chords
                                    // of each edge
   KindDraw Draws[NumberOfKinds];
-  FrameCounts Found;
+  FrameStatistics Found;
   std::vector<int> RunLengths;        // kept for their memory
   std::vector<const void*> RunStarts; // likewise
 

@@ -140,13 +140,14 @@ bool ClusterDraw::Prepare(vtkPolyData* data, vtkActor* actor, vtkWideFoVStage* s
   }
   stages->Counts.Add(this->Found);
   // of a prop that is projected as a whole
-  stages->Counts.ProjectedTriangles += stage == stages->Plain ? this->Draws[ByStage].Triangles : 0;
+  stages->Counts.ProjectedTriangles +=
+    stage == stages->Projected ? this->Draws[ByStage].Triangles : 0;
   return this->Known && !this->Draws[ByStage].IsWhole(this->Mesh.GetNumberOfTriangles());
 }
 
 void ClusterDraw::Classify(vtkPolyData* data)
 {
-  this->Found = FrameCounts();
+  this->Found = FrameStatistics();
   vtkDataArray* const points = data->GetPoints() ? data->GetPoints()->GetData() : nullptr;
   auto* const singles = vtkFloatArray::SafeDownCast(points);
   auto* const doubles = vtkDoubleArray::SafeDownCast(points);
@@ -230,7 +231,7 @@ void ClusterDraw::KindDraw::AddRun(vtkIdType first, vtkIdType count)
   this->Counts.push_back(count);
 }
 
-// Triangles of a mixed cluster; runs of one class are drawn as runs where all are of one.
+// Triangles of a mixed cluster; those of one class in a row are a draw range where all are of one.
 void ClusterDraw::AddMixed(int cluster)
 {
   const vtkIdType first = this->Mesh.GetFirst(cluster);
@@ -265,8 +266,8 @@ void ClusterDraw::Gather()
     switch (this->Classes[c])
     {
       case DrawClass::Culled:
-        this->Found.UnseenClusters++;
-        this->Found.UnseenTriangles += count;
+        this->Found.CulledClusters++;
+        this->Found.CulledTriangles += count;
         break;
       case DrawClass::Mixed:
         this->AddMixed(c);

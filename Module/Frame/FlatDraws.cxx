@@ -2,7 +2,7 @@
 #include "Frame/FlatDraws.h"
 
 #include "Compat/Reports.h"
-#include "Drawables/PropFacts.h"
+#include "Drawables/PropTraits.h"
 #include "Drawables/Sky.h"
 #include "Frame/PropParts.h"
 

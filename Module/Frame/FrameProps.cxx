@@ -154,8 +154,8 @@ void FrameProps::Choose(wfv::Stages& stages, std::uint64_t view)
     if (entry.View != view)
     {
       const double* const bounds = entry.HasBounds ? entry.Bounds : nullptr;
-      entry.Unseen = stages.IsUnseen(entry.Prop, bounds, entry.Facts);
-      entry.Stage = entry.Unseen ? nullptr : stages.Choose(entry.Prop, bounds, entry.Facts);
+      entry.Culled = stages.IsCulled(entry.Prop, bounds, entry.Traits);
+      entry.Stage = entry.Culled ? nullptr : stages.Choose(entry.Prop, bounds, entry.Traits);
       entry.View = view;
       stages.Counts.ChosenProps += entry.Times[0] > 0; // an actor
     }

@@ -4,7 +4,7 @@
 #ifndef WideFoVFrameProps_h
 #define WideFoVFrameProps_h
 
-#include "Drawables/PropFacts.h"
+#include "Drawables/PropTraits.h"
 #include "vtkWideFoVAbi.h"
 
 #include "vtkType.h"
@@ -43,7 +43,7 @@ public:
   void Choose(wfv::Stages& stages, std::uint64_t view);
 
   int GetCount() const { return static_cast<int>(this->Entries.size()); }
-  bool IsUnseen(int i) const { return this->Entries[i].Unseen; }
+  bool IsCulled(int i) const { return this->Entries[i].Culled; }
   vtkProp* GetProp(int i) const { return this->Entries[i].Prop; }
   vtkWideFoVStage* GetStage(int i) const { return this->Entries[i].Stage; }
 
@@ -58,10 +58,10 @@ private:
     vtkMTimeType Times[4] = { 0, 0, 0, 0 };
     double Bounds[6] = { 1, -1, 1, -1, 1, -1 };
     bool HasBounds = false;
-    bool Unseen = false;
-    PropFacts Facts;
+    bool Culled = false;
+    PropTraits Traits;
     vtkWideFoVStage* Stage = nullptr;
-    std::uint64_t View = 0; // that Unseen and Stage are of; 0: none
+    std::uint64_t View = 0; // that Culled and Stage are of; 0: none
   };
 
   static void Look(vtkProp* prop, bool asked, Entry& entry);

@@ -22,7 +22,7 @@ public:
   // A frame that may take its time.
   void Stand();
 
-  // The level of a frame that has to hurry. took, share: seconds of the frame before, and what it
+  // The level of an interactive frame. took, share: seconds of the frame before, and what it
   // may take.
   int Move(double took, double share, const Allowed& allowed);
 

@@ -4,6 +4,7 @@
 #include "Camera/Tile.h"
 #include "Camera/vtkWideFoVCamera.h"
 #include "Compat/StockText.h"
+#include "Drawables/StockTraits.h"
 #include "Drawables/Volumes.h"
 #include "Shaders/ShaderBuilder.h"
 #include "WideFoVGlsl.h"
@@ -47,13 +48,13 @@ void vtkWideFoVHeadlights::Begin(const vtkRenderState* s)
   this->PreRender(s);
 }
 
-void vtkWideFoVHeadlights::Rewrite(const wfv::stock::Facts& facts, std::string& fragment)
+void vtkWideFoVHeadlights::Rewrite(const wfv::stock::Traits& traits, std::string& fragment)
 {
   namespace stock = wfv::stock;
-  const bool lit = facts.Light != stock::Lit::No;
-  const bool alone = facts.Light == stock::Lit::Headlight;
-  // what is behind it knows the place; imposters work it out before the light
-  const size_t inside = stock::Look(fragment, stock::Edit::LightPlace, facts.If(lit)).At;
+  const bool lit = traits.Light != stock::Lit::No;
+  const bool alone = traits.Light == stock::Lit::Headlight;
+  // what is behind it knows the place; impostors work it out before the light
+  const size_t inside = stock::Look(fragment, stock::Edit::LightPlace, traits.If(lit)).At;
   if (inside == std::string::npos)
   {
     return;
@@ -62,9 +63,10 @@ void vtkWideFoVHeadlights::Rewrite(const wfv::stock::Facts& facts, std::string& 
   std::string body = fragment.substr(inside);
   wfv::ShaderBuilder::Declare(head, headlight_fragment_glsl);
   stock::Replace(body, stock::Edit::HeadlightCosine,
-    "max($1, dot(normalVCVSOutput, -normalize(vertexVC.xyz)))", facts.If(alone && !facts.Physical));
+    "max($1, dot(normalVCVSOutput, -normalize(vertexVC.xyz)))",
+    traits.If(alone && !traits.Physical));
   stock::Replace(body, stock::Edit::LightDirection,
-    "wfvLightDirection($1, lightDirectionVC$1, vertexVC.xyz)", facts.If(lit && !alone));
+    "wfvLightDirection($1, lightDirectionVC$1, vertexVC.xyz)", traits.If(lit && !alone));
   fragment = head + body;
 }
 

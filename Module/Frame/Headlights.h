@@ -35,7 +35,7 @@ public:
   void End(const vtkRenderState* s) { this->PostRender(s); }
 
   // Of a stock fragment stage whose tags are replaced.
-  static void Rewrite(const wfv::stock::Facts& facts, std::string& fragment);
+  static void Rewrite(const wfv::stock::Traits& traits, std::string& fragment);
 
   bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
     std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;

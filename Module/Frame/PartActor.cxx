@@ -60,8 +60,8 @@ public:
   void Render(vtkRenderer* renderer, vtkMapper* mapper) override
   {
     Stages* const stages = FindFrame(renderer);
-    PropFacts facts;
-    if (stages && stages->IsLeftOut(this, facts))
+    PropTraits traits;
+    if (stages && stages->IsLeftOut(this, traits))
     {
       return;
     }
@@ -71,11 +71,11 @@ public:
       return;
     }
     const double* const bounds = this->GetBounds();
-    if (stages->IsUnseen(this, bounds, facts))
+    if (stages->IsCulled(this, bounds, traits))
     {
       return;
     }
-    vtkWideFoVStage* const stage = stages->Choose(this, bounds, facts);
+    vtkWideFoVStage* const stage = stages->Choose(this, bounds, traits);
     this->Keys.Attach(this, stage);
     this->vtkOpenGLActor::Render(renderer, mapper);
     this->Keys.Detach(this, stage);

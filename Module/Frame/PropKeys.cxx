@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Frame/PropKeys.h"
 
+#include "Drawables/Kinds/DrawableKinds.h"
 #include "Frame/vtkWideFoVStage.h"
 
 #include "vtkActor2D.h"
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkProp.h"
-
-#include <cstring>
 
 namespace
 {
@@ -18,12 +17,6 @@ public:
   static vtkInformation*& Keys(vtkProp* prop) { return prop->*(&PropAccess::PropertyKeys); }
 };
 
-// Assemblies, followers and level-of-detail actors hand their keys on to what they draw, which
-// keeps them.
-bool KeepsItsKeysToItself(vtkProp* prop)
-{
-  return std::strcmp(prop->GetClassName(), "vtkOpenGLActor") == 0;
-}
 }
 
 namespace wfv
@@ -35,7 +28,7 @@ void PropKeys::Attach(vtkProp* prop, vtkWideFoVStage* stage)
   {
     return;
   }
-  if (prop->GetPropertyKeys() || !KeepsItsKeysToItself(prop))
+  if (prop->GetPropertyKeys() || !HasTrait(prop, StockActor))
   {
     if (!prop->GetPropertyKeys())
     {

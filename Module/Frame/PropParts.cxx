@@ -2,7 +2,7 @@
 #include "Frame/PropParts.h"
 
 #include "Compat/ImageModule.h"
-#include "Drawables/PropFacts.h"
+#include "Drawables/PropTraits.h"
 #include "Drawables/Sky.h"
 #include "Frame/PartActor.h"
 #include "Frame/Stages.h"
@@ -138,10 +138,10 @@ PropList PropParts::Attach(vtkProp* prop, Stages& stages, bool selects)
   }
   for (const vtkSmartPointer<vtkProp>& part : parts)
   {
-    PropFacts facts;
-    if (sky::IsLeftOut(part, selects) || stages.IsLeftOut(part, facts))
+    PropTraits traits;
+    if (sky::IsLeftOut(part, selects) || stages.IsLeftOut(part, traits))
     {
-      this->Hide(part);
+      this->LeaveOut(part);
     }
     else if (sky::Is(part))
     {
@@ -150,18 +150,18 @@ PropList PropParts::Attach(vtkProp* prop, Stages& stages, bool selects)
     else if (!FindsItsFrame(part) && !vtkActor2D::SafeDownCast(part) && !Stages::FindAttached(part))
     {
       double bounds[6];
-      this->Attach(part, stages.Choose(part, FindBounds(part, bounds) ? bounds : nullptr, facts));
+      this->Attach(part, stages.Choose(part, FindBounds(part, bounds) ? bounds : nullptr, traits));
     }
   }
   return parts;
 }
 
-void PropParts::Hide(vtkProp* part)
+void PropParts::LeaveOut(vtkProp* part)
 {
   if (part->GetVisibility())
   {
     VisibilityAccess::Of(part) = 0;
-    this->Hidden.emplace_back(part);
+    this->LeftOut.emplace_back(part);
   }
 }
 
@@ -172,10 +172,10 @@ void PropParts::Detach()
     part.Keys.Detach(part.Prop, part.Stage);
   }
   this->Parts.clear();
-  for (vtkProp* const part : this->Hidden)
+  for (vtkProp* const part : this->LeftOut)
   {
     VisibilityAccess::Of(part) = 1;
   }
-  this->Hidden.clear();
+  this->LeftOut.clear();
 }
 }

@@ -41,10 +41,10 @@ private:
     PropKeys Keys;
   };
   void Attach(vtkProp* part, vtkWideFoVStage* stage);
-  void Hide(vtkProp* part);
+  void LeaveOut(vtkProp* part);
   void AttachSky(vtkProp* prop, Stages& stages);
   std::vector<Part> Parts;
-  std::vector<vtkSmartPointer<vtkProp>> Hidden;
+  std::vector<vtkSmartPointer<vtkProp>> LeftOut;
 };
 }
 

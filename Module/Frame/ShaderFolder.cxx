@@ -30,8 +30,8 @@ const char* KindOf(ShaderBuilder::Primitive kind)
       return "triangles";
     case Primitive::Spheres:
       return "spheres";
-    case Primitive::Sticks:
-      return "sticks";
+    case Primitive::Cylinders:
+      return "cylinders";
     case Primitive::Splats:
       return "splats";
     case Primitive::PointSpheres:
@@ -47,7 +47,7 @@ const char* VariantOf(ShaderBuilder::Variant stage)
   using Variant = ShaderBuilder::Variant;
   switch (stage)
   {
-    case Variant::Plain:
+    case Variant::Projected:
       return "projected";
     case Variant::Cut:
       return "cut";

@@ -17,13 +17,13 @@ void AppendRequest(std::string& key, const wfv::ShaderBuilder::Request& request)
 {
   const auto& [projection, stereo, stage, kind, widePoints, wideLines, edges, edgeFlags, byRays,
     debugView, multisample, tilted, fades, surface, headlights, depthMapping, meetsChords,
-    severalChords, whole, runs, lights, stock] = request;
+    severalChords, fp64, runs, lights, stock] = request;
   const auto& [noAmbient, noDiffuse, fullDiffuse, noSpecular, opaque] = surface;
-  const auto& [known, light, physical, normals, wireframe, glyphs, clips, imposters] = stock;
+  const auto& [known, light, physical, normals, wireframe, glyphs, clips, impostors] = stock;
   Append(key, projection, stereo, stage, kind, widePoints, wideLines, edges, edgeFlags, byRays,
     debugView, multisample, tilted, fades, headlights, depthMapping, meetsChords, severalChords,
-    whole, runs, noAmbient, noDiffuse, fullDiffuse, noSpecular, opaque);
-  Append(key, known, light, physical, normals, wireframe, glyphs, clips, imposters);
+    fp64, runs, noAmbient, noDiffuse, fullDiffuse, noSpecular, opaque);
+  Append(key, known, light, physical, normals, wireframe, glyphs, clips, impostors);
   key += lights ? *lights : "";
   key += '\0'; // where they end
 }

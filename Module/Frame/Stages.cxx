@@ -55,7 +55,7 @@ wfv::Stages::Stages()
 
 std::array<vtkWideFoVStage*, 9> wfv::Stages::GetAll()
 {
-  return { this->Plain, this->Cut, this->PreClip, this->PreClipOfFew, this->PreClipAtChords,
+  return { this->Projected, this->Cut, this->PreClip, this->PreClipOfFew, this->PreClipAtChords,
     this->Exact, this->ExactInSingle, this->Tessellate, this->Sky };
 }
 
@@ -104,10 +104,10 @@ void wfv::Stages::Begin(
     this->Instruct(stage);
     stage->ResetNumberOfDraws();
   }
-  this->SetPart(renderer, this->Plain->GetTile());
+  this->SetPart(renderer, this->Projected->GetTile());
   this->SetEyes(camera, stereo);
   this->Fine.Begin(renderer);
-  this->Counts = wfv::FrameCounts();
+  this->Counts = wfv::FrameStatistics();
   this->DrawnKeys.clear();
   this->Programs.BeginFrame();
   this->NumberView(stereo);
@@ -119,7 +119,7 @@ void wfv::Stages::Instruct(vtkWideFoVStage* stage)
   const bool automatic = this->Technique == wfv::TechniqueAuto;
   stage->SetClipless(this->Technique == wfv::TechniqueVertex);
   stage->SetByRays(automatic || this->Technique == wfv::TechniqueTessellate);
-  stage->SetWhole(this->IsExact() && stage != this->ExactInSingle);
+  stage->SetFp64(this->IsExact() && stage != this->ExactInSingle);
   stage->SetMeetsChords(automatic && AllowsChords(this->Tolerance));
   stage->SetExactLines(automatic && (!this->Stereo || this->Stereo->Traits.StraightRays));
 }
@@ -132,15 +132,15 @@ void wfv::Stages::SetDebugView(bool debugView)
   }
 }
 
-bool wfv::Stages::IsFine(vtkProp* prop, const double bounds[6], wfv::PropFacts& facts)
+bool wfv::Stages::IsFine(vtkProp* prop, const double bounds[6], wfv::PropTraits& traits)
 {
   if (this->Technique == wfv::TechniquePreClip)
   {
     return true;
   }
-  facts.LongestEdge = facts.LongestEdge < 0 ? this->Meshes.Get(prop) : facts.LongestEdge;
+  traits.LongestEdge = traits.LongestEdge < 0 ? this->Meshes.Get(prop) : traits.LongestEdge;
   const double error = vtkWideFoVChordError(
-    *this->Projection, this->View, bounds, this->WorldToView, facts.LongestEdge);
+    *this->Projection, this->View, bounds, this->WorldToView, traits.LongestEdge);
   return error * this->HalfDiagonal <= this->Tolerance;
 }
 
@@ -155,10 +155,10 @@ bool wfv::Stages::IsExact() const
   return IsExactTechnique(this->Technique, this->Tolerance);
 }
 
-// Few triangles that take up many pixels each: by the ball round the prop, as it is seen.
-bool wfv::Stages::IsCoarse(const double* bounds, const wfv::PropFacts& facts) const
+// Few triangles that take up many pixels each: by the sphere round the prop, as it is seen.
+bool wfv::Stages::IsCoarse(const double* bounds, const wfv::PropTraits& traits) const
 {
-  if (facts.Few == 0 || !bounds || !vtkMath::AreBoundsInitialized(bounds))
+  if (traits.Few == 0 || !bounds || !vtkMath::AreBoundsInitialized(bounds))
   {
     return false;
   }
@@ -168,13 +168,13 @@ bool wfv::Stages::IsCoarse(const double* bounds, const wfv::PropFacts& facts) co
   const double sine = 0.5 * glm::length(high - low) / glm::length(0.5 * (low + high) - eye);
   const double angle = sine < 1 ? std::asin(sine) : vtkMath::Pi(); // from inside too
   const double across = 2 * angle / this->PixelAngle;
-  return across * across >= CoarsePixels * static_cast<double>(facts.Few);
+  return across * across >= CoarsePixels * static_cast<double>(traits.Few);
 }
 
 // Asked of few triangles alone: of more it would take long.
-bool wfv::Stages::IsFat(vtkProp* prop, const double* bounds, const wfv::PropFacts& facts) const
+bool wfv::Stages::IsFat(vtkProp* prop, const double* bounds, const wfv::PropTraits& traits) const
 {
-  const bool asked = this->IsExact() && this->IsCoarse(bounds, facts);
+  const bool asked = this->IsExact() && this->IsCoarse(bounds, traits);
   auto* const actor = asked ? vtkActor::SafeDownCast(prop) : nullptr;
   vtkMapper* const mapper = actor ? actor->GetMapper() : nullptr;
   auto* const mesh = mapper ? vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0)) : nullptr;
@@ -183,35 +183,35 @@ bool wfv::Stages::IsFat(vtkProp* prop, const double* bounds, const wfv::PropFact
   return mesh && wfv::IsFat(mesh, toMap);
 }
 
-double wfv::Stages::GetPointReach(const wfv::PropFacts& facts) const
+double wfv::Stages::GetPointFootprint(const wfv::PropTraits& traits) const
 {
-  const double pixels = facts.PointSize;
+  const double pixels = traits.PointSize;
   return pixels > 1 ? 0.5 * pixels * PixelSafety * this->PixelAngle : 0;
 }
 
-vtkWideFoVStage* wfv::Stages::Choose(vtkProp* prop, const double* bounds, wfv::PropFacts& facts)
+vtkWideFoVStage* wfv::Stages::Choose(vtkProp* prop, const double* bounds, wfv::PropTraits& traits)
 {
   if (wfv::sky::Is(prop))
   {
     return this->Sky;
   }
-  FindFacts(prop, facts);
-  if (!facts.Prepared)
+  FindTraits(prop, traits);
+  if (!traits.Prepared)
   {
     this->Buffers.Prepare(prop);
-    facts.Prepared = true;
+    traits.Prepared = true;
   }
   // a volume has no primitives: every pixel has its ray, whatever the technique
   if (this->Technique == wfv::TechniqueVertex || vtkVolume::SafeDownCast(prop))
   {
-    return this->Plain;
+    return this->Projected;
   }
   // a direction map has no chords that something could be said of
   const bool sampled = this->Projection->Axis == wfv::Family::Sampled;
   const bool covers = this->IsExact() || sampled;
   if (covers || this->ByPixels)
   {
-    return this->IsFat(prop, bounds, facts) ? this->ExactInSingle : this->Exact;
+    return this->IsFat(prop, bounds, traits) ? this->ExactInSingle : this->Exact;
   }
   if (this->Technique == wfv::TechniqueTessellate)
   {
@@ -221,20 +221,20 @@ vtkWideFoVStage* wfv::Stages::Choose(vtkProp* prop, const double* bounds, wfv::P
   {
     return this->PreClip;
   }
-  return this->ChooseByBounds(prop, bounds, facts);
+  return this->ChooseByBounds(prop, bounds, traits);
 }
 
 vtkWideFoVStage* wfv::Stages::ChooseByBounds(
-  vtkProp* prop, const double bounds[6], wfv::PropFacts& facts)
+  vtkProp* prop, const double bounds[6], wfv::PropTraits& traits)
 {
-  const bool torn = vtkWideFoVNeedsPreClip(
-    *this->Projection, this->View, bounds, this->WorldToView, this->GetPointReach(facts));
-  if (torn || !this->IsFine(prop, bounds, facts))
+  const bool discontinuous = vtkWideFoVNeedsPreClip(
+    *this->Projection, this->View, bounds, this->WorldToView, this->GetPointFootprint(traits));
+  if (discontinuous || !this->IsFine(prop, bounds, traits))
   {
-    const bool few = this->Technique == wfv::TechniqueAuto && this->IsCoarse(bounds, facts);
+    const bool few = this->Technique == wfv::TechniqueAuto && this->IsCoarse(bounds, traits);
     return few ? this->PreClipOfFew : this->PreClip;
   }
-  return this->Plain;
+  return this->Projected;
 }
 
 vtkWideFoVStage* wfv::Stages::FindAttached(vtkProp* prop)

@@ -5,11 +5,11 @@
 
 #include "Clusters/Classifier.h"
 #include "Drawables/MeshScale.h"
-#include "Drawables/PropFacts.h"
+#include "Drawables/PropTraits.h"
 #include "Frame/BufferScale.h"
 #include "Frame/DirectionTextures.h"
 #include "Frame/FineDepth.h"
-#include "Frame/FrameCounts.h"
+#include "Frame/FrameStatistics.h"
 #include "Frame/ProgramMemory.h"
 #include "Frame/ShaderClock.h"
 #include "Frame/ShaderFolder.h"
@@ -39,7 +39,7 @@ public:
 
   // Pixels: under this a chord stands for no edge. The rasterizer snaps the ends of a chord by
   // up to 1/128 of a pixel, and the lens between the two is as thin as that; and who asks for
-  // so little asks for exact depth and attributes too. Everything is covered.
+  // so little asks for exact depth and attributes too. Everything is ray-tested.
   static constexpr double LeastTolerance = 0.05;
   static bool AllowsChords(double tolerance) { return tolerance >= LeastTolerance; }
 
@@ -82,13 +82,13 @@ public:
 
   // The stage for a prop: the cheapest that the technique allows it. Prepares its vertex
   // buffer, too. bounds: the prop's, which have just been asked for; nullptr where it has none.
-  vtkWideFoVStage* Choose(vtkProp* prop, const double* bounds, wfv::PropFacts& facts);
+  vtkWideFoVStage* Choose(vtkProp* prop, const double* bounds, wfv::PropTraits& traits);
 
   // True where the prop cannot be drawn, which is said once.
-  bool IsLeftOut(vtkProp* prop, wfv::PropFacts& facts) const;
+  bool IsLeftOut(vtkProp* prop, wfv::PropTraits& traits) const;
 
   // True where nothing of the prop can be in the picture, or it cannot be drawn: it need not be.
-  bool IsUnseen(vtkProp* prop, const double* bounds, wfv::PropFacts& facts) const;
+  bool IsCulled(vtkProp* prop, const double* bounds, wfv::PropTraits& traits) const;
 
   // What surely holds the picture of what has these bounds, for the eye that is drawn.
   wfv::Pictures GetPictures(const double* bounds) const;
@@ -100,7 +100,7 @@ public:
   // From world to view coordinates, row-major.
   const double* GetWorldToView() const { return this->WorldToView; }
 
-  // Another one whenever what Choose and IsUnseen go by has changed, but the prop.
+  // Another one whenever what Choose and IsCulled go by has changed, but the prop.
   std::uint64_t GetViewNumber() const { return this->ViewNumber; }
 
   // What the clusters of an actor, drawn with this stage, are classified by. False where all its
@@ -121,7 +121,7 @@ public:
   std::vector<const vtkInformation*> DrawnKeys;
 
   // What this frame did and left out.
-  wfv::FrameCounts Counts;
+  wfv::FrameStatistics Counts;
   std::chrono::duration<double> ClusterTime{ 0 }; // of all frames, for making clusters of meshes
   wfv::ShaderClock Shaders;
   wfv::ShaderMemory Texts;
@@ -134,7 +134,7 @@ public:
   // The stage in the prop's keys, or nullptr.
   static vtkWideFoVStage* FindAttached(vtkProp* prop);
 
-  vtkNew<vtkWideFoVStage> Plain;           // vertex, preclip; auto: what is projected
+  vtkNew<vtkWideFoVStage> Projected;       // vertex, preclip; auto: what is projected
   vtkNew<vtkWideFoVStage> Cut;             // auto: what is projected once it is cut
   vtkNew<vtkWideFoVStage> PreClip;         // auto: covers triangles that are not
   vtkNew<vtkWideFoVStage> PreClipOfFew;    // auto: of few triangles
@@ -145,21 +145,21 @@ public:
   vtkNew<vtkWideFoVStage> Sky;
 
 private:
-  // True where no edge of the prop bends by more than the tolerance, seen from here.
-  bool IsFine(vtkProp* prop, const double bounds[6], wfv::PropFacts& facts);
+  // True where no edge of the prop leaves its chord by more than the tolerance, seen from here.
+  bool IsFine(vtkProp* prop, const double bounds[6], wfv::PropTraits& traits);
 
   // For a prop whose rays begin all in one place.
-  vtkWideFoVStage* ChooseByBounds(vtkProp* prop, const double bounds[6], wfv::PropFacts& facts);
+  vtkWideFoVStage* ChooseByBounds(vtkProp* prop, const double bounds[6], wfv::PropTraits& traits);
 
   // Bounds in the map's own frame, as large as they are seen from any place of the eyes.
   wfv::Box GetBox(const double bounds[6]) const;
 
   // Fills in what is not known yet.
-  static void FindFacts(vtkProp* prop, wfv::PropFacts& facts);
+  static void FindTraits(vtkProp* prop, wfv::PropTraits& traits);
 
-  // Radians: how far beyond their centres the points of a prop may reach; 0 where they are no
+  // Radians: how far the points of a prop may extend beyond their centres; 0 where they are no
   // larger than a pixel.
-  double GetPointReach(const wfv::PropFacts& facts) const;
+  double GetPointFootprint(const wfv::PropTraits& traits) const;
 
   wfv::BufferScale Buffers;
   wfv::MeshScale Meshes;
@@ -176,9 +176,9 @@ private:
   const wfv::Projection* Projection = nullptr;
   bool ByPixels = false; // the stereo model leaves chords no edge to stand for
   const wfv::StereoModel* Stereo = nullptr;
-  bool IsExact() const; // every triangle is covered
-  bool IsFat(vtkProp* prop, const double* bounds, const wfv::PropFacts& facts) const;
-  bool IsCoarse(const double* bounds, const wfv::PropFacts& facts) const;
+  bool IsExact() const; // every triangle is ray-tested
+  bool IsFat(vtkProp* prop, const double* bounds, const wfv::PropTraits& traits) const;
+  bool IsCoarse(const double* bounds, const wfv::PropTraits& traits) const;
   wfv::WfvView View;
   double WorldToView[16];
   void SetPart(vtkRenderer* renderer, const float tile[4]);
@@ -188,7 +188,8 @@ private:
   std::array<vtkWideFoVStage*, 9> GetAll();
   void Instruct(vtkWideFoVStage* stage);
   void SetEyes(vtkWideFoVCamera* camera, const wfv::StereoModel* stereo); // after SetPart
-  double Reach = 0; // of the rays' beginnings from the middle between the eyes, scene units
+  double BaselineRadius =
+    0; // of the rays' beginnings from the middle between the eyes, scene units
 
   // After the view is known.
   void NumberView(const wfv::StereoModel* stereo);
@@ -199,9 +200,9 @@ private:
 
   // The present view's, made when they are first asked for.
   std::shared_ptr<const wfv::ChordLimits> GetLimits(double tolerance);
-  std::shared_ptr<const wfv::LocalBend> Bends;
-  wfv::WfvView BendsView;
-  const wfv::Projection* BendsProjection = nullptr;
+  std::shared_ptr<const wfv::LocalCurvature> Curvature;
+  wfv::WfvView CurvatureView;
+  const wfv::Projection* CurvatureProjection = nullptr;
   std::shared_ptr<const wfv::ChordLimits> Limits;
   wfv::vec2 LimitsPixels{ 0 };
   double LimitsTolerance = 0;

@@ -2,9 +2,9 @@
 // wfv::Stages: what a view need not draw, and what clusters are classified by.
 #include "Frame/Stages.h"
 
-#include "Compat/CompositeMapper.h"
 #include "Compat/Reports.h"
 #include "Drawables/IndexLimit.h"
+#include "Drawables/Kinds/DrawableKinds.h"
 #include "Drawables/Volumes.h"
 #include "Frame/ClusterDraw.h"
 #include "Frame/Technique.h"
@@ -23,16 +23,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <string>
 
 namespace
 {
 // Pixels beyond the window that still count: what rounding, and the chords of the neighbours of
-// what is seen, may reach.
+// what is seen, may extend.
 constexpr double Margin = 2;
 
-// Of the width of a line or point: how far it may reach, with its corners and beyond a slanting
+// Of the width of a line or point: how far it may extend, with its corners and beyond a slanting
 // border.
 constexpr double WidthMargin = 2;
 
@@ -44,17 +43,13 @@ bool KeepsItsBounds(vtkActor* actor)
   {
     return false;
   }
-  const char* const name = mapper->GetClassName();
-  const char* const known[] = { "vtkOpenGLPolyDataMapper", "vtkWideFoVPolyDataMapper" };
   vtkProperty* const property = actor->GetProperty();
-  return (wfv::IsStockComposite(mapper) ||
-           std::any_of(std::begin(known), std::end(known),
-             [name](const char* other) { return std::strcmp(name, other) == 0; })) &&
-    !property->GetRenderLinesAsTubes() && !property->GetRenderPointsAsSpheres();
+  return wfv::HasTrait(mapper, wfv::InBounds) && !property->GetRenderLinesAsTubes() &&
+    !property->GetRenderPointsAsSpheres();
 }
 
 // Lines and points, which are as wide as they are told; of blocks it is not known.
-bool DrawsOutlines(vtkActor* actor)
+bool DrawsWidths(vtkActor* actor)
 {
   auto* const mesh = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
   vtkProperty* const property = actor->GetProperty();
@@ -107,7 +102,7 @@ void wfv::Stages::SetEyes(vtkWideFoVCamera* camera, const wfv::StereoModel* ster
 {
   this->Eye = wfv::FindWorldEye(this->WorldToView);
   // seen from a place so near the origin, a box is one that is so much larger, seen from it
-  this->Reach = stereo && !stereo->Traits.OneCenter ? camera->GetEyeReach() : 0;
+  this->BaselineRadius = stereo && !stereo->Traits.OneCenter ? camera->GetBaselineRadius() : 0;
   if (!stereo || stereo->Traits.StraightRays)
   {
     return;
@@ -136,21 +131,21 @@ void wfv::Stages::GetToMap(vtkActor* actor, double matrix[16]) const
   }
 }
 
-void wfv::Stages::FindFacts(vtkProp* prop, wfv::PropFacts& facts)
+void wfv::Stages::FindTraits(vtkProp* prop, wfv::PropTraits& traits)
 {
   auto* const actor = vtkActor::SafeDownCast(prop);
-  if (actor && !facts.Known)
+  if (actor && !traits.Known)
   {
     vtkProperty* const property = actor->GetProperty();
-    facts.Bounded = KeepsItsBounds(actor) && !wfv::HasOwnShaders(actor);
-    facts.PointSize = property->GetPointSize();
-    const double width = std::max<double>(property->GetLineWidth(), facts.PointSize);
-    facts.Reach = facts.Bounded && DrawsOutlines(actor) ? WidthMargin * width : 0;
-    facts.Few = CountFew(actor);
-    facts.Uncountable = IsUncountable(actor);
+    traits.Bounded = KeepsItsBounds(actor) && !wfv::HasOwnShaders(actor);
+    traits.PointSize = property->GetPointSize();
+    const double width = std::max<double>(property->GetLineWidth(), traits.PointSize);
+    traits.Footprint = traits.Bounded && DrawsWidths(actor) ? WidthMargin * width : 0;
+    traits.Few = CountFew(actor);
+    traits.Uncountable = IsUncountable(actor);
   }
-  facts.Bounded = facts.Bounded || vtkVolume::SafeDownCast(prop);
-  facts.Known = true;
+  traits.Bounded = traits.Bounded || vtkVolume::SafeDownCast(prop);
+  traits.Known = true;
 }
 
 wfv::Box wfv::Stages::GetBox(const double b[6]) const
@@ -164,7 +159,7 @@ wfv::Box wfv::Stages::GetBox(const double b[6]) const
     vtkMatrix4x4::MultiplyPoint(m, p, p);
     box.Add(wfv::vec3(p[0], p[1], p[2]));
   }
-  box.Grow(this->Reach);
+  box.Grow(this->BaselineRadius);
   return box;
 }
 
@@ -188,19 +183,19 @@ wfv::vec2 wfv::Stages::GetDistances(const double* b) const
   return b && vtkMath::AreBoundsInitialized(b) ? wfv::Distances(this->GetBox(b)) : this->View.radii;
 }
 
-bool wfv::Stages::IsLeftOut(vtkProp* prop, wfv::PropFacts& facts) const
+bool wfv::Stages::IsLeftOut(vtkProp* prop, wfv::PropTraits& traits) const
 {
-  FindFacts(prop, facts);
-  return facts.Uncountable || wfv::volume::IsFlatVolume(prop);
+  FindTraits(prop, traits);
+  return traits.Uncountable || wfv::volume::IsFlatVolume(prop);
 }
 
-bool wfv::Stages::IsUnseen(vtkProp* prop, const double* b, wfv::PropFacts& facts) const
+bool wfv::Stages::IsCulled(vtkProp* prop, const double* b, wfv::PropTraits& traits) const
 {
-  if (this->IsLeftOut(prop, facts))
+  if (this->IsLeftOut(prop, traits))
   {
     return true;
   }
-  if (!this->Culling || !facts.Bounded)
+  if (!this->Culling || !traits.Bounded)
   {
     return false;
   }
@@ -209,26 +204,26 @@ bool wfv::Stages::IsUnseen(vtkProp* prop, const double* b, wfv::PropFacts& facts
     return false;
   }
   wfv::Window window = this->Part;
-  window.Reach = facts.Reach / this->Pixels;
-  return wfv::IsUnseen(*this->Projection, this->View, this->GetBox(b), window);
+  window.Footprint = traits.Footprint / this->Pixels;
+  return wfv::IsCulled(*this->Projection, this->View, this->GetBox(b), window);
 }
 
 std::shared_ptr<const wfv::ChordLimits> wfv::Stages::GetLimits(double tolerance)
 {
   const wfv::WfvView& a = this->View;
-  const wfv::WfvView& b = this->BendsView;
-  const bool same = this->Bends && this->BendsProjection == this->Projection &&
+  const wfv::WfvView& b = this->CurvatureView;
+  const bool same = this->Curvature && this->CurvatureProjection == this->Projection &&
     a.halfFov == b.halfFov && a.scale == b.scale && a.lens == b.lens && a.lens5 == b.lens5;
   if (!same)
   {
-    this->Bends = std::make_shared<wfv::LocalBend>(*this->Projection, a);
-    this->BendsView = a;
-    this->BendsProjection = this->Projection;
+    this->Curvature = std::make_shared<wfv::LocalCurvature>(*this->Projection, a);
+    this->CurvatureView = a;
+    this->CurvatureProjection = this->Projection;
   }
   if (!same || this->LimitsPixels != this->Pixels || this->LimitsTolerance != tolerance)
   {
     this->Limits = std::make_shared<wfv::ChordLimits>(
-      *this->Projection, this->View, *this->Bends, this->Pixels, tolerance);
+      *this->Projection, this->View, *this->Curvature, this->Pixels, tolerance);
     this->LimitsPixels = this->Pixels;
     this->LimitsTolerance = tolerance;
   }
@@ -247,7 +242,7 @@ bool wfv::Stages::GetClassifierView(
   view.View.eye = wfv::WFV_EYE_MIDDLE; // the same for both eyes
   view.Part = this->Part;
   view.Culls = this->Culling;
-  view.Reach = this->Reach;
+  view.BaselineRadius = this->BaselineRadius;
   const bool own =
     this->Stereo && !this->Stereo->Traits.OneCenter && !this->Stereo->Fades(this->View);
   view.EyeRadius = own ? wfv::wfvFromMiddle(this->View) : 0;
@@ -255,7 +250,7 @@ bool wfv::Stages::GetClassifierView(
   // what shines through would be twice where two ways of drawing meet, and is mixed in its own
   // order
   const bool projects = this->Technique == wfv::TechniqueAuto && AllowsChords(this->Tolerance) &&
-    stage != this->Plain && (!this->ByPixels || own) &&
+    stage != this->Projected && (!this->ByPixels || own) &&
     this->Projection->Axis != wfv::Family::Sampled && !actor->HasTranslucentPolygonalGeometry();
   view.Tolerance = this->Tolerance;
   view.Limits = projects

@@ -11,10 +11,10 @@
 void wfv::Stages::NumberView(const wfv::StereoModel* stereo)
 {
   const wfv::WfvView& v = this->View;
-  // everything that IsUnseen and Choose go by, but the prop; the same for two eyes that are as far
+  // everything that IsCulled and Choose go by, but the prop; the same for two eyes that are as far
   // from the middle, which is what they are asked about (SetEyes)
   const double seen[] = { v.halfFov.x, v.halfFov.y, v.scale.x, v.scale.y, v.tilt.x, v.tilt.y,
-    v.radii.x, v.radii.y, v.lens.x, v.lens.y, v.lens.z, v.lens.w, v.lens5, v.maxAngle, v.bend,
+    v.radii.x, v.radii.y, v.lens.x, v.lens.y, v.lens.z, v.lens.w, v.lens5, v.maxAngle, v.curvature,
     wfv::wfvFromMiddle(v), v.stereo.x, v.stereo.y, v.stereo.z, v.stereo.w,
     static_cast<double>(v.depthMapping), v.tables.x, v.tables.y, v.tables.z, v.tables.w,
     this->Tolerance, this->HalfDiagonal, this->PixelAngle, this->Part.Low.x, this->Part.Low.y,

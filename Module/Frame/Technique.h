@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWideFoVPass::Techniques by the same numbers, for what the pass is made of.
+// The registry of techniques. Everything that offers, draws, checks or documents one reads it
+// from here.
 #ifndef WideFoVTechnique_h
 #define WideFoVTechnique_h
 
+#include "Projections/Projection.h" // For WFV_EXPORT
+
+#include <string>
+#include <vector>
+
 namespace wfv
 {
-enum Technique : int
+// vtkWideFoVPass::Techniques by the same numbers, for what the pass is made of.
+enum TechniqueNumber : int
 {
   TechniqueAuto = 0,
   TechniqueExact,
@@ -13,6 +20,19 @@ enum Technique : int
   TechniquePreClip,
   TechniqueVertex
 };
+
+struct TechniqueEntry
+{
+  std::string Name;  // of command lines
+  std::string Title; // of a choice in a window
+  std::string Help;  // how it draws: part of a sentence
+};
+
+// By their numbers.
+WFV_EXPORT const std::vector<TechniqueEntry>& Techniques();
+
+// Its number, or -1.
+WFV_EXPORT int FindTechnique(const std::string& name);
 }
 
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Frame/vtkWideFoVCompositeHelper.h"
 
+#include "Drawables/Kinds/DrawableKinds.h"
 #include "Frame/BlockClusters.h"
 #include "Frame/ClusterDraw.h"
 #include "Frame/Stages.h"
@@ -45,11 +46,6 @@ std::array<std::string, 8> NamesOfKinds()
   return names;
 }
 
-bool Is(vtkObjectBase* object, const char* name)
-{
-  return std::strcmp(object->GetClassName(), name) == 0;
-}
-
 // What a composite mapper keeps to itself.
 class MapperAccess : public vtkCompositePolyDataMapper2
 {
@@ -60,7 +56,8 @@ public:
     vtkTimeStamp& time = mapper->*(&MapperAccess::HelperMTime);
     for (auto& entry : helpers)
     {
-      if (Is(entry.second, "vtkCompositeMapperHelper2"))
+      if (wfv::HasTrait(entry.second, wfv::DrawsBlocks) &&
+        !wfv::HasTrait(entry.second, wfv::ClassifiesBlocks))
       {
         entry.second->ReleaseGraphicsResources(window);
         entry.second->Delete();
@@ -167,7 +164,7 @@ void vtkWideFoVCompositeHelper::PrintSelf(ostream& os, vtkIndent indent)
 void wfv::ClassifyBlocksOf(vtkMapper* mapper, vtkWindow* window)
 {
   // a class derived from it may make helpers of its own
-  if (mapper && Is(mapper, "vtkCompositePolyDataMapper2"))
+  if (wfv::HasTrait(mapper, wfv::StockComposite))
   {
     MapperAccess::Give(static_cast<vtkCompositePolyDataMapper2*>(mapper), window);
   }

@@ -2,13 +2,13 @@
 #include "Frame/vtkWideFoVStage.h"
 
 #include "Camera/Tile.h"
-#include "Compat/CompositeMapper.h"
 #include "Compat/Gl.h"
 #include "Compat/StockText.h"
 #include "Drawables/Discontinuity.h"
+#include "Drawables/Kinds/DrawableKinds.h"
 #include "Drawables/LineMapper.h"
-#include "Drawables/PropFacts.h"
 #include "Drawables/QuadricKind.h"
+#include "Drawables/StockTraits.h"
 #include "Frame/ClusterDraw.h"
 #include "Frame/DirectionTextures.h"
 #include "Frame/Eye.h"
@@ -16,7 +16,7 @@
 #include "Frame/RefusedShaders.h"
 #include "Frame/Stages.h"
 #include "Frame/Tessellation.h"
-#include "Projections/Bounds/Bend.h"
+#include "Projections/Bounds/Curvature.h"
 #include "Shaders/quadrics/QuadricShaders.h"
 #include "vtkWideFoVCamera.h"
 
@@ -83,10 +83,8 @@ private:
   static wfv::ShaderBuilder::Material DescribeMaterial(vtkOpenGLPolyDataMapper* mapper,
     vtkRenderer* renderer, vtkActor* actor, const vtkOpenGLHelper* buffer)
   {
-    static const std::set<std::string> simple{ "vtkOpenGLPolyDataMapper",
-      "vtkWideFoVPolyDataMapper", "vtkOpenGLGlyph3DHelper" };
-    const std::string name = mapper->GetClassName();
-    const bool known = simple.count(name) > 0 || wfv::DrawsBlocks(mapper);
+    const bool simple = wfv::HasTrait(mapper, wfv::OneMaterial);
+    const bool known = simple || wfv::HasTrait(mapper, wfv::DrawsBlocks);
     const bool surface = buffer && !(mapper->*(&MapperAccess::DrawingSelection)) &&
       (buffer->PrimitiveType == PrimitiveTris || buffer->PrimitiveType == PrimitiveTriStrips);
     wfv::ShaderBuilder::Material material;
@@ -97,7 +95,7 @@ private:
       material.NoDiffuse = property->GetDiffuse() == 0;
       material.FullDiffuse = property->GetDiffuse() == 1;
       material.NoSpecular = property->GetSpecular() == 0;
-      material.Opaque = property->GetOpacity() == 1 && simple.count(name) > 0;
+      material.Opaque = property->GetOpacity() == 1 && simple;
     }
     return material;
   }
@@ -139,7 +137,7 @@ void vtkWideFoVStage::SetView(
   this->Pixels.Start -= wfv::vec2(border);
   for (int i = 0; i < 2; i++)
   {
-    const double whole = this->Pixels.Whole[i];
+    const double whole = this->Pixels.Full[i];
     const double size = this->Pixels.Size[i];
     this->Tile[i] = static_cast<float>(whole / size);
     this->Tile[i + 2] = static_cast<float>((whole - 2 * this->Pixels.Start[i] - size) / size);
@@ -171,11 +169,12 @@ vtkMTimeType vtkWideFoVStage::GetShaderStageMTime()
 
 namespace
 {
-bool WarnOfBodies(const std::string& model)
+bool WarnOfImpostors(const std::string& model)
 {
-  vtkGenericWarningMacro(<< "balls, sticks, tubes and splats are drawn without parallax by the "
-                            "stereo model "
-                         << model << "; draw them as surfaces");
+  vtkGenericWarningMacro(
+    << "spheres, cylinders, tubes and splats are drawn without parallax by the "
+       "stereo model "
+    << model << "; draw them as surfaces");
   return true;
 }
 }
@@ -185,7 +184,7 @@ namespace
 bool IsProjected(wfv::ShaderBuilder::Variant variant)
 {
   using Variant = wfv::ShaderBuilder::Variant;
-  return variant == Variant::Plain || variant == Variant::Cut;
+  return variant == Variant::Projected || variant == Variant::Cut;
 }
 }
 
@@ -203,7 +202,7 @@ void vtkWideFoVStage::FinishTriangles(wfv::ShaderBuilder::Request& request) cons
   }
   if (!straight && wfv::quadric::Draws(request.Kind))
   {
-    static const bool said = WarnOfBodies(this->Stereo->Name);
+    static const bool said = WarnOfImpostors(this->Stereo->Name);
     (void)said;
   }
   if (request.Kind != wfv::ShaderBuilder::Primitive::Triangles)
@@ -215,7 +214,7 @@ void vtkWideFoVStage::FinishTriangles(wfv::ShaderBuilder::Request& request) cons
     this->Projection->Axis == wfv::Family::Meridian && this->Projection->StraightSeam;
   request.Runs = upright ? this->Runs : 1;
   // how far edges are is asked of float32 alone
-  request.Whole = this->IsWhole() && !request.Edges && !this->DebugView;
+  request.Fp64 = this->IsFp64() && !request.Edges && !this->DebugView;
   if ((!straight || (this->Stereo && !this->Stereo->Traits.OneCenter)) &&
     !IsProjected(request.Stage))
   {
@@ -224,7 +223,7 @@ void vtkWideFoVStage::FinishTriangles(wfv::ShaderBuilder::Request& request) cons
   }
 }
 
-bool vtkWideFoVStage::HasWholeRays() const
+bool vtkWideFoVStage::HasFp64Rays() const
 {
   const bool exact = this->Variant == wfv::ShaderBuilder::Variant::Exact;
   const bool moved =
@@ -249,7 +248,8 @@ wfv::ShaderBuilder::Request vtkWideFoVStage::MakeRequest(
     MapperAccess::Describe(polydata, this->Renderer, actor, request);
   }
   // stock VTK draws these with a geometry stage of its own, straight in the picture
-  if ((request.Edges || request.WideLines) && request.Stage == Variant::Plain && !this->Clipless)
+  if ((request.Edges || request.WideLines) && request.Stage == Variant::Projected &&
+    !this->Clipless)
   {
     request.Stage = Variant::PreClip;
   }
@@ -262,7 +262,7 @@ wfv::ShaderBuilder::Request vtkWideFoVStage::MakeRequest(
     request.Stage = wfv::HasFewLines(polydata) ? Variant::Exact : chords;
   }
   // only our own mapper draws patches; the pieces' edges must not show as the cell's
-  const bool patches = wfv::IsOwnMapper(mapper) &&
+  const bool patches = wfv::HasTrait(mapper, wfv::OwnMesh) &&
     request.Kind == wfv::ShaderBuilder::Primitive::Triangles && !request.Edges;
   if (request.Stage == Variant::Tessellate && !patches)
   {
@@ -294,8 +294,9 @@ namespace
 // asked for.
 bool MayClassify(vtkAbstractMapper* mapper)
 {
-  vtkPolyData* const mesh =
-    wfv::IsOwnMapper(mapper) ? static_cast<vtkPolyDataMapper*>(mapper)->GetInput() : nullptr;
+  vtkPolyData* const mesh = wfv::HasTrait(mapper, wfv::OwnMesh)
+    ? static_cast<vtkPolyDataMapper*>(mapper)->GetInput()
+    : nullptr;
   return !mesh || wfv::ClusterDraw::IsWorthIt(mesh);
 }
 }
@@ -312,7 +313,8 @@ bool vtkWideFoVStage::PostReplaceShaderValues(std::string& vertexShader,
   }
   wfv::ShaderBuilder::Request request = this->MakeRequest(mapper, prop);
   const bool triangles = request.Kind == wfv::ShaderBuilder::Primitive::Triangles;
-  const bool classifies = triangles && (wfv::IsOwnMapper(mapper) || wfv::ClassifiesBlocks(mapper));
+  const bool classifies = triangles &&
+    (wfv::HasTrait(mapper, wfv::OwnMesh) || wfv::HasTrait(mapper, wfv::ClassifiesBlocks));
   request.MeetsChords = classifies && this->MeetsChords && !request.Edges && MayClassify(mapper);
   request.SeveralChords = request.MeetsChords && this->SeveralChords;
   const bool others = wfv::IsEditedFurther(this, prop);

@@ -56,19 +56,19 @@ public:
   // tighter. Set before anything is drawn.
   void SetRuns(int runs) { this->Runs = runs; }
 
-  // Covered triangles decided in double, where the projection has rays for that: the technique
+  // Ray-tested triangles decided in double, where the projection has rays for that: the technique
   // "exact". Not with several samples, which would each take as long.
-  void SetWhole(bool whole)
+  void SetFp64(bool fp64)
   {
-    if (whole != this->Whole)
+    if (fp64 != this->Fp64)
     {
-      this->Whole = whole;
+      this->Fp64 = fp64;
       this->SourceTime.Modified();
     }
   }
 
-  // Whether covered triangles are decided so, as the view and its samples are now.
-  bool IsWhole() const { return this->Whole && this->HasWholeRays(); }
+  // Whether ray-tested triangles are decided so, as the view and its samples are now.
+  bool IsFp64() const { return this->Fp64 && this->HasFp64Rays(); }
 
   // Lines by the exact variant, as long as they are few: the technique "auto".
   void SetExactLines(bool exact)
@@ -90,7 +90,7 @@ public:
     }
   }
 
-  // Triangles covered by each pixel's ray behind every geometry stage, whatever the variant:
+  // Triangles ray-tested behind every geometry stage, whatever the variant:
   // the techniques "auto" and "tessellate".
   void SetByRays(bool byRays)
   {
@@ -101,7 +101,7 @@ public:
     }
   }
 
-  // Among the triangles of a mesh some may be drawn by their chords: covered ones meet those.
+  // Among the triangles of a mesh some may be drawn by their chords: ray-tested ones meet those.
   void SetMeetsChords(bool meets)
   {
     if (meets != this->MeetsChords)
@@ -180,8 +180,9 @@ private:
   // Says that a draw follows, which therefore may have the camera's matrices.
   void Announce() const;
 
-  // Sets the stereo model, and how triangles are covered, in a request whose primitives are known.
-  bool HasWholeRays() const;
+  // Sets the stereo model, and how triangles are ray-tested, in a request whose primitives are
+  // known.
+  bool HasFp64Rays() const;
   void FinishTriangles(wfv::ShaderBuilder::Request& request) const;
 
   void NoteView(const wfv::View& view);
@@ -202,7 +203,7 @@ private:
   // How the bound framebuffer is sampled, for the coverage of the pre-clip.
   static void SetSampleParameters(vtkShaderProgram* program);
 
-  wfv::ShaderBuilder::Variant Variant = wfv::ShaderBuilder::Variant::Plain;
+  wfv::ShaderBuilder::Variant Variant = wfv::ShaderBuilder::Variant::Projected;
   vtkRenderer* Renderer = nullptr;    // valid between SetView and the end of the frame
   vtkWideFoVCamera* Camera = nullptr; // the same
   const wfv::Projection* Projection = nullptr;
@@ -229,7 +230,7 @@ private:
   bool ExactLines = false;
   bool DebugView = false;
   int Runs = 1;
-  bool Whole = false;
+  bool Fp64 = false;
   int NumberOfDraws = 0;
   int NumberOfTessellateDraws = 0;
 };

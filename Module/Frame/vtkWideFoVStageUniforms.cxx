@@ -10,7 +10,7 @@
 #include "Frame/Eye.h"
 #include "Frame/Stages.h"
 #include "Frame/Tessellation.h"
-#include "Projections/Bounds/Bend.h"
+#include "Projections/Bounds/Curvature.h"
 #include "Shaders/Limits.h"
 
 #include "vtkActor.h"
@@ -55,7 +55,7 @@ void SetViewParameters(vtkShaderProgram* program, const wfv::WfvView& v)
   program->SetUniformf("wfvView.halfEyes", static_cast<float>(v.halfEyes));
   program->SetUniformf("wfvView.lens5", static_cast<float>(v.lens5));
   program->SetUniformf("wfvView.maxAngle", static_cast<float>(v.maxAngle));
-  program->SetUniformf("wfvView.bend", static_cast<float>(v.bend));
+  program->SetUniformf("wfvView.curvature", static_cast<float>(v.curvature));
   const double unit = std::exp2(std::floor(std::log2(v.radii.y)));
   program->SetUniformf("wfvUnit", static_cast<float>(unit));
   const double depth = v.radii.y - v.radii.x;

@@ -34,11 +34,11 @@ void vtkWideFoVStage::SetVolumeParameters(vtkShaderProgram* program, vtkProp* pr
     return;
   }
   const double* const bounds = volume->GetBounds();
-  wfv::volume::SetCover(program, this->Stages->GetPictures(bounds), this->Pixels.Whole);
-  if (program->IsUniformUsed("wfvReach"))
+  wfv::volume::SetCover(program, this->Stages->GetPictures(bounds), this->Pixels.Full);
+  if (program->IsUniformUsed("wfvVolumeRange"))
   {
     const wfv::vec2 distances = this->Stages->GetDistances(bounds);
-    const float reach[2] = { static_cast<float>(distances.x), static_cast<float>(distances.y) };
-    program->SetUniform2f("wfvReach", reach);
+    const float range[2] = { static_cast<float>(distances.x), static_cast<float>(distances.y) };
+    program->SetUniform2f("wfvVolumeRange", range);
   }
 }

@@ -13,12 +13,12 @@ using namespace tables;
 
 namespace
 {
-// Neighbours are torn apart where their step is longer than so many times the shorter of
-// the steps before and behind it, and than so many times the usual step.
-constexpr double TornRatio = 4;
-constexpr double TornSteps = 2;
+// There is a discontinuity between neighbours where their step is longer than so many times the
+// shorter of the steps before and behind it, and than so many times the usual step.
+constexpr double GapRatio = 4;
+constexpr double GapSteps = 2;
 
-// Radians: a longer step with no other in line is a tear.
+// Radians: a longer step with no other in line is a discontinuity.
 constexpr double LonelyStep = 0.35;
 
 // The corners of a pixel are half its steps away, and these are not quite the same on its
@@ -107,7 +107,7 @@ public:
       return step <= LonelyStep;
     }
     const double other = before < 0 ? after : after < 0 ? before : std::min(before, after);
-    return step <= std::max(TornRatio * other, TornSteps * this->Usual);
+    return step <= std::max(GapRatio * other, GapSteps * this->Usual);
   }
 
 private:
@@ -128,7 +128,7 @@ double RadiusOf(const DirectionMap& map, int x, int y)
   const Texel* const here = &all[static_cast<std::size_t>(y * width + x)];
   const vec3 d = DirectionOf(*here);
   double chord = 0;
-  if ((static_cast<int>((*here)[3]) & WFV_PIXEL_CALM) != 0)
+  if ((static_cast<int>((*here)[3]) & WFV_PIXEL_SIMPLE) != 0)
   {
     const auto step = [&](std::ptrdiff_t to) { return glm::length(DirectionOf(here[to]) - d); };
     chord = 0.5 * (std::max(step(1), step(-1)) + std::max(step(width), step(-width)));
@@ -196,7 +196,7 @@ DirectionMap::DirectionMap(int width, int height, const std::vector<float>& dire
   this->MarkPixels();
   this->ChooseCells();
   this->BoundCells();
-  this->BendCells();
+  this->FindCellCurvature();
   this->PlantSeeds();
 }
 
@@ -205,8 +205,8 @@ void DirectionMap::MarkPixels()
   const int w = this->Width;
   const Steps right(this->Directions, w, this->Height, 1);
   const Steps up(this->Directions, w, this->Height, 0);
-  const auto bend = [](double a, double b) {
-    return a < 0 || b < 0 || std::abs(a - b) > WFV_CALM_CHANGE * std::min(a, b);
+  const auto changes = [](double a, double b) {
+    return a < 0 || b < 0 || std::abs(a - b) > WFV_SIMPLE_CHANGE * std::min(a, b);
   };
   const auto square = [&](int x, int y) {
     return right.Hangs(x, y) && up.Hangs(x, y) && right.Hangs(x, y + 1) && up.Hangs(x + 1, y);
@@ -227,10 +227,10 @@ void DirectionMap::MarkPixels()
       bits |= up.Hangs(x, y) ? WFV_PIXEL_UP : 0;
       bits |= up.Hangs(x, y - 1) ? WFV_PIXEL_DOWN : 0;
       bits |= square(x, y) ? WFV_PIXEL_SQUARE : 0;
-      const bool calm = square(x, y) && square(x - 1, y) && square(x, y - 1) &&
-        square(x - 1, y - 1) && !bend(right.At(x, y), right.At(x - 1, y)) &&
-        !bend(up.At(x, y), up.At(x, y - 1));
-      texel[3] = static_cast<float>(calm ? bits | WFV_PIXEL_CALM : bits);
+      const bool simple = square(x, y) && square(x - 1, y) && square(x, y - 1) &&
+        square(x - 1, y - 1) && !changes(right.At(x, y), right.At(x - 1, y)) &&
+        !changes(up.At(x, y), up.At(x, y - 1));
+      texel[3] = static_cast<float>(simple ? bits | WFV_PIXEL_SIMPLE : bits);
     }
   }
 }

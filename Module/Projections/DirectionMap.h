@@ -52,7 +52,7 @@ public:
 
   // A table 12 cells wide, rows from the bottom: two rectangles a cell, all levels one above the
   // other. Where a cell has one rectangle the y of the other may say how even it is:
-  // WfvPlaces::bend.
+  // WfvPlaces::curvature.
   const std::vector<Texel>& GetCellBounds() const { return this->CellBounds; }
 
   // A table 12 cells wide, rows from the bottom: two seeds a texel, negative where there are no
@@ -70,7 +70,7 @@ private:
   void MarkPixels();
   void ChooseCells();
   void BoundCells();
-  void BendCells();
+  void FindCellCurvature();
   void PlantSeeds();
 
   unsigned long Serial;

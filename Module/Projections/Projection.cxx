@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Projection.h"
 
-#include "Bounds/Bend.h"
+#include "Bounds/Curvature.h"
 #include "DirectionMap.h"
 #include "NumberText.h"
 #include "StereoModel.h"
@@ -197,7 +197,7 @@ View::View(const Projection& projection, const ViewOptions& o)
   v.depthMapping = static_cast<int>(o.Mapping);
   v.scale = vec2(1, 1);
   v.scale = Scale(projection, o, v);
-  v.bend = Bend(projection, v);
+  v.curvature = Curvature(projection, v);
   v.eye = static_cast<int>(o.Stereo.Eye);
   const StereoParameters both =
     this->Stereo ? this->Stereo->Parameters(o.Stereo, v) : StereoParameters();
@@ -218,24 +218,24 @@ NdcPoint View::Forward(vec3 point) const
 {
   const WfvView& v = this->Parameters;
   const vec3 p = wfvTilt(point, v);
-  const WfvSight sight = this->Stereo ? this->Stereo->See(p, v) : wfvSightFrom(p, vec3(0));
-  NdcPoint result{ vec3(0, 0, 2 * wfvDepthOf(sight.distance, v) - 1), false };
-  const bool behind = this->Map->Axis == Family::Planar && !(sight.direction.z < 0);
-  if (!(sight.distance > 0) || !std::isfinite(sight.distance) || behind)
+  const WfvRayHit hit = this->Stereo ? this->Stereo->See(p, v) : wfvRayHitFrom(p, vec3(0));
+  NdcPoint result{ vec3(0, 0, 2 * wfvDepthOf(hit.distance, v) - 1), false };
+  const bool behind = this->Map->Axis == Family::Planar && !(hit.direction.z < 0);
+  if (!(hit.distance > 0) || !std::isfinite(hit.distance) || behind)
   {
     return result;
   }
-  vec2 xy = this->Map->Project(sight.direction, v);
+  vec2 xy = this->Map->Project(hit.direction, v);
   if (v.map && std::abs(xy.x) > 1)
   {
-    xy = v.map->Find(sight.direction);
+    xy = v.map->Find(hit.direction);
   }
   const bool shown = this->Map->Unproject(xy, v).inside && InCube(this->Stereo, xy);
   xy = (this->Stereo ? this->Stereo->Shift(xy, result.Ndc.z, v) : xy) + this->Center;
   result.Ndc.x = xy.x;
   result.Ndc.y = xy.y;
-  result.Inside = sight.seen && std::abs(xy.x) <= 1 && std::abs(xy.y) <= 1 &&
-    std::abs(result.Ndc.z) <= 1 && shown;
+  result.Inside =
+    hit.seen && std::abs(xy.x) <= 1 && std::abs(xy.y) <= 1 && std::abs(result.Ndc.z) <= 1 && shown;
   return result;
 }
 

@@ -74,7 +74,7 @@ constexpr double WFV_BESIDE_SEAM = 0;
 #define WFV_TILTED true
 #define float double
 #include "library/common.glsl"
-#include "library/sight.glsl"
+#include "library/ray_hit.glsl"
 #include "library/depth.glsl"
 #undef float
 #undef WFV_TABLES

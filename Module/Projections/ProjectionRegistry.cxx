@@ -350,8 +350,8 @@ const std::vector<Projection>& Projections()
 const Projection& SampledProjection()
 {
   static const Projection sampled = [] {
-    Projection p = WFV_PROJECTION(
-      tables, "direction-map", "Direction map", "sampled", cube_faces_glsl, direction_map_glsl);
+    Projection p = WFV_PROJECTION(tables, "direction-map", "Direction map", "sampled",
+      cube_faces_glsl, direction_rays_glsl, direction_places_glsl, direction_map_glsl);
     p.Axis = Family::Sampled;
     p.MinHorizontalFov = 360;
     p.MinVerticalFov = 180;

@@ -88,7 +88,7 @@ struct StereoParameters
 
 // Where an eye has no one center, its rays begin on a level circle round the origin, whose radius
 // is at most half the distance between the eyes; the file of such a model has two functions more:
-// wfvFades, and wfvSeeAt (lines/line_own.glsl).
+// wfvFades, and wfvSeeAt (lines/line_noncentral.glsl).
 struct StereoModel
 {
   std::string Name;  // as on the command line
@@ -99,7 +99,7 @@ struct StereoModel
 
   // wfvSee: the direction in which the eye sees a point, and how far along its ray; tilted view
   // coordinates, scene units.
-  WfvSight (*See)(vec3 point, WfvView view) = nullptr;
+  WfvRayHit (*See)(vec3 point, WfvView view) = nullptr;
 
   // wfvEyeAt: where the ray of a direction (unit length) begins.
   vec3 (*EyeAt)(vec3 direction, WfvView view) = nullptr;

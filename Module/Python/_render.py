@@ -20,11 +20,7 @@ if TYPE_CHECKING:
 Point = Tuple[float, float, float]
 
 TECHNIQUES = {
-    "auto": vtkWideFoVPass.AUTO,
-    "exact": vtkWideFoVPass.EXACT,
-    "tessellate": vtkWideFoVPass.TESSELLATE,
-    "preclip": vtkWideFoVPass.PRECLIP,
-    "vertex": vtkWideFoVPass.VERTEX,
+    vtkWideFoVPass.GetTechniqueAsString(number): number for number in range(vtkWideFoVPass.VERTEX + 1)
 }
 
 
@@ -186,7 +182,7 @@ def render(
     hfov, vfov, or fov for round projections: the field of view, degrees (default: 360 by 180, or
         as much as there is); tilt: of the axis of the projection towards up, degrees.
     background: red, green, blue, 0 to 1; samples: of each pixel.
-    technique: auto, exact, tessellate, preclip or vertex; tolerance: pixels. See vtkWideFoVPass.
+    technique: a name of vtkWideFoVPass.GetTechniqueAsString; tolerance: pixels. See vtkWideFoVPass.
     prepare: called with the vtkWideFoVRenderer before it draws, to set what else there is.
 
     The array is height x width x 3, 0 to 255, the first row on top. Raises ValueError or TypeError

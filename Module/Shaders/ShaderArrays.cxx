@@ -40,16 +40,17 @@ PackedArray PackArray(const std::string& name, int count, int number)
 
 namespace wfv
 {
-void FlattenArrays(const stock::Facts& facts, std::string& vertex, std::string& fragment)
+void FlattenArrays(const stock::Traits& traits, std::string& vertex, std::string& fragment)
 {
-  stock::Span found = stock::Look(vertex, stock::Edit::OutputArray, facts.If(facts.Clips));
+  stock::Span found = stock::Look(vertex, stock::Edit::OutputArray, traits.If(traits.Clips));
   for (int i = 0; found.Number >= 0; i++)
   {
     const std::string& name = found.Groups[0];
     const std::string& size = found.Groups[1];
     const std::string declaration = "float " + name + "[" + size + "];\n";
     const PackedArray p = PackArray(name, std::stoi(size), i);
-    stock::Replace(fragment, stock::Edit::InputArray, p.Inputs + declaration, facts.If(true), name);
+    stock::Replace(
+      fragment, stock::Edit::InputArray, p.Inputs + declaration, traits.If(true), name);
     vertex.replace(found.At, found.Length, p.Outputs + declaration);
     wfv::ShaderBuilder::WrapMain(vertex, "", p.Pack);
     wfv::ShaderBuilder::WrapMain(fragment, p.Unpack, "");

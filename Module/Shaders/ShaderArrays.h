@@ -12,7 +12,7 @@ namespace wfv
 // GLSL 1.50 has no arrays of arrays, so a geometry stage cannot take an array from each
 // vertex: arrays between the stages become vectors (scalars would use up the slots), and
 // arrays again where they are used.
-void FlattenArrays(const stock::Facts& facts, std::string& vertex, std::string& fragment);
+void FlattenArrays(const stock::Traits& traits, std::string& vertex, std::string& fragment);
 }
 
 #endif

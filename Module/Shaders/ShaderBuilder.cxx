@@ -5,7 +5,7 @@
 #include "Compat/StockEdits.h"
 #include "Shaders/ShaderArrays.h"
 #include "Shaders/ShaderText.h"
-#include "Shaders/WholeText.h"
+#include "Shaders/Fp64Text.h"
 #include "Shaders/lines/LineShaders.h"
 #include "Shaders/points/PointShaders.h"
 #include "Shaders/quadrics/QuadricShaders.h"
@@ -107,13 +107,12 @@ bool MovesVertices(const Request& r)
     !wfv::quadric::Draws(r.Kind) && !wfv::line::Draws(r);
 }
 
-// What follows from the ray and the distance, where triangles are covered whatever their edges.
+// What follows from the ray and the distance, where triangles are ray-tested whatever their edges.
 Known KnownOf(const Request& r)
 {
-  const bool exact = r.ByRays || r.Stage == wfv::ShaderBuilder::Variant::Exact;
-  return exact ? Known{ { "vertexVCVSOutput", "vec4(wfvSurface, 1.0)" },
+  return IsExact(r) ? Known{ { "vertexVCVSOutput", "vec4(wfvSurface, 1.0)" },
     { "wfvPositionVSOutput", "wfvSurface" } }
-               : Known{};
+                    : Known{};
 }
 
 // For the few planes that float32 is too coarse for; without it they are as good as it is.
@@ -151,13 +150,14 @@ std::string PrimitiveSource(const Request& r, const std::vector<Varying>& varyin
   // copies of every vertex output at the three corners, which the fragment stage weighs:
   // exact wherever the geometry stage cuts
   return InvocationsSource(r, varyings, KnownOf(r)) + CornerOutputs(varyings, 3, KnownOf(r)) +
-    preclip_emit_glsl + preclip_planes_glsl +
-    (OwnRays(r)         ? own_rays_glsl
+    preclip_outputs_glsl + preclip_write_glsl + preclip_emit_glsl + preclip_planes_glsl +
+    (NonCentral(r)      ? non_central_glsl
         : CurvedRays(r) ? curved_cover_glsl
                         : "") +
     preclip_cover_glsl + preclip_narrow_glsl + CoverSource(*r.Projection) +
     (r.DebugView ? preclip_kinds_glsl : "") + (r.MeetsChords ? edge_chords_glsl : "") +
-    preclip_triangles_glsl;
+    preclip_seen_glsl + preclip_easy_glsl + preclip_measure_glsl +
+    (IsExact(r) ? preclip_exact_glsl : preclip_chords_glsl) + preclip_triangles_glsl;
 }
 
 // Corners that a vertex stage projects and those that a geometry stage does are of one mesh: they
@@ -211,6 +211,16 @@ bool Covers(const Request& r)
   return CoversTriangles(r) || wfv::line::Draws(r) || wfv::point::Draws(r);
 }
 
+// What of a triangle the ray of a pixel sees: one file a question, in the order in which they ask.
+std::string TriangleFragment(const Request& r)
+{
+  const bool anchored = NonCentral(r) || CurvedRays(r);
+  return std::string(cover_precision_glsl) + cover_inputs_glsl +
+    (NonCentral(r) ? cover_non_central_glsl : "") + cover_edges_glsl +
+    (anchored ? cover_anchor_glsl : cover_plane_glsl) + cover_surface_glsl + cover_samples_glsl +
+    cover_hit_glsl + cover_fragment_glsl;
+}
+
 // What the fragment stage needs for that.
 std::string CoverFragment(
   const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
@@ -224,9 +234,9 @@ std::string CoverFragment(
     return wfv::point::FragmentSource(r, varyings, fragment);
   }
   RewriteFlatNormal(r, fragment);
-  return ray_fragment_glsl + (r.Whole ? WholeSource(*r.Projection) : "") + cover_fragment_glsl +
+  return ray_fragment_glsl + (r.Fp64 ? Fp64Source(*r.Projection) : "") + TriangleFragment(r) +
     (CurvedRays(r) ? std::string(curved_ray_glsl) + curved_fragment_glsl : "") +
-    chord_fragment_glsl + order_fragment_glsl + (r.Whole ? fine_depth_glsl : "") +
+    chord_fragment_glsl + order_fragment_glsl + (r.Fp64 ? fine_depth_glsl : "") +
     (r.Edges || r.DebugView ? edge_distance_glsl : "") +
     CornerInputs(varyings, { "wfvB.x", "wfvB.y", "wfvB.z" }, KnownOf(r));
 }
@@ -284,22 +294,22 @@ const std::string& PlaceOf(const Request& r, const std::string& fragment)
 // the distance that vtkWideFoVDataPass writes, which is along the ray of the eye.
 bool KeepsPlace(const Request& r, const std::string& fragment)
 {
-  const bool tells = MovesVertices(r) && fragment.find("wfvData(") != std::string::npos;
-  return !Covers(r) && (WritesDepth(r) || tells) && PlaceOf(r, fragment) == OwnPlace;
+  const bool writesData = MovesVertices(r) && fragment.find("wfvData(") != std::string::npos;
+  return !Covers(r) && (WritesDepth(r) || writesData) && PlaceOf(r, fragment) == OwnPlace;
 }
 
 // What is needed for that.
 std::string PlaceSource(const Request& r, const std::string& fragment)
 {
-  const bool tells = MovesVertices(r);
-  const std::string distance = tells ? "#define WFV_DISTANCE length(" + OwnPlace + ")\n" : "";
+  const bool moves = MovesVertices(r);
+  const std::string distance = moves ? "#define WFV_DISTANCE length(" + OwnPlace + ")\n" : "";
   return KeepsPlace(r, fragment) ? "in vec3 " + OwnPlace + ";\n" + distance : "";
 }
 
 // What a fragment stage that covers asks OpenGL for.
 std::string Extensions(const Request& r)
 {
-  return Covers(r) ? std::string(SampleMasks) + (r.Whole ? Doubles : "") : "";
+  return Covers(r) ? std::string(SampleMasks) + (r.Fp64 ? Doubles : "") : "";
 }
 
 void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
@@ -324,7 +334,7 @@ void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std:
   const std::string border = BorderSource(r);
   declarations += border;
   after += border.empty() ? "" : "  if (wfvOutsideDomain()) { discard; }\n";
-  after += covers && r.Whole ? "  if (wfvIsBehind(gl_FragDepth)) { discard; }\n" : "";
+  after += covers && r.Fp64 ? "  if (wfvIsBehind(gl_FragDepth)) { discard; }\n" : "";
   declarations += DebugSource(r);
   FoldMaterial(r.Surface, fragment);
   RewriteLights(r, fragment);
@@ -347,7 +357,7 @@ std::string wfv::ShaderBuilder::MakeViewSource(const Request& r)
 bool wfv::ShaderBuilder::NeedsGeometryStage(const Request& r)
 {
   return wfv::quadric::Draws(r.Kind) || wfv::point::Draws(r) ||
-    (r.Stage != Variant::Plain && r.Kind != Primitive::Points);
+    (r.Stage != Variant::Projected && r.Kind != Primitive::Points);
 }
 
 void wfv::ShaderBuilder::WrapMain(

@@ -17,7 +17,7 @@ class WFV_EXPORT ShaderBuilder
 public:
   enum class Variant
   {
-    Plain,      // the vertex stage projects
+    Projected,  // the vertex stage projects
     Cut,        // a geometry stage does, and cuts triangles into smaller ones before
     PreClip,    // a geometry stage clips, then projects
     Exact,      // the same, every triangle by the ray of each pixel, lines as exact strips
@@ -31,7 +31,7 @@ public:
     Lines,
     Triangles,
     Spheres,      // of the stock sphere mapper
-    Sticks,       // of the stock stick mapper
+    Cylinders,    // of the stock stick mapper
     Splats,       // of the stock point gaussian mapper
     PointSpheres, // points rendered as spheres
     Tubes         // lines rendered as tubes
@@ -52,13 +52,13 @@ public:
   {
     const wfv::Projection* Projection = nullptr;
     const wfv::StereoModel* Stereo = nullptr; // none: no stereo
-    Variant Stage = Variant::Plain;
+    Variant Stage = Variant::Projected;
     Primitive Kind = Primitive::Triangles;
     bool WidePoints = false;    // points wider than a pixel
     bool WideLines = false;     // lines wider than the hardware draws
     bool Edges = false;         // surface with edges
     bool EdgeFlags = false;     // some edges of the triangles are inside a cell
-    bool ByRays = false;        // triangles are covered, whatever their edges: no chords
+    bool ByRays = false;        // triangles are ray-tested, whatever their edges: no chords
     bool DebugView = false;     // coloured by what happens to each primitive
     bool Multisample = false;   // the framebuffer may have several samples a pixel
     bool Tilted = false;        // the view may have a tilt
@@ -68,13 +68,13 @@ public:
     int DepthMapping = 0;       // wfv::DepthMapping; all but linear by the fragment stage
     bool MeetsChords = false;   // triangles that are drawn by their chords may be beside these
     bool SeveralChords = false; // and an edge of these may have several
-    bool Whole = false;         // covered triangles are decided in double, where OpenGL has that
+    bool Fp64 = false;          // ray-tested triangles are decided in double, where OpenGL has that
     int Runs = 1;               // of the geometry stage, which share in covering a triangle
 
     // Of wfv::SteadyLights; none: all of every light is uniforms.
     const std::string* Lights = nullptr;
 
-    wfv::stock::Facts Stock; // what must be found in VTK's text
+    wfv::stock::Traits Stock; // what must be found in VTK's text
   };
 
   // True where this request needs the pre-clip's own geometry stage.

@@ -70,29 +70,34 @@ std::string Define(const char* name, int value)
   return std::string("#define ") + name + " " + std::to_string(value) + "\n";
 }
 
+bool IsExact(const Request& r)
+{
+  return r.ByRays || r.Stage == wfv::ShaderBuilder::Variant::Exact;
+}
+
 namespace
 {
-bool AllCovered(const Request& r)
+bool AllRayTested(const Request& r)
 {
   return r.Kind == wfv::ShaderBuilder::Primitive::Triangles &&
-    r.Stage != wfv::ShaderBuilder::Variant::Plain && r.Stage != wfv::ShaderBuilder::Variant::Cut &&
-    (r.ByRays || r.Stage == wfv::ShaderBuilder::Variant::Exact);
+    r.Stage != wfv::ShaderBuilder::Variant::Projected &&
+    r.Stage != wfv::ShaderBuilder::Variant::Cut && IsExact(r);
 }
 }
 
-bool OwnRays(const Request& r)
+bool NonCentral(const Request& r)
 {
-  return r.Stereo && !r.Stereo->Traits.OneCenter && (AllCovered(r) || line::Draws(r));
+  return r.Stereo && !r.Stereo->Traits.OneCenter && (AllRayTested(r) || line::Draws(r));
 }
 
-bool OwnBodies(const Request& r)
+bool NonCentralImpostors(const Request& r)
 {
   return r.Stereo && !r.Stereo->Traits.OneCenter && quadric::Draws(r.Kind);
 }
 
 bool CurvedRays(const Request& r)
 {
-  return r.Stereo && !r.Stereo->Traits.StraightRays && AllCovered(r);
+  return r.Stereo && !r.Stereo->Traits.StraightRays && AllRayTested(r);
 }
 
 std::string ViewSource(const Request& r)
@@ -104,21 +109,21 @@ std::string ViewSource(const Request& r)
     Define("WFV_MERIDIAN", meridian) + Define("WFV_FACES", faces) + Define("WFV_SAMPLED", sampled) +
     Define("WFV_ROUND", r.Projection->Axis == wfv::Family::Azimuthal) +
     Define("WFV_STRAIGHT_SEAM", r.Projection->StraightSeam) +
-    Define("WFV_FLAT_RIM", r.Projection->FlatRim) +
-    Define("WFV_EXACT", r.ByRays || r.Stage == wfv::ShaderBuilder::Variant::Exact) +
-    Define("WFV_BY_RAYS", r.ByRays) + Define("WFV_MEETS_CHORDS", r.MeetsChords && AllCovered(r)) +
-    Define("WFV_SEVERAL_CHORDS", r.SeveralChords && AllCovered(r) && !OwnRays(r)) +
-    Define("WFV_WHOLE", r.Whole) + Define("WFV_DEPTH_MAPPING(v)", r.DepthMapping) +
+    Define("WFV_FLAT_RIM", r.Projection->FlatRim) + Define("WFV_EXACT", IsExact(r)) +
+    Define("WFV_BY_RAYS", r.ByRays) + Define("WFV_MEETS_CHORDS", r.MeetsChords && AllRayTested(r)) +
+    Define("WFV_SEVERAL_CHORDS", r.SeveralChords && AllRayTested(r) && !NonCentral(r)) +
+    Define("WFV_FP64", r.Fp64) + Define("WFV_DEPTH_MAPPING(v)", r.DepthMapping) +
     Define("WFV_MULTISAMPLE", r.Multisample) + Define("WFV_WIDE_LINES", r.WideLines) +
     Define("WFV_EDGES", r.Edges || r.DebugView) + Define("WFV_EDGE_FLAGS", r.EdgeFlags) +
     Define("WFV_DEBUG_VIEW", r.DebugView) + "#define WFV_TILTED " + (r.Tilted ? "true" : "false") +
     "\n" + "#define WFV_FADES " + (r.Fades ? "true" : "false") + "\n" + "#define WFV_ANGLES " +
     (meridian ? "wfvMeridianAngles" : "wfvAzimuthalAngles") + "\n" +
-    Define("WFV_OWN_RAYS", OwnRays(r)) + Define("WFV_OWN_BODIES", OwnBodies(r)) +
+    Define("WFV_NON_CENTRAL", NonCentral(r)) +
+    Define("WFV_NON_CENTRAL_IMPOSTORS", NonCentralImpostors(r)) +
     Define("WFV_CURVED_RAYS", CurvedRays(r)) + Define("WFV_RUNS", r.Runs) +
     Define("WFV_SHIFTED", r.Stereo && !r.Stereo->Traits.StraightRays && !CurvedRays(r)) +
     wfv::MathGlsl() + wfv::CommonGlsl() + wfv::DepthGlsl() + limits_glsl +
-    (r.Stereo ? sight_glsl + r.Stereo->Glsl : "") + (sampled ? directions_glsl : "") +
+    (r.Stereo ? ray_hit_glsl + r.Stereo->Glsl : "") + (sampled ? directions_glsl : "") +
     r.Projection->Glsl + interface_glsl;
 }
 

@@ -72,11 +72,14 @@ std::string CornerInputs(const std::vector<Varying>& varyings,
 // Components of all copies.
 int CornerComponents(const std::vector<Varying>& varyings, int corners);
 
-// True for triangles and exact lines of an eye whose rays begin in several places.
-bool OwnRays(const Request& r);
+// True where nothing is drawn by its chords: WFV_EXACT.
+bool IsExact(const Request& r);
 
-// True for balls, sticks, tubes and splats of an eye whose rays begin in several places.
-bool OwnBodies(const Request& r);
+// True for triangles and exact lines of an eye with non-central rays.
+bool NonCentral(const Request& r);
+
+// True for spheres, cylinders, tubes and splats of an eye with non-central rays.
+bool NonCentralImpostors(const Request& r);
 
 // True for triangles of an eye whose rays are no straight lines.
 bool CurvedRays(const Request& r);

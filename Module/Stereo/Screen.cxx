@@ -57,27 +57,27 @@ vec3 EyeOf(const Head& head, double interpupillaryDistance, Eye eye)
   return head.Position + TurnedWith(head, vec3(aside, 0, 0));
 }
 
-ScreenSight LookThrough(const Screen& s, const vec3& eye)
+ScreenFrustum LookThrough(const Screen& s, const vec3& eye)
 {
   const vec3 across = s.LowerRight - s.LowerLeft;
-  ScreenSight sight;
-  sight.Right = glm::normalize(across);
-  sight.Back = glm::normalize(glm::cross(sight.Right, s.UpperRight - s.LowerRight));
-  sight.Up = glm::cross(sight.Back, sight.Right);
-  sight.Distance = glm::dot(eye - s.LowerRight, sight.Back);
+  ScreenFrustum frustum;
+  frustum.Right = glm::normalize(across);
+  frustum.Back = glm::normalize(glm::cross(frustum.Right, s.UpperRight - s.LowerRight));
+  frustum.Up = glm::cross(frustum.Back, frustum.Right);
+  frustum.Distance = glm::dot(eye - s.LowerRight, frustum.Back);
   const vec2 half =
-    vec2(glm::length(across), glm::dot(s.UpperRight - s.LowerRight, sight.Up)) * 0.5;
+    vec2(glm::length(across), glm::dot(s.UpperRight - s.LowerRight, frustum.Up)) * 0.5;
   const vec3 corner = s.LowerLeft - eye;
-  const vec2 middle = vec2(glm::dot(corner, sight.Right), glm::dot(corner, sight.Up)) + half;
-  const double d = std::max(sight.Distance, 2 * LeastDistance * glm::length(half));
-  sight.Half = half / d;
-  sight.Center = -middle / half;
-  return sight;
+  const vec2 middle = vec2(glm::dot(corner, frustum.Right), glm::dot(corner, frustum.Up)) + half;
+  const double d = std::max(frustum.Distance, 2 * LeastDistance * glm::length(half));
+  frustum.Half = half / d;
+  frustum.Center = -middle / half;
+  return frustum;
 }
 
-vec3 DirectionThrough(const ScreenSight& sight, const vec2& ndc)
+vec3 DirectionThrough(const ScreenFrustum& frustum, const vec2& ndc)
 {
-  const vec2 aside = (ndc - sight.Center) * sight.Half;
-  return glm::normalize(aside.x * sight.Right + aside.y * sight.Up - sight.Back);
+  const vec2 aside = (ndc - frustum.Center) * frustum.Half;
+  return glm::normalize(aside.x * frustum.Right + aside.y * frustum.Up - frustum.Back);
 }
 }

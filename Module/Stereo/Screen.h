@@ -39,7 +39,7 @@ WFV_EXPORT vec3 TurnedWith(const Head& head, const vec3& vector);
 WFV_EXPORT vec3 EyeOf(const Head& head, double interpupillaryDistance, Eye eye);
 
 // What an eye sees through a screen: a perspective along the screen's normal.
-struct ScreenSight
+struct ScreenFrustum
 {
   vec3 Right, Up, Back; // unit vectors of the picture; Back points to the viewers
   double Distance;      // of the eye from the screen's plane; not above 0: it is not before it
@@ -48,10 +48,10 @@ struct ScreenSight
 };
 
 // Where the eye is not before the screen, that of an eye just before it: never infinite.
-WFV_EXPORT ScreenSight LookThrough(const Screen& screen, const vec3& eye);
+WFV_EXPORT ScreenFrustum LookThrough(const Screen& screen, const vec3& eye);
 
 // From that eye to a place of the screen's picture, NDC; room coordinates, unit length.
-WFV_EXPORT vec3 DirectionThrough(const ScreenSight& sight, const vec2& ndc);
+WFV_EXPORT vec3 DirectionThrough(const ScreenFrustum& frustum, const vec2& ndc);
 }
 
 #endif

@@ -6,9 +6,9 @@
 // the two are, v.stereo what else the model needs to know.
 
 // The direction in which this eye sees a point, and how far along its ray.
-WFV_FN WfvSight wfvSee(vec3 p, WfvView v)
+WFV_FN WfvRayHit wfvSee(vec3 p, WfvView v)
 {
-  return wfvSightFrom(p, vec3(0.0, 0.0, 0.0));
+  return wfvRayHitFrom(p, vec3(0.0, 0.0, 0.0));
 }
 
 // Where the ray of a direction (unit length) begins.

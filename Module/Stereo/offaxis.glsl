@@ -13,9 +13,9 @@ WFV_FN float wfvShiftOfPicture(WfvView v)
   return v.eye == WFV_EYE_LEFT ? -v.stereo.x : v.eye == WFV_EYE_RIGHT ? v.stereo.x : 0.0;
 }
 
-WFV_FN WfvSight wfvSee(vec3 p, WfvView v)
+WFV_FN WfvRayHit wfvSee(vec3 p, WfvView v)
 {
-  return wfvSightFrom(p, vec3(wfvToRight(v), 0.0, 0.0));
+  return wfvRayHitFrom(p, vec3(wfvToRight(v), 0.0, 0.0));
 }
 
 WFV_FN vec3 wfvEyeAt(vec3 direction, WfvView v)

@@ -78,7 +78,7 @@ WFV_FN float wfvSeenLatitude(float d, float y, WfvView v)
   return phi;
 }
 
-WFV_FN WfvSight wfvSee(vec3 p, WfvView v)
+WFV_FN WfvRayHit wfvSee(vec3 p, WfvView v)
 {
   vec3 up = wfvUpright(v);
   float y = dot(p, up);
@@ -89,7 +89,7 @@ WFV_FN WfvSight wfvSee(vec3 p, WfvView v)
   {
     r = wfvRadiusAt(wfvSeenLatitude(d, abs(y), v), v);
   }
-  WfvSight s;
+  WfvRayHit s;
   s.seen = d > abs(r);
   float limit = s.seen ? d : abs(r);
   float q = wfvTangent(d, r);
@@ -102,13 +102,13 @@ WFV_FN WfvSight wfvSee(vec3 p, WfvView v)
   return s;
 }
 
-// The same, without a fade, of a point whose level way to the circle is known better than its place
+// The same, without a fade, of a point whose horizontal distance to the circle is known better than its place
 // tells: level is the point without its height y, up the vertical.
-WFV_FN WfvSight wfvSeeAt(vec3 level, float y, float way, vec3 up, float r)
+WFV_FN WfvRayHit wfvSeeAt(vec3 level, float y, float way, vec3 up, float r)
 {
   float squared = way * way + r * r;
   vec3 ahead = squared > 0.0 ? (level * way - cross(level, up) * r) / squared : level;
-  WfvSight s;
+  WfvRayHit s;
   s.distance = wfvHypot(way, y);
   s.direction = s.distance > 0.0 ? (ahead * way + up * y) / s.distance : ahead;
   s.seen = s.distance > 0.0;

@@ -3,7 +3,7 @@
 // that two off-axis perspectives look at, onto the plane of zero parallax. What is at the depth
 // `offset` stays where it is; what is nearer grows and is seen to the other side by each eye.
 // Source: Ardouin et al. 2014, section 3.5. The rays of this eye are curves: lines of the
-// cube, that the map bends.
+// cube, that the map curves.
 //
 // v.halfEyes: half of iod, NDC
 // v.stereo:   x, y  the viewer, between the eyes: NDC to the right of and above the cube's axis
@@ -16,9 +16,9 @@ WFV_FN vec2 wfvEyeBeforeCube(WfvView v)
   return vec2(v.stereo.x + wfvToRight(v), v.stereo.y);
 }
 
-WFV_FN WfvSight wfvSee(vec3 p, WfvView v)
+WFV_FN WfvRayHit wfvSee(vec3 p, WfvView v)
 {
-  return wfvSightFrom(p, vec3(0.0, 0.0, 0.0));
+  return wfvRayHitFrom(p, vec3(0.0, 0.0, 0.0));
 }
 
 WFV_FN vec3 wfvEyeAt(vec3 direction, WfvView v)

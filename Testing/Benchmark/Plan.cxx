@@ -28,13 +28,7 @@ bool IsCubeMap(const std::string& method)
 
 widefov::Technique TechniqueOf(const std::string& method)
 {
-  using widefov::Technique;
-  return method == "exact"   ? Technique::Exact
-    : method == "tessellate" ? Technique::Tessellate
-    : method == "preclip"    ? Technique::PreClip
-    : method == "vertex"     ? Technique::Vertex
-    : IsCubeMap(method)      ? Technique::CubeMap
-                             : Technique::Auto;
+  return IsCubeMap(method) ? widefov::Technique::CubeMap : widefov::TechniqueOf(method);
 }
 
 // Both eyes.

@@ -114,9 +114,9 @@ void Drawing::SetDrawsPerspective(bool draws)
   this->Internal->DrawsPerspective = draws;
 }
 
-int Drawing::GetNumberOfPlainDraws() const
+int Drawing::GetNumberOfProjectedDraws() const
 {
-  return this->Internal->Pass->GetNumberOfPlainDraws();
+  return this->Internal->Pass->GetNumberOfProjectedDraws();
 }
 
 bool Drawing::WasMixed() const

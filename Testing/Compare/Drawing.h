@@ -83,7 +83,7 @@ public:
   void SetDrawsPerspective(bool draws);
 
   // Of the last picture: draws by the vertex stage alone.
-  int GetNumberOfPlainDraws() const;
+  int GetNumberOfProjectedDraws() const;
 
   // Whether some of the triangles that it drew were projected, and others not.
   bool WasMixed() const;

@@ -131,7 +131,7 @@ TEST(Fold, FrontHidesBack)
   CheckFold(fold, shot, 55, 126);
 }
 
-// The front is a needle: at its tip the edges are nearer to each other than a hair is wide, which
+// The front is a needle: at its tip the edges are nearer to each other than the bias is wide, which
 // would ask for its depth beyond the fold. Of the atrium, at 8192 x 4096; turned into the middle of
 // a small picture.
 TEST(Fold, NeedleHidesBack)

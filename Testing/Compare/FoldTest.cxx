@@ -31,7 +31,7 @@ int GetNumberOfFolds()
 }
 const int RandomFolds = GetNumberOfFolds();
 
-// Of these: needles whose tip, a hair inside, is behind the back all the same. It is not known of
+// Of these: needles whose tip, the bias inside, is behind the back all the same. It is not known of
 // an edge that it is no fold, and a depth buffer's steps are coarser than what lies between.
 constexpr long LostNeedles = 4;
 
@@ -39,7 +39,7 @@ constexpr long LostNeedles = 4;
 constexpr long LostFlatFolds = 4;
 
 // Of these, half of them wound to show their backs, beside corners: which of the two faces yields
-// is told by the winding where a hair is wider than they are.
+// is told by the winding where the bias is wider than they are.
 constexpr long LostTurnedFolds = 8;
 
 // Where folds are: so many of them, one in so many pixels from the first row on.
@@ -129,8 +129,8 @@ struct NeedleFold
   double Off;    // of the tip from the fold's edge, radians
 };
 
-// The ray passes between the two fronts, at the tip, within what float32 makes of a ray: a hair
-// inside that edge they are where no hair takes the back.
+// The ray passes between the two fronts, at the tip, within what float32 makes of a ray: the bias
+// inside that edge they are where no bias takes the back.
 NeedleFold FlatNeedle(const Between& between)
 {
   const double front = between(-1, 1);
@@ -172,7 +172,7 @@ void AddNeedle(vtkPolyData* mesh, const vec3& ray, const NeedleFold& fold, bool 
   }
 }
 
-// A fold whose back is a needle, passed beside its tip, where a hair is less than the front's.
+// A fold whose back is a needle, passed beside its tip, where the bias is less than the front's.
 void AddThinBack(vtkPolyData* mesh, const vec3& ray, bool frontFirst, const Between& between)
 {
   const vec3 side = glm::cross(ray, vec3(between(-1, 1), between(-1, 1), between(-1, 1)));

@@ -111,7 +111,7 @@ TEST(Pipeline, AProjectionCostsOneShaderOnceAndNoBuffer)
 }
 
 // Pixels: no edge bends by so much.
-constexpr double AnyBend = 1000;
+constexpr double AnyCurvature = 1000;
 
 TEST(Pipeline, TheGeometryStageIsUsedWhereEdgesBend)
 {
@@ -121,7 +121,7 @@ TEST(Pipeline, TheGeometryStageIsUsedWhereEdgesBend)
   for (const double rate : { 15.0, 0.001 })
   {
     test.Window->SetDesiredUpdateRate(rate);
-    for (const double tolerance : { AnyBend, 0.05, AnyBend })
+    for (const double tolerance : { AnyCurvature, 0.05, AnyCurvature })
     {
       test.Pass()->SetTolerance(tolerance);
       test.Window->Render();
@@ -145,11 +145,11 @@ TEST(Pipeline, TheGeometryStageIsUsedWhereADiscontinuityIsMet)
   for (const auto& place : places)
   {
     WideFoVTestWindow test("equirectangular", 100, 50);
-    test.Pass()->SetTolerance(AnyBend);
+    test.Pass()->SetTolerance(AnyCurvature);
     test.Renderer->AddActor(Ball(place.Position[0], place.Position[1], place.Position[2]));
     test.Window->Render();
     EXPECT_EQ(test.Pass()->GetNumberOfPreClipDraws(), place.PreClip) << place.Position[2];
-    EXPECT_EQ(test.Pass()->GetNumberOfPlainDraws(), 1 - place.PreClip) << place.Position[2];
+    EXPECT_EQ(test.Pass()->GetNumberOfProjectedDraws(), 1 - place.PreClip) << place.Position[2];
   }
 }
 
@@ -159,35 +159,35 @@ TEST(Pipeline, TheMiddleOfADomeIsNoDiscontinuity)
   for (const auto& [z, preClip] : { std::pair(-2.0, 0), std::pair(2.0, 1) })
   {
     WideFoVTestWindow test("azimuthal-equidistant", 100, 100);
-    test.Pass()->SetTolerance(AnyBend);
+    test.Pass()->SetTolerance(AnyCurvature);
     test.Window->SetDesiredUpdateRate(15);
     test.Renderer->AddActor(Ball(0, 0, z));
     test.Window->Render();
     EXPECT_EQ(test.Pass()->GetNumberOfPreClipDraws(), preClip) << z;
-    EXPECT_EQ(test.Pass()->GetNumberOfPlainDraws(), 1 - preClip) << z;
+    EXPECT_EQ(test.Pass()->GetNumberOfProjectedDraws(), 1 - preClip) << z;
   }
 }
 
 TEST(Pipeline, OneActorInAViewThatTurnsKeepsItsBuffers)
 {
   WideFoVTestWindow test("azimuthal-equidistant", 64, 64);
-  test.Pass()->SetTolerance(AnyBend);
+  test.Pass()->SetTolerance(AnyCurvature);
   auto ball = Ball(0, 0, 2);
   test.Renderer->AddActor(ball);
   test.Window->Render();
   const vtkMTimeType built = Inside::BuildTime(ball->GetMapper());
   int preClip = 0;
-  int plain = 0;
+  int projected = 0;
   for (int i = 0; i < 12; i++)
   {
     test.Camera->Yaw(30);
     test.Window->Render();
     preClip += test.Pass()->GetNumberOfPreClipDraws();
-    plain += test.Pass()->GetNumberOfPlainDraws();
+    projected += test.Pass()->GetNumberOfProjectedDraws();
   }
-  EXPECT_EQ(preClip + plain, 12);
+  EXPECT_EQ(preClip + projected, 12);
   EXPECT_GT(preClip, 0);
-  EXPECT_GT(plain, 0);
+  EXPECT_GT(projected, 0);
   EXPECT_EQ(Inside::BuildTime(ball->GetMapper()), built);
 }
 

@@ -53,7 +53,7 @@ bool Has(const std::string& text, const std::string& part)
 
 TEST(ShaderBuilder, PlainProjectsInTheVertexStageAlone)
 {
-  const Sources s = Build("hammer", Builder::Variant::Plain, Builder::Primitive::Triangles);
+  const Sources s = Build("hammer", Builder::Variant::Projected, Builder::Primitive::Triangles);
   EXPECT_TRUE(Has(s.VertexStage, "wfvProjectVertex(gl_Position.xyz)"));
   EXPECT_TRUE(s.GeometryStage.empty());
   EXPECT_EQ(s.FragmentStage, Fragment); // nothing to do there: early depth tests stay
@@ -84,7 +84,7 @@ TEST(ShaderBuilder, TrianglesKeepAllDigitsOfTheirCorners)
   Builder::Request request;
   request.Projection = wfv::FindProjection("hammer");
   for (auto variant :
-    { Builder::Variant::Exact, Builder::Variant::Tessellate, Builder::Variant::Plain })
+    { Builder::Variant::Exact, Builder::Variant::Tessellate, Builder::Variant::Projected })
   {
     request.Stage = variant;
     Sources s;
@@ -97,7 +97,7 @@ TEST(ShaderBuilder, TrianglesKeepAllDigitsOfTheirCorners)
     EXPECT_EQ(Has(s.GeometryStage, "#define WFV_MODEL 1\n#define WFV_TO_VIEW MCDCMatrix\n"), model);
     // extensions come before anything else
     const std::string head = "//VTK::System::Dec\n#extension GL_ARB_gpu_shader_fp64 : enable\n";
-    EXPECT_EQ(s.GeometryStage.find(head) == 0, variant != Builder::Variant::Plain);
+    EXPECT_EQ(s.GeometryStage.find(head) == 0, variant != Builder::Variant::Projected);
     EXPECT_FALSE(Has(s.FragmentStage, "wfvModel"));
   }
 }
@@ -108,7 +108,7 @@ TEST(ShaderBuilder, ATriangleKnowsItsFlatNormal)
                             "  vec3 normalVCVSOutput = normalize(cross(fdx,fdy));\n}\n";
   Builder::Request request;
   request.Projection = wfv::FindProjection("hammer");
-  for (auto variant : { Builder::Variant::PreClip, Builder::Variant::Plain })
+  for (auto variant : { Builder::Variant::PreClip, Builder::Variant::Projected })
   {
     request.Stage = variant;
     Sources s;
@@ -161,14 +161,14 @@ TEST(ShaderBuilder, OnlyWidePointsNeedAGeometryStage)
   EXPECT_TRUE(Has(wide.FragmentStage, "vertexIDVSOutput = wfvCorner3_0;"));
   // what meets no discontinuity needs none either
   const Sources plain =
-    Build("equirectangular", Builder::Variant::Plain, Builder::Primitive::Points, request);
+    Build("equirectangular", Builder::Variant::Projected, Builder::Primitive::Points, request);
   EXPECT_TRUE(plain.GeometryStage.empty());
 }
 
 TEST(ShaderBuilder, RoundMapsEndAtTheirRim)
 {
   const Sources s =
-    Build("azimuthal-equidistant", Builder::Variant::Plain, Builder::Primitive::Triangles);
+    Build("azimuthal-equidistant", Builder::Variant::Projected, Builder::Primitive::Triangles);
   EXPECT_TRUE(Has(s.FragmentStage, "if (wfvOutsideDomain()) { discard; }"));
 }
 
@@ -299,7 +299,7 @@ TEST(ShaderBuilder, ADepthMappingIsWrittenInTheFragmentStage)
   request.DepthMapping = wfv::WFV_DEPTH_LOGARITHMIC;
   for (auto kind : { Builder::Primitive::Triangles, Builder::Primitive::Points })
   {
-    const Sources s = Build("hammer", Builder::Variant::Plain, kind, request);
+    const Sources s = Build("hammer", Builder::Variant::Projected, kind, request);
     EXPECT_TRUE(Has(s.VertexStage, "wfvPlaceVSOutput = gl_Position.xyz;"));
     EXPECT_LT(s.VertexStage.find("wfvPlaceVSOutput = "), s.VertexStage.find("wfvProjectVertex(gl"));
     EXPECT_TRUE(Has(s.FragmentStage, "gl_FragDepth = wfvDepth;"));
@@ -322,7 +322,7 @@ TEST(ShaderBuilder, ADebugViewReplacesTheColourNotTheLight)
   request.Projection = wfv::FindProjection("hammer");
   const std::string stock = "//VTK::System::Dec\nvoid main()\n{\n  //VTK::Color::Impl\n"
                             "  //VTK::Light::Impl\n  //VTK::TCoord::Impl\n}\n";
-  for (auto variant : { Builder::Variant::Plain, Builder::Variant::PreClip })
+  for (auto variant : { Builder::Variant::Projected, Builder::Variant::PreClip })
   {
     request.Stage = variant;
     std::string vertex = Vertex;
@@ -340,7 +340,7 @@ TEST(ShaderBuilder, ADebugViewReplacesTheColourNotTheLight)
 
 TEST(ShaderBuilder, QuadricsMeetTheRayInAnyVariant)
 {
-  for (auto variant : { Builder::Variant::Plain, Builder::Variant::PreClip })
+  for (auto variant : { Builder::Variant::Projected, Builder::Variant::PreClip })
   {
     const Sources s = Build("hammer", variant, Builder::Primitive::Tubes);
     EXPECT_TRUE(Has(s.GeometryStage, "layout(lines) in;"));
@@ -355,7 +355,7 @@ TEST(ShaderBuilder, QuadricsMeetTheRayInAnyVariant)
 
 TEST(ShaderBuilder, ThePiecesOfASpanFitWhatAGeometryStageMayEmit)
 {
-  const Sources few = Build("hammer", Builder::Variant::Plain, Builder::Primitive::Sticks);
+  const Sources few = Build("hammer", Builder::Variant::Projected, Builder::Primitive::Cylinders);
   EXPECT_TRUE(Has(few.GeometryStage, "#define WFV_PIECES 4"));
   Builder::Request request;
   request.Projection = wfv::FindProjection("hammer");

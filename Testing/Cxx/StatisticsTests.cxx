@@ -158,7 +158,7 @@ TEST(Statistics, ThePictureTellsOfItsOwnFrame)
     const std::string text = actor->GetInput();
     EXPECT_TRUE(Tells(text, "props: ", culling ? 3 : 4)) << text; // with the text itself
     EXPECT_TRUE(Tells(text, "their triangles: ", pass->GetNumberOfTriangles())) << text;
-    EXPECT_TRUE(Tells(text, "plain ", pass->GetNumberOfPlainDraws())) << text;
+    EXPECT_TRUE(Tells(text, "projected ", pass->GetNumberOfProjectedDraws())) << text;
     EXPECT_TRUE(Tells(text, "pre-clip ", pass->GetNumberOfPreClipDraws())) << text;
     EXPECT_TRUE(Tells(text, "shaders: ", pass->GetNumberOfMadePrograms())) << text;
     EXPECT_EQ(text.substr(0, text.rfind('\n')), pass->GetStatistics());

@@ -283,7 +283,7 @@ const std::map<Edit, std::vector<const char*>>& Written()
     { Edit::MainFunction, { "void main()" } },
     { Edit::FromEye, { "MCDCMatrix * vertexMC" } },
     { Edit::OutputArray, { "out float clipDistancesVSOutput[6];" } },
-    { Edit::StickAxis, { "out float lengthVCVSOutput;\nout vec3 orientVCVSOutput;" } },
+    { Edit::CylinderAxis, { "out float lengthVCVSOutput;\nout vec3 orientVCVSOutput;" } },
     { Edit::Input, { "flat in n;" } },
     { Edit::InputArray, { "in float n[6];" } },
     { Edit::HeadlightCosine,

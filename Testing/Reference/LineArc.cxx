@@ -82,7 +82,7 @@ Sample Arc::OwnAt(double angle) const
   const WfvView& v = this->TheView->GetParameters();
   vec3 p = this->Foot + this->Softened * std::tan(this->Begin + angle) * this->Along;
   p = angle <= 0 ? this->From : (angle >= this->Span ? this->To : p);
-  const WfvSight sight = this->TheView->GetStereoModel()->See(wfvTilt(p, v), v);
+  const WfvRayHit sight = this->TheView->GetStereoModel()->See(wfvTilt(p, v), v);
   Sample s;
   s.Angle = angle;
   s.Rho = sight.distance;

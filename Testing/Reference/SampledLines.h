@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a picture of lines on a direction map must show, in double, by each pixel's own map
+// What a picture of lines on a direction map must show, in double, by each pixel's local map
 // (OwnMap.h). The nearest point is searched for, which it is not in the shaders.
 #ifndef WideFoVSampledLines_h
 #define WideFoVSampledLines_h

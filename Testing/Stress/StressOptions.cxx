@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StressOptions.h"
 
+#include "Frame/Technique.h"
 #include "Messages.h"
 #include "OptionGroup.h"
-#include "vtkWideFoVPass.h"
 
 #include <CLI/CLI.hpp>
 
@@ -18,10 +18,6 @@ namespace
 // b of what is exact, pixels.
 constexpr double ExactTolerance = 0.02;
 
-const std::vector<std::pair<std::string, int>> Known{ { "auto", vtkWideFoVPass::AUTO },
-  { "exact", vtkWideFoVPass::EXACT }, { "tessellate", vtkWideFoVPass::TESSELLATE },
-  { "preclip", vtkWideFoVPass::PRECLIP }, { "vertex", vtkWideFoVPass::VERTEX } };
-
 std::vector<std::string> ProjectionNames()
 {
   std::vector<std::string> names;
@@ -35,9 +31,9 @@ std::vector<std::string> ProjectionNames()
 std::vector<std::string> TechniqueNames()
 {
   std::vector<std::string> names;
-  for (const auto& known : Known)
+  for (const TechniqueEntry& technique : wfv::Techniques())
   {
-    names.push_back(known.first);
+    names.push_back(technique.Name);
   }
   return names;
 }
@@ -89,14 +85,9 @@ std::vector<Technique> TechniquesOf(const StressOptions& o)
   std::vector<Technique> techniques;
   for (const std::string& name : o.Techniques)
   {
-    for (const auto& known : Known)
-    {
-      if (known.first == name)
-      {
-        const double b = name == "exact" ? ExactTolerance : o.Tolerance;
-        techniques.push_back({ name, known.second, o.Tolerance, b });
-      }
-    }
+    const int number = FindTechnique(name);
+    const double b = number == TechniqueExact ? ExactTolerance : o.Tolerance;
+    techniques.push_back({ name, number, o.Tolerance, b });
   }
   return techniques;
 }

@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks that every projection has its page, its picture and its line in the index.
+"""Checks that every projection has its page, its picture and its line in the index, and that the
+page on exactness says of every technique what it promises.
 
     check_pages.py ROOT
 
-The names come from the registry, Module/Projections/ProjectionRegistry.cxx.
+The names come from the registries, Module/Projections/ProjectionRegistry.cxx and
+Module/Frame/Technique.cxx.
 """
 
 import os
@@ -12,9 +14,12 @@ import re
 import sys
 
 REGISTRY = "Module/Projections/ProjectionRegistry.cxx"
+TECHNIQUES = "Module/Frame/Technique.cxx"
+PROMISES = "Documentation/exactness.md"
 PAGES = "Documentation/projections"
 INDEX = "Documentation/README.md"
 ENTRY = re.compile(r'WFV_PROJECTION\(\s*\w+,\s*"([^"]+)"')
+TECHNIQUE = re.compile(r'^\s*\{ "(\w+)", "', re.M)
 PICTURE = re.compile(r"^!\[[^\]]+\]\(([^)]+)\)$", re.M)
 SECTIONS = (
     "Formula", "Inverse", "Domain", "Discontinuities", "Parameters", "Properties", "Sources",
@@ -67,6 +72,11 @@ def main():
     for file in sorted(os.listdir(pages)) if os.path.isdir(pages) else []:
         if file.endswith(".md") and file[:-3] not in names:
             print("%s: page: no projection has this name" % file)
+            wrong += 1
+    promises = read(root, PROMISES) or ""
+    for technique in TECHNIQUE.findall(read(root, TECHNIQUES) or ""):
+        if not re.search(r"^\| `%s`" % technique, promises, re.M):
+            print("%s: page: %s promises nothing of it" % (technique, PROMISES))
             wrong += 1
     print("pages: %d projections, %d complaints" % (len(names), wrong))
     sys.exit(1 if wrong else 0)

@@ -10,7 +10,8 @@ folder of somebody's machine; what differs between versions of VTK, or between d
 OpenGL, is guarded in Module/Compat alone, and what differs between those of ParaView in
 Plugin/Compat alone; headers declare VTK's classes in VTK's namespace; every variable of a shader
 begins with a value; no source outside Module/Stereo names a stereo model, or takes the eye for a
-number. Prints `path:line: rule: what is wrong` for every breach and exits with 1 when
+number; only Module/Drawables/Kinds, and Compat, ask for a mapper or an actor by the name of its
+class. Prints `path:line: rule: what is wrong` for every breach and exits with 1 when
 there is one.
 """
 
@@ -23,12 +24,14 @@ from sources import CPP, SHADERS, find_sources
 
 MAX_FUNCTION_LINES = 39  # "under 40": what fits a screen
 MAX_SOURCE_LINES = 450  # "about 400": one idea a file
+MAX_SHADER_LINES = 250  # a file has one question of a stage
 
 # The floors of the module, from the ground up; those in one row do not know each other. A folder
 # includes from itself and the floors below it. On the roof are the public classes.
 FLOORS = (
     ("Module/Projections",),
     ("Module/Stereo", "Module/Compat"),
+    ("Module/Drawables/Kinds",),
     ("Module/Camera", "Module/Clusters"),
     ("Module/Shaders",),
     ("Module/Drawables",),
@@ -98,6 +101,10 @@ EYE_AS_NUMBER = re.compile(
     r"|\b(?:float|double)>?\([\w.>-]*\.eye\b"
 )
 
+# What a kind of drawable is, is asked for by its traits.
+KIND = re.compile(r'(?:IsA\(|strcmp\(.*|[!=]= *)"vtk\w*(?:Mapper|Helper|Actor|Volume)\w*"')
+KINDS = ("Module/Drawables/Kinds/", "Module/Compat/")
+
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(["<])([^">]+)[">]', re.M)
 
 # Written in pieces, so that this file does not match itself.
@@ -138,9 +145,10 @@ def check_length(source):
     """Short functions, short sources."""
     if not source.is_code:
         return
-    if len(source.lines) > MAX_SOURCE_LINES:
-        text = "%d lines, at most %d" % (len(source.lines), MAX_SOURCE_LINES)
-        yield MAX_SOURCE_LINES + 1, "source length", text
+    most = MAX_SHADER_LINES if source.is_kind(SHADERS) else MAX_SOURCE_LINES
+    if len(source.lines) > most:
+        text = "%d lines, at most %d" % (len(source.lines), most)
+        yield most + 1, "source length", text
     functions = []
     if source.is_kind(CPP + SHADERS):
         functions = cpp_functions(source.text)
@@ -213,6 +221,18 @@ def check_begun(source):
             yield number, "unset", "'%s' begins without a value" % match.group(1)
 
 
+def check_kinds(source):
+    """One registry of drawables."""
+    if not source.path.startswith("Module/") or source.path.startswith(KINDS):
+        return
+    if not source.is_kind(CPP):
+        return
+    for number, line in enumerate(source.lines, 1):
+        match = KIND.search(line)
+        if match:
+            yield number, "drawable", "%s: ask for its traits, HasTrait" % match.group()
+
+
 def check_models(source, models):
     """Only the models know which of them is which; `models`: their names."""
     path = source.path
@@ -235,7 +255,7 @@ def check_models(source, models):
 
 CHECKS = (
     check_length, check_shaders, check_licence, check_paths, check_versions, check_namespace,
-    check_begun,
+    check_begun, check_kinds,
 )
 
 

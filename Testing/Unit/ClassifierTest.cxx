@@ -125,7 +125,7 @@ struct Classified
     this->V.EyeRadius = own ? wfvFromMiddle(v) : 0;
     this->V.Stereo = own ? model : nullptr;
     this->V.Limits = std::make_shared<ChordLimits>(
-      p, v, LocalBend(p, v), Size, own ? (1 - Classifier::EyeShare) * tolerance : tolerance);
+      p, v, LocalCurvature(p, v), Size, own ? (1 - Classifier::EyeShare) * tolerance : tolerance);
     this->Classes.reset(new Classifier(this->V));
   }
 

@@ -199,8 +199,8 @@ TEST(DirectionMap, PiecesShowADirectionOnce)
   }
 }
 
-// Edges of triangles within a cap lie as near to their chords as the bend of its piece says, at
-// every place between their ends; some lie a tenth as far beside.
+// Edges of triangles within a cap lie as near to their chords as the curvature of its piece says,
+// at every place between their ends; some lie a tenth as far beside.
 TEST(DirectionMap, EdgesLieBesideTheirChordsAsFarAsPiecesSay)
 {
   double worst = 0;
@@ -221,7 +221,7 @@ TEST(DirectionMap, EdgesLieBesideTheirChordsAsFarAsPiecesSay)
         const vec2 p = at(0);
         const vec2 way = at(1) - p;
         const double chord = glm::length(way);
-        const double beside = BesideChord(chord, piece.Bend);
+        const double beside = BesideChord(chord, piece.Curvature);
         for (int i = 1; i < 8; i++)
         {
           const double off = std::abs(Cross(at(i / 8.) - p, way)) / chord;

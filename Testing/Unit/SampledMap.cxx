@@ -18,7 +18,8 @@ bool Boxes::Hold(const vec2& ndc) const
 std::optional<Piece> PieceOf(const vec3& centre, double angle, const WfvView& view)
 {
   const tables::WfvPlaces places = tables::wfvCapPlaces(centre, angle, view);
-  return places.bend < 1 ? std::optional<Piece>({ places.first, places.bend }) : std::nullopt;
+  return places.curvature < 1 ? std::optional<Piece>({ places.first, places.curvature })
+                              : std::nullopt;
 }
 
 vec3 PlaceIn(const vec4& r, const vec3& direction, const WfvView& view)
@@ -27,9 +28,9 @@ vec3 PlaceIn(const vec4& r, const vec3& direction, const WfvView& view)
   return tables::wfvFindFrom(middle, direction, view);
 }
 
-double BesideChord(double chord, double bend)
+double BesideChord(double chord, double curvature)
 {
-  return tables::wfvBesideChord(chord, bend);
+  return tables::wfvBesideChord(chord, curvature);
 }
 
 Boxes CapBoxes(const vec3& centre, double angle, const WfvView& view)

@@ -23,7 +23,7 @@ struct Boxes
 struct Piece
 {
   vec4 Rectangle; // NDC
-  double Bend;
+  double Curvature;
 };
 std::optional<Piece> PieceOf(const vec3& centre, double angle, const WfvView& view);
 
@@ -32,7 +32,7 @@ std::optional<Piece> PieceOf(const vec3& centre, double angle, const WfvView& vi
 vec3 PlaceIn(const vec4& rectangle, const vec3& direction, const WfvView& view);
 
 // wfvBesideChord
-double BesideChord(double chord, double bend);
+double BesideChord(double chord, double curvature);
 
 Boxes CapBoxes(const vec3& centre, double angle, const WfvView& view);
 }

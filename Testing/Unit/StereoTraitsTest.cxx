@@ -90,7 +90,7 @@ TEST(StereoTraits, WithoutADistanceBothEyesSeeWhatTheMiddleSees)
     s.Separation = 0;
     WfvView v = SeenBy(s).GetParameters();
     v.halfEyes = 0;
-    const WfvSight between = model.See(point, v);
+    const WfvRayHit between = model.See(point, v);
     const vec2 shifted = model.Shift(place, 0.5, v);
     for (const int eye : { WFV_EYE_LEFT, WFV_EYE_RIGHT })
     {

@@ -81,7 +81,7 @@ TEST(Visibility, DropsNothingThatIsSeen)
     for (int i = 0; i < Boxes; ++i)
     {
       const Box box = random.MakeBox();
-      if (!IsUnseen(view.GetProjection(), v, box, Window()))
+      if (!IsCulled(view.GetProjection(), v, box, Window()))
       {
         continue;
       }
@@ -118,7 +118,7 @@ TEST(Visibility, DropsWhatIsBeside)
       Box box;
       box.Add(d * 3.0 - 0.1);
       box.Add(d * 3.0 + 0.1);
-      EXPECT_TRUE(IsUnseen(p, named.TheView.GetParameters(), box, Window()))
+      EXPECT_TRUE(IsCulled(p, named.TheView.GetParameters(), box, Window()))
         << named.Name << ", " << Text(d);
     }
   }
@@ -141,7 +141,7 @@ TEST(Visibility, KnowsWindowsThatShowAll)
     for (int i = 0; i < Boxes; ++i)
     {
       const Box box = random.MakeBox();
-      agrees = agrees && IsUnseen(p, v, box, window) == !IsBetweenClips(v, box);
+      agrees = agrees && IsCulled(p, v, box, window) == !IsBetweenClips(v, box);
     }
     EXPECT_TRUE(agrees || !shows) << named.Name;
     const bool turns = p.Axis == Family::Meridian || p.Axis == Family::Azimuthal;
@@ -162,7 +162,7 @@ TEST(Visibility, KnowsTheClipSpheres)
     Box box;
     box.Add(low);
     box.Add(high);
-    return IsUnseen(view.GetProjection(), view.GetParameters(), box, Window());
+    return IsCulled(view.GetProjection(), view.GetParameters(), box, Window());
   };
   EXPECT_TRUE(unseen(vec3(-0.5), vec3(0.5)));
   EXPECT_FALSE(unseen(vec3(-0.6), vec3(0.6))); // its corners are outside the near sphere
@@ -183,11 +183,11 @@ TEST(Visibility, ReckonsWithWhatIsWide)
   ViewOptions o;
   o.Radii = { { 0.1, 10 } };
   Window wide;
-  wide.Reach = vec2(0.03);
+  wide.Footprint = vec2(0.03);
   o.HorizontalFov = o.VerticalFov = 170;
   const View round(*FindProjection("azimuthal-equidistant"), o);
   const auto unseen = [](const View& view, const Box& box, const Window& window) {
-    return IsUnseen(view.GetProjection(), view.GetParameters(), box, window);
+    return IsCulled(view.GetProjection(), view.GetParameters(), box, window);
   };
   EXPECT_TRUE(unseen(round, at(86), Window()));
   EXPECT_FALSE(unseen(round, at(86), wide));
@@ -201,7 +201,7 @@ TEST(Visibility, ReckonsWithWhatIsWide)
     left.High.x = -0.5;
     EXPECT_FALSE(unseen(all, at(179), left)) << name;
     EXPECT_TRUE(unseen(all, at(80), left)) << name;
-    left.Reach = vec2(0);
+    left.Footprint = vec2(0);
     EXPECT_TRUE(unseen(all, at(179), left)) << name;
   }
 }

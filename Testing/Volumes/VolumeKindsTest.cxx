@@ -168,12 +168,12 @@ void CompareWithStock(VolumeScene& scene, const std::string& name)
   scene.Stock = true;
   scene.Draw(shot, PictureName(name + "-stock"));
   const std::vector<unsigned char> wanted = PixelsOf(scene.Window);
-  EXPECT_EQ(scene.Pass->GetNumberOfPlainDraws(), 0) << name;
+  EXPECT_EQ(scene.Pass->GetNumberOfProjectedDraws(), 0) << name;
   scene.Stock = false;
   scene.Draw(shot, PictureName(name));
   const double off = MeanDifference(PixelsOf(scene.Window), wanted);
   std::cout << name << ": mean " << off << " levels from stock VTK's perspective" << std::endl;
-  EXPECT_EQ(scene.Pass->GetNumberOfPlainDraws(), 1) << name;
+  EXPECT_EQ(scene.Pass->GetNumberOfProjectedDraws(), 1) << name;
   EXPECT_LT(off, StockLevels) << name;
   EXPECT_GT(*std::max_element(wanted.begin(), wanted.end()), 60) << name;
 }

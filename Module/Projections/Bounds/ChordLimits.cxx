@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Projections/Bounds/ChordLimits.h"
 
-#include "Projections/Bounds/Bend.h"
+#include "Projections/Bounds/Curvature.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ constexpr double NarrowestCell = 0.03;
 // ends are.
 constexpr double Farther = 0.75;
 
-// Pixels, and tolerances besides: nearer to a pole or an antipode the map bends from pixel to
+// Pixels, and tolerances besides: nearer to a pole or an antipode the map curves from pixel to
 // pixel.
 constexpr double BesidePole = 4;
 constexpr double BesidePoleOff = 16;
@@ -82,14 +82,14 @@ double AngleFromRim(const Projection& map, const WfvView& view, const vec2& half
   return angle;
 }
 
-float LimitOf(const LocalBend& bends, std::size_t cell, const vec2& half, double tolerance)
+float LimitOf(const LocalCurvature& table, std::size_t cell, const vec2& half, double tolerance)
 {
   double limit = 0;
-  double longest2 = LocalBend::LongestEdge * LocalBend::LongestEdge;
-  for (int level = 0; level < LocalBend::Levels; level++, longest2 *= 4)
+  double longest2 = LocalCurvature::LongestEdge * LocalCurvature::LongestEdge;
+  for (int level = 0; level < LocalCurvature::Levels; level++, longest2 *= 4)
   {
-    const LocalBend::Cell& bend = bends.OfCell(cell, level);
-    const double pixels = std::hypot(bend[0] * half.x, bend[1] * half.y);
+    const LocalCurvature::Cell& curvature = table.OfCell(cell, level);
+    const double pixels = std::hypot(curvature[0] * half.x, curvature[1] * half.y);
     // (0 where it is infinite)
     limit = std::max(limit, std::min(longest2, 8 * tolerance / pixels));
   }
@@ -99,7 +99,7 @@ float LimitOf(const LocalBend& bends, std::size_t cell, const vec2& half, double
 
 std::vector<float> LeastAroundEach(const std::vector<float>& limits)
 {
-  const std::vector<LocalBend::Around>& neighbours = LocalBend::GetNeighbours();
+  const std::vector<LocalCurvature::Around>& neighbours = LocalCurvature::GetNeighbours();
   std::vector<float> least(limits);
   for (std::size_t cell = 0; cell < limits.size(); cell++)
   {
@@ -112,8 +112,8 @@ std::vector<float> LeastAroundEach(const std::vector<float>& limits)
 }
 }
 
-ChordLimits::ChordLimits(const Projection& projection, const WfvView& view, const LocalBend& bends,
-  const vec2& pixels, double tolerance)
+ChordLimits::ChordLimits(const Projection& projection, const WfvView& view,
+  const LocalCurvature& table, const vec2& pixels, double tolerance)
   : Map(projection)
   , View(view)
   , Half(0.5 * pixels)
@@ -125,17 +125,18 @@ ChordLimits::ChordLimits(const Projection& projection, const WfvView& view, cons
 {
   const bool singular =
     Axis == Family::Meridian || (Axis == Family::Azimuthal && !projection.FlatRim);
-  if (singular && view.bend > 0)
+  if (singular && view.curvature > 0)
   {
-    this->PerSine2 = Farther * Farther * 8 * tolerance / (view.bend * 0.5 * glm::length(pixels));
+    this->PerSine2 =
+      Farther * Farther * 8 * tolerance / (view.curvature * 0.5 * glm::length(pixels));
   }
   const vec2& half = this->Half;
-  this->Limits.resize(LocalBend::NumberOfCells);
-  this->Stretches.resize(LocalBend::NumberOfCells);
-  for (std::size_t cell = 0; cell < LocalBend::NumberOfCells; cell++)
+  this->Limits.resize(LocalCurvature::NumberOfCells);
+  this->Stretches.resize(LocalCurvature::NumberOfCells);
+  for (std::size_t cell = 0; cell < LocalCurvature::NumberOfCells; cell++)
   {
-    this->Limits[cell] = LimitOf(bends, cell, half, tolerance);
-    this->Stretches[cell] = static_cast<float>(bends.OfCell(cell, 0)[2] * std::max(half.x, half.y));
+    this->Limits[cell] = LimitOf(table, cell, half, tolerance);
+    this->Stretches[cell] = static_cast<float>(table.OfCell(cell, 0)[2] * std::max(half.x, half.y));
   }
   const double rim = RimPixels + RimOff * tolerance;
   if (Axis == Family::Azimuthal)
@@ -221,12 +222,12 @@ float ChordLimits::LeastAround(const vec3& direction, double sine) const
   {
     return 0;
   }
-  double reach = NarrowestCell;
-  for (int ring = 0; ring < Rings; ring++, reach *= 2)
+  double widest = NarrowestCell;
+  for (int ring = 0; ring < Rings; ring++, widest *= 2)
   {
-    if (sine <= reach)
+    if (sine <= widest)
     {
-      const float least = this->Least[ring][LocalBend::CellOf(direction)];
+      const float least = this->Least[ring][LocalCurvature::CellOf(direction)];
       return least < Coarse ? std::max(least, this->NearSingularity(direction, sine)) : least;
     }
   }

@@ -3,15 +3,15 @@
 #ifndef WideFoVChordLimits_h
 #define WideFoVChordLimits_h
 
-#include "Projections/Bounds/LocalBend.h"
+#include "Projections/Bounds/LocalCurvature.h"
 
 #include <array>
 #include <vector>
 
 namespace wfv
 {
-// For each cell of directions (wfv::LocalBend) the largest angle that an edge there may have so
-// that its chord error, the distance between the edge and its chord in the picture, is within a
+// For each cell of directions (wfv::LocalCurvature) the largest angle that an edge there may have
+// so that its chord error, the distance between the edge and its chord in the picture, is within a
 // tolerance. One number a cell: to classify an edge is to look up two of them.
 class WFV_EXPORT ChordLimits
 {
@@ -21,7 +21,7 @@ public:
   static constexpr double LongestChord = 0.08;
 
   // pixels: of the whole picture; tolerance: pixels.
-  ChordLimits(const Projection& projection, const WfvView& view, const LocalBend& bends,
+  ChordLimits(const Projection& projection, const WfvView& view, const LocalCurvature& table,
     const vec2& pixels, double tolerance);
 
   // Squared radians, 0 where no edge may. direction: of any length but 0, in the map's own frame,
@@ -32,7 +32,7 @@ public:
     {
       return 0;
     }
-    const float limit = this->Limits[LocalBend::CellOf(direction)];
+    const float limit = this->Limits[LocalCurvature::CellOf(direction)];
     return limit < Coarse ? std::max(limit, this->NearSingularity(direction)) : limit;
   }
 
@@ -43,7 +43,7 @@ public:
   // Pixels a radian, by which the map stretches there at the most.
   float StretchAt(const vec3& direction) const
   {
-    return this->Stretches[LocalBend::CellOf(direction)];
+    return this->Stretches[LocalCurvature::CellOf(direction)];
   }
 
   // Whether the middle of the way from p to q is so near the chord of an edge that the edge is:
@@ -62,7 +62,7 @@ public:
   double GetRimAngle() const { return this->RimAngle; }
 
   // Whether a direction, or one that an angle of this sine leads to from there, is so near a pole
-  // or an antipode that the map bends from pixel to pixel. direction: of any length but 0.
+  // or an antipode that the map curves from pixel to pixel. direction: of any length but 0.
   bool IsBesideSingularity(const vec3& direction, double sine = 0) const
   {
     const vec3& d = direction;
@@ -78,7 +78,7 @@ private:
   // that is in it, though most is farther from there than its nearest place.
   static constexpr float Coarse = 0.02f * 0.02f;
 
-  // By the bound of wfv::Bend, which knows how near a direction is.
+  // By the bound of wfv::Curvature, which knows how near a direction is.
   // aside: the sine of an angle to go nearer.
   float NearSingularity(const vec3& direction, double aside = 0) const;
 

@@ -45,21 +45,22 @@ Range TurnsOf(const Range& u, const Range& v)
 
 bool Meets(const vec4& bounds, const Window& w)
 {
-  const vec2 low = w.Low - w.Reach;
-  const vec2 high = w.High + w.Reach;
+  const vec2 low = w.Low - w.Footprint;
+  const vec2 high = w.High + w.Footprint;
   // written so that what is no number meets
   return !(bounds.x > high.x || bounds.z < low.x || bounds.y > high.y || bounds.w < low.y);
 }
 
-// Where a box may be in a map of meridians; reach: of what is drawn wide, beyond its place.
-Pictures PicturesOnMeridians(const Projection& p, const WfvView& v, const Box& b, const vec2& reach)
+// Where a box may be in a map of meridians; footprint: of what is drawn wide, beyond its place.
+Pictures PicturesOnMeridians(
+  const Projection& p, const WfvView& v, const Box& b, const vec2& footprint)
 {
   const Range x{ b.Low.x, b.High.x };
   const Range ahead{ -b.High.z, -b.Low.z };
   const Range flat = RadiiOf(x, ahead);
   const Range lambda = TurnsOf(ahead, x);
   // what reaches over the seam shows at the other border as well
-  const bool both = reach.x > 0 && std::max(-lambda.Low, lambda.High) > 0.5 * WFV_PI;
+  const bool both = footprint.x > 0 && std::max(-lambda.Low, lambda.High) > 0.5 * WFV_PI;
   const double endX = glm::radians(0.5 * p.MaxHorizontalFov);
   const double endY = glm::radians(0.5 * p.MaxVerticalFov);
   const double low = std::atan2(b.Low.y, b.Low.y < 0 ? flat.Low : flat.High);
@@ -80,7 +81,8 @@ Pictures PicturesOnMeridians(const Projection& p, const WfvView& v, const Box& b
   return pictures;
 }
 
-Pictures PicturesOnRoundMap(const Projection& p, const WfvView& v, const Box& b, const vec2& reach)
+Pictures PicturesOnRoundMap(
+  const Projection& p, const WfvView& v, const Box& b, const vec2& footprint)
 {
   const Range x{ b.Low.x, b.High.x };
   const Range y{ b.Low.y, b.High.y };
@@ -92,11 +94,11 @@ Pictures PicturesOnRoundMap(const Projection& p, const WfvView& v, const Box& b,
   const double outside =
     p.Map(vec2(0, std::max(nearest, v.maxAngle)), v).x - p.Map(vec2(0, v.maxAngle), v).x;
   Pictures pictures;
-  if (nearest > v.maxAngle * (1 + Rounding) && outside >= reach.x)
+  if (nearest > v.maxAngle * (1 + Rounding) && outside >= footprint.x)
   {
     return pictures;
   }
-  const double end = reach.x > 0 ? WFV_PI : v.maxAngle;
+  const double end = footprint.x > 0 ? WFV_PI : v.maxAngle;
   const Range azimuth = TurnsOf(x, y);
   pictures.Add(
     p.Bounds(vec4(azimuth.Low, std::min(nearest, end), azimuth.High, std::min(farthest, end)), v));
@@ -104,14 +106,14 @@ Pictures PicturesOnRoundMap(const Projection& p, const WfvView& v, const Box& b,
 }
 }
 
-Pictures PicturesOf(const Projection& p, const WfvView& v, const Box& b, const vec2& reach)
+Pictures PicturesOf(const Projection& p, const WfvView& v, const Box& b, const vec2& footprint)
 {
   switch (p.Axis)
   {
     case Family::Meridian:
-      return PicturesOnMeridians(p, v, b, reach);
+      return PicturesOnMeridians(p, v, b, footprint);
     case Family::Azimuthal:
-      return PicturesOnRoundMap(p, v, b, reach);
+      return PicturesOnRoundMap(p, v, b, footprint);
     default:
     {
       Pictures pictures;
@@ -154,12 +156,12 @@ bool ShowsAll(const Projection& p, const WfvView& v, const Window& w)
       all = p.Bounds(vec4(-WFV_PI, 0, WFV_PI, WFV_PI), v);
       break;
     default:
-      return true; // as IsUnseen says
+      return true; // as IsCulled says
   }
   return w.Low.x <= all.x && w.Low.y <= all.y && w.High.x >= all.z && w.High.y >= all.w;
 }
 
-bool IsUnseen(const Projection& p, const WfvView& v, const Box& b, const Window& w)
+bool IsCulled(const Projection& p, const WfvView& v, const Box& b, const Window& w)
 {
   if (!IsBetweenClips(v, b))
   {
@@ -169,7 +171,7 @@ bool IsUnseen(const Projection& p, const WfvView& v, const Box& b, const Window&
   {
     return false;
   }
-  const Pictures pictures = PicturesOf(p, v, b, w.Reach);
+  const Pictures pictures = PicturesOf(p, v, b, w.Footprint);
   return std::none_of(pictures.Bounds.begin(), pictures.Bounds.begin() + pictures.Count,
     [&w](const vec4& bounds) { return Meets(bounds, w); });
 }

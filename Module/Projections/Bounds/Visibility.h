@@ -22,10 +22,10 @@ struct Box
   }
 
   // The same as seen from any place no farther from the origin.
-  void Grow(double reach)
+  void Grow(double by)
   {
-    this->Low -= reach;
-    this->High += reach;
+    this->Low -= by;
+    this->High += by;
   }
 };
 
@@ -34,7 +34,7 @@ struct Window
 {
   vec2 Low{ -1 };
   vec2 High{ 1 };
-  vec2 Reach{ 0 }; // how far a thing may be drawn from its place: wide lines and points
+  vec2 Footprint{ 0 }; // how far a thing may be drawn from its place: wide lines and points
 };
 
 // Rectangles of the map, NDC: left, bottom, right, top. They may overlap and reach beyond the
@@ -47,17 +47,17 @@ struct Pictures
   void Add(const vec4& bounds) { this->Bounds[this->Count++] = bounds; }
 };
 
-// What surely holds the picture of a box, whatever the clip spheres; reach: how far a thing may be
-// drawn from its place.
+// What surely holds the picture of a box, whatever the clip spheres; footprint: how far a thing may
+// be drawn from its place.
 WFV_EXPORT Pictures PicturesOf(
-  const Projection& projection, const WfvView& view, const Box& box, const vec2& reach);
+  const Projection& projection, const WfvView& view, const Box& box, const vec2& footprint);
 
 // True where no point of the box is between the clip spheres and in the window. Never where one
 // is; boxes that are near may be called seen though they are not. In double.
-WFV_EXPORT bool IsUnseen(
+WFV_EXPORT bool IsCulled(
   const Projection& projection, const WfvView& view, const Box& box, const Window& window);
 
-// True where the window shows all directions: then a box is unseen where IsBetweenClips is false,
+// True where the window shows all directions: then a box is culled where IsBetweenClips is false,
 // which takes no arc tangents and no search along the map's border.
 WFV_EXPORT bool ShowsAll(const Projection& projection, const WfvView& view, const Window& window);
 

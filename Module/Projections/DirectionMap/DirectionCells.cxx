@@ -117,7 +117,7 @@ std::vector<Level> StorePixels(const DirectionMap& map)
     WfvPlaces pixel = wfvNoPlaces();
     pixel.first = vec4(
       2. * x / width - 1, 2. * y / height - 1, 2. * (x + 1) / width - 1, 2. * (y + 1) / height - 1);
-    pixel.calm = (static_cast<int>(texel[3]) & WFV_PIXEL_CALM) != 0;
+    pixel.simple = (static_cast<int>(texel[3]) & WFV_PIXEL_SIMPLE) != 0;
     Unite(levels[l].At(wfvCellColumn(d, levels[l].Cells), wfvCellRow(d, levels[l].Cells)), pixel);
   }
   WfvPlaces everywhere = wfvNoPlaces();
@@ -165,7 +165,7 @@ void WriteLevel(const Level& level, int cells, std::vector<Texel>& table)
       Texel* const texels = &table[2 * (line * 6 * cells + column)];
       texels[0] = TexelOf(cell.first);
       texels[1] = TexelOf(cell.second);
-      texels[0][0] += cell.calm && cell.first.x <= 1 ? static_cast<float>(WFV_CALM_CELL) : 0.f;
+      texels[0][0] += cell.simple && cell.first.x <= 1 ? static_cast<float>(WFV_SIMPLE_CELL) : 0.f;
     }
   }
 }

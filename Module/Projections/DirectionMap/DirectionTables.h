@@ -15,6 +15,9 @@ namespace wfv
 namespace tables
 {
 #include "Projections/library/cube_faces.glsl"
+#include "Projections/library/direction_rays.glsl"
+#include "Projections/library/direction_places.glsl"
+
 #include "Projections/direction-map.glsl"
 #include "Projections/library/unproject.glsl"
 }

@@ -38,7 +38,7 @@ struct WfvView
   float lens5;   // c5
   float maxAngle; // round maps: angle at the rim of the domain, radians
   int depthMapping; // WFV_DEPTH_LINEAR, ... (depth.glsl)
-  float bend;     // how far chords are from their edges: see Bend.h
+  float curvature; // how far chords are from their edges: see Curvature.h
   int eye;        // WFV_EYE_LEFT, ...
   float halfEyes; // half the distance between the eyes, in the unit of their stereo model
   vec4 stereo;    // what else the model knows of both, as it says (Stereo/*.glsl)

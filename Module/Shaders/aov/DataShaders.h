@@ -12,8 +12,8 @@ namespace wfv
 namespace data
 {
 // Before the mapper replaces its tags, and after. wide: behind a camera that is.
-void Prepare(const stock::Facts& facts, bool wide, std::string& geometry, std::string& fragment);
-void Finish(const stock::Facts& facts, bool wide, std::string& vertex, std::string& geometry,
+void Prepare(const stock::Traits& traits, bool wide, std::string& geometry, std::string& fragment);
+void Finish(const stock::Traits& traits, bool wide, std::string& vertex, std::string& geometry,
   std::string& fragment);
 }
 }

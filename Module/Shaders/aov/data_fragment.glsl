@@ -6,7 +6,7 @@ in vec3 wfvPositionVSOutput;
 #endif
 uniform int wfvPropNumber; // 0: a prop without an index
 
-#ifndef WFV_FLAT_NORMAL // cover_fragment.glsl knows the triangle's plane
+#ifndef WFV_FLAT_NORMAL // cover_surface.glsl knows the triangle's plane
 // Of the flat triangle, towards the eye; straight towards it where differences between
 // pixels say nothing.
 vec3 wfvFlatNormal()

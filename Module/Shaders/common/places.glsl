@@ -5,17 +5,17 @@
 const float WFV_PLACE_PAD = 2e-6;
 
 // Radians that so many pixels take up at the most.
-float wfvReachOf(float pixels)
+float wfvFootprint(float pixels)
 {
   vec2 texels = wfvView.tables.xy / (wfvViewport.zw * wfvTile.xy); // a pixel
   return pixels * wfvView.tables.w * length(texels) + WFV_PLACE_PAD;
 }
 
-// Where the map is calm round a cap: the rectangle is all there is, and a direction in the cap is
+// Where the map is simple round a cap: the rectangle is all there is, and a direction in the cap is
 // found from its middle.
-bool wfvIsCalmPlace(WfvPlaces places)
+bool wfvIsSimplePlace(WfvPlaces places)
 {
-  return places.calm && !(places.second.x <= places.second.z);
+  return places.simple && !(places.second.x <= places.second.z);
 }
 
 // The place of a direction, pixels of the direction map, from a place near it.
@@ -36,5 +36,5 @@ vec2 wfvMiddleOf(vec4 r)
 // map on as far as that, may be wrong about it.
 float wfvCarriedOn(float texels)
 {
-  return 4.0 * WFV_CLOSE_BEND * texels * texels;
+  return 4.0 * WFV_CLOSE_CURVATURE * texels * texels;
 }

@@ -21,7 +21,7 @@ constexpr int LineComponents = 4 + 1 + 15;
 // And where the map does not show the whole of an arc, or no eye sees all of it.
 constexpr int RangeComponents = 2;
 
-// And of an eye whose rays begin in several places (line_own.glsl).
+// And of an eye whose rays begin in several places (line_noncentral.glsl).
 constexpr int FootComponents = 4;
 
 // Rectangles that the stage may emit: more than these it never needs; with fewer than
@@ -31,7 +31,7 @@ constexpr int FewestQuads = 3;
 
 int LineVertices(const Request& r, const std::vector<Varying>& varyings)
 {
-  const bool rays = OwnRays(r);
+  const bool rays = NonCentral(r);
   const bool cut = r.Projection->Axis == Family::Faces || r.Projection->FlatRim || rays;
   const int own = LineComponents + (cut ? RangeComponents : 0) + (rays ? FootComponents : 0);
   const int quads = MostComponents / (4 * (own + CornerComponents(varyings, 2)));
@@ -66,27 +66,30 @@ std::string GeometrySource(const Request& r, const std::vector<Varying>& varying
 {
   const std::string head = Define("WFV_LINE_VERTICES", LineVertices(r, varyings)) + line_arc_glsl;
   const std::string corners = CornerOutputs(varyings, 2);
-  if (OwnRays(r))
+  if (NonCentral(r))
   {
-    return head + line_own_glsl + line_own_frame_glsl + corners + line_geometry_glsl +
-      line_own_geometry_glsl;
+    return head + line_noncentral_glsl + line_noncentral_frame_glsl + line_noncentral_tops_glsl +
+      corners + line_emit_glsl + line_shapes_glsl + line_noncentral_geometry_glsl +
+      line_geometry_glsl;
   }
-  const std::string arcs = head + line_frame_glsl + corners + line_geometry_glsl;
-  if (r.Projection->Axis == Family::Sampled)
-  {
-    return arcs + places_glsl + line_on_directions_glsl;
-  }
-  return arcs + (r.Projection->Axis == Family::Faces ? line_on_faces_glsl : "");
+  const Family family = r.Projection->Axis;
+  return head + line_frame_glsl + corners + line_emit_glsl + line_shapes_glsl + line_central_glsl +
+    (family == Family::Faces        ? line_on_faces_glsl
+        : family == Family::Sampled ? std::string(places_glsl) + line_on_directions_glsl
+                                    : line_arcs_glsl) +
+    line_geometry_glsl;
 }
 
 std::string FragmentSource(
   const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
 {
   RewriteNormal(r, varyings, fragment);
-  const bool ownMap = r.Projection->Axis == Family::Sampled && !OwnRays(r);
+  const bool localMap = r.Projection->Axis == Family::Sampled && !NonCentral(r);
   return std::string(line_arc_glsl) +
-    (OwnRays(r) ? std::string(line_own_glsl) + line_own_fragment_glsl : "") + line_fragment_glsl +
-    (ownMap ? std::string(own_map_glsl) + line_own_map_glsl : line_nearest_glsl) +
+    (NonCentral(r) ? std::string(line_noncentral_glsl) + line_noncentral_fragment_glsl : "") +
+    line_fragment_glsl +
+    (localMap ? std::string(local_map_glsl) + line_local_map_glsl
+              : std::string(line_newton_glsl) + line_starts_glsl + line_nearest_glsl) +
     CornerInputs(varyings, { "(1.0 - wfvAlong)", "wfvAlong" });
 }
 }

@@ -13,7 +13,7 @@ vec3 wfvArcTop = vec3(0.0);
 vec3 wfvArcSide = vec3(0.0);
 vec4 wfvArcEnds = vec4(0.0); // angles of the two ends, a0 <= a1, and their distances from the eye
 vec2 wfvArcRange = vec2(0.0); // of these angles, those that the map shows
-float wfvArcDelta = 0.0; // scale of the angles at which the image bends, radians
+float wfvArcDelta = 0.0; // scale of the angles at which the image curves, radians
 float wfvArcCut = 0.0; // angle at which the image jumps, or WFV_NO_CUT
 #if WFV_FACES
 int wfvArcFace = 0; // the face of the cube whose map this is
@@ -25,11 +25,11 @@ const float WFV_NO_CUT = 1e9;
 // Knots a quarter of a great circle, four quarters.
 const int WFV_KNOTS = 14;
 
-// The scale of the bends counts at least so much: the sine of WFV_AT_POLE.
+// The scale of the curves counts at least so much: the sine of WFV_AT_POLE.
 const float WFV_LEAST_DELTA = 1e-6;
 
-#if WFV_OWN_RAYS
-vec3 wfvArcAt(float a); // line_own.glsl
+#if WFV_NON_CENTRAL
+vec3 wfvArcAt(float a); // line_noncentral.glsl
 #else
 vec3 wfvArcAt(float a)
 {
@@ -111,9 +111,9 @@ vec2 wfvAcrossSeam(vec2 d)
   return d;
 }
 
-#if !WFV_OWN_RAYS
+#if !WFV_NON_CENTRAL
 // Angle of knot i, 0 to 4 WFV_KNOTS, from half a turn before top to half a turn behind it.
-// They are dense where the image may bend: near top, and opposite to it; or, where a map is
+// They are dense where the image may curve: near top, and opposite to it; or, where a map is
 // flat at its rim, which arcs meet a quarter of a turn from top, there.
 float wfvKnot(int i)
 {
@@ -154,7 +154,7 @@ const float WFV_FACE_PAD = 2.0;
 // Radians: the map of a face is carried on no farther.
 const float WFV_FACE_BEYOND = 0.6;
 
-#if WFV_OWN_RAYS
+#if WFV_NON_CENTRAL
 // Tangent of the angle from the middle of a face as far as which its map is carried on.
 float wfvFaceTangent()
 {

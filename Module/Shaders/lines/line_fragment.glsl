@@ -20,7 +20,7 @@ flat in vec3 wfvLineSide;
 flat in vec4 wfvLineEnds;
 flat in vec4 wfvLineMap;
 flat in int wfvLineMode;
-#if WFV_FACES || WFV_FLAT_RIM || WFV_OWN_RAYS
+#if WFV_FACES || WFV_FLAT_RIM || WFV_NON_CENTRAL
 flat in vec2 wfvLineRange;
 #endif
 
@@ -36,7 +36,7 @@ void wfvInterpolate(); // generated: sets the stock shader's inputs from wfvAlon
 uniform int wfvSamples;
 uniform vec2 wfvSampleOffsets[WFV_MOST_SAMPLES];
 
-// Pixels by which all samples are moved where their distance is judged: lines along the
+// Pixels by which all samples are moved where their distance is measured: lines along the
 // borders between pixels, which a graticule is full of, then fall on one side of them
 // whatever the rounding.
 const vec2 WFV_LINE_TIE = vec2(0.007, 0.011);
@@ -70,7 +70,7 @@ float wfvChordDistance(vec2 p)
 #else
   vec3 d = wfvUnproject(ndc, wfvView).direction;
 #endif
-#if WFV_OWN_RAYS
+#if WFV_NON_CENTRAL
   float a = wfvAngleOf(d);
 #else
   float a = wfvAtan2(dot(d, wfvArcSide), dot(d, wfvArcTop));
@@ -159,7 +159,7 @@ void wfvUnpack(vec2 p)
   wfvArcTop = wfvLineTop;
   wfvArcSide = wfvLineSide;
   wfvArcEnds = wfvLineEnds;
-#if WFV_FACES || WFV_FLAT_RIM || WFV_OWN_RAYS
+#if WFV_FACES || WFV_FLAT_RIM || WFV_NON_CENTRAL
   wfvArcRange = wfvLineRange;
 #else
   wfvArcRange = wfvLineEnds.xy;
@@ -169,8 +169,8 @@ void wfvUnpack(vec2 p)
   wfvLineKind = wfvLineMode - WFV_FACE_UNIT * wfvArcFace;
   if (wfvLineKind == 5)
   {
-#if WFV_OWN_RAYS
-    wfvUnpackOwn(wfvLineMap, false);
+#if WFV_NON_CENTRAL
+    wfvUnpackNc(wfvLineMap, false);
     wfvArcFace = wfvShownFace(p);
     wfvKeepShown();
 #else
@@ -184,8 +184,8 @@ void wfvUnpack(vec2 p)
   wfvArcCut = parts ? wfvLineMap.x : WFV_NO_CUT;
   wfvArcDelta = parts ? abs(wfvLineMap.y) : 1.0;
   wfvArcJump = parts && wfvLineMap.y < 0.0;
-#if WFV_OWN_RAYS
-  wfvUnpackOwn(wfvLineMap, parts);
+#if WFV_NON_CENTRAL
+  wfvUnpackNc(wfvLineMap, parts);
   wfvSetKnots();
 #endif
 }
@@ -200,9 +200,9 @@ void wfvPrepare()
   bool inside = wfvUnproject(wfvNdcOfPixel(gl_FragCoord.xy), wfvView).inside;
   float d = wfvFindNearest(p);
   wfvAlong = wfvLineParameter(wfvBestAngle);
-#if WFV_OWN_RAYS
+#if WFV_NON_CENTRAL
   wfvSeeLine(wfvAlong);
-  float rho = wfvLineSightFar;
+  float rho = wfvLineHitDistance;
 #else
   vec3 at = mix(wfvLineEnds.z * wfvArcAt(wfvLineEnds.x), wfvLineEnds.w * wfvArcAt(wfvLineEnds.y),
     wfvAlong);
@@ -218,8 +218,8 @@ void wfvPrepare()
 // Normal of a line for its light: across it, and towards the eye.
 vec3 wfvLineNormal(vec3 direction, vec3 position)
 {
-#if WFV_OWN_RAYS
-  position = wfvLineSight;
+#if WFV_NON_CENTRAL
+  position = wfvLineHitDirection;
 #endif
   vec3 n = cross(cross(direction, -position), direction);
   float l = length(n);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Lines, geometry stage: the frame of the arc of line_arc.glsl from the two ends of the line,
-// and where its image is torn.
+// and where its image is discontinuous.
 
 // Sine below which float32 cannot tell an arc's plane: a line towards or through the eye.
 const float WFV_RADIAL = 4e-7;
@@ -9,7 +9,7 @@ const float WFV_RADIAL = 4e-7;
 const float WFV_LEVEL = 0.9999;
 
 // Radians: latitudes of such arcs, rounded up; sqrt(2 (1 - WFV_LEVEL)).
-const float WFV_LEVEL_REACH = 0.015;
+const float WFV_LEVEL_PAD = 0.015;
 
 bool wfvLevel = false; // the arc keeps to its latitude
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Lines, geometry stage, for direction maps: a rectangle along each part of the line where the map
-// is calm; elsewhere what caps round it meet, in one rectangle or two, as of triangles
+// is simple; elsewhere what caps round it meet, in one rectangle or two, as of triangles
 // (cover_directions.glsl).
 
 // Cells of the map's finest level: so long are parts, if there are not too many; some six pixels.
@@ -19,20 +19,20 @@ WfvPlaces wfvPlacesOf(float lo, float hi)
   WfvPlaces places = wfvNoPlaces();
   int caps = int(max(ceil((hi - lo) / WFV_LINE_CAP), 1.0));
   float angle = (hi - lo) / float(caps);
-  float reach = wfvReachOf(0.5 * wfvLineWidth + WFV_LINE_THIN_PAD);
+  float footprint = wfvFootprint(0.5 * wfvLineWidth + WFV_LINE_THIN_PAD);
   for (int i = 0; i < caps; i++)
   {
     vec3 middle = wfvArcAt(lo + (float(i) + 0.5) * angle);
-    places = wfvWithPlaces(places, wfvCapPlaces(middle, 0.5 * angle + reach, wfvView));
+    places = wfvWithPlaces(places, wfvCapPlaces(middle, 0.5 * angle + footprint, wfvView));
   }
   return places;
 }
 
-// Emits a rectangle along a part; false where its places are not all calm and near each other.
+// Emits a rectangle along a part; false where its places are not all simple and near each other.
 bool wfvEmitClose(WfvPlaces places, float lo, float hi)
 {
   vec4 r = places.first;
-  if (!wfvIsCalmPlace(places))
+  if (!wfvIsSimplePlace(places))
   {
     return false;
   }
@@ -40,14 +40,14 @@ bool wfvEmitClose(WfvPlaces places, float lo, float hi)
   vec3 p = wfvFindIn(r, m.xy, wfvArcAt(lo));
   vec3 q = wfvFindIn(r, m.xy, wfvArcAt(hi));
   float chord = length(q.xy - p.xy);
-  float bend = WFV_CLOSE_BEND * chord * chord + WFV_SEARCH_REST;
+  float sagitta = WFV_CLOSE_CURVATURE * chord * chord + WFV_SEARCH_REST;
   if (!(max(p.z, max(m.z, q.z)) < WFV_SEARCH_REST && chord < WFV_LINE_CLOSE &&
-        length(m.xy - 0.5 * (p.xy + q.xy)) <= bend))
+        length(m.xy - 0.5 * (p.xy + q.xy)) <= sagitta))
   {
     return false;
   }
   vec2 texel = wfvViewport.zw * wfvTile.xy / wfvView.tables.xy; // pixels
-  float grow = bend + wfvCarriedOn(0.5 * wfvLineWidth / min(texel.x, texel.y));
+  float grow = sagitta + wfvCarriedOn(0.5 * wfvLineWidth / min(texel.x, texel.y));
   wfvEmitAlong(wfvTilePixel(wfvNdcOfPixel(p.xy, wfvView)),
     wfvTilePixel(wfvNdcOfPixel(q.xy, wfvView)), wfvLineGrow() + grow * max(texel.x, texel.y));
   return true;

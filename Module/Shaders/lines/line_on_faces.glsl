@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Lines, geometry stage, for maps of the faces of a cube: a rectangle for each face that shows
-// some of the line. On a face nothing tears the map, and it bends little.
+// some of the line. A face has no discontinuity, and little curvature.
 
 const int WFV_FACE_COUNT = 6;
 

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pre-clip of lines on a direction map: pieces, each of which is drawn where both its ends
-// and its middle are shown, and the middle between the ends. Others are torn, and left out.
+// and its middle are shown, and the middle between the ends. Others meet a discontinuity, and are left out.
 
 // Part of a piece's length, and pixels, by which its middle may lie beside the middle of its
-// ends; where a map is torn it lies at one end.
-const float WFV_TORN_PIECE = 0.25;
-const float WFV_TORN_PIXELS = 2.0;
+// ends; at a discontinuity it lies at one end.
+const float WFV_GAP_PIECE = 0.25;
+const float WFV_GAP_PIXELS = 2.0;
 
-bool wfvIsWhole(vec4 a, vec4 m, vec4 b)
+bool wfvIsContinuous(vec4 a, vec4 m, vec4 b)
 {
   vec2 half_ = 0.5 * wfvViewport.zw;
   vec2 chord = half_ * (b.xy / b.w - a.xy / a.w);
   vec2 off = half_ * (m.xy / m.w - 0.5 * (a.xy / a.w + b.xy / b.w));
-  return length(off) <= WFV_TORN_PIECE * length(chord) + WFV_TORN_PIXELS;
+  return length(off) <= WFV_GAP_PIECE * length(chord) + WFV_GAP_PIXELS;
 }
 
 bool wfvIsShown(vec3 p)
@@ -35,7 +35,7 @@ void wfvEmitSampled()
     vec3 q = mix(wfvP[0], wfvP[1], next);
     vec4 a = wfvClipOnSide(p, 0.0);
     vec4 b = wfvClipOnSide(q, 0.0);
-    if (wfvIsShown(p) && wfvIsShown(m) && wfvIsShown(q) && wfvIsWhole(a, wfvClipOnSide(m, 0.0), b))
+    if (wfvIsShown(p) && wfvIsShown(m) && wfvIsShown(q) && wfvIsContinuous(a, wfvClipOnSide(m, 0.0), b))
     {
 #if WFV_WIDE_LINES
       wfvEmitAcross(a, a, b, t);

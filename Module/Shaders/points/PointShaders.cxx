@@ -24,7 +24,7 @@ bool Draws(const Request& r)
   // shows where is not found for sure
   const bool always = r.Projection->FlatRim || OnDirections(r);
   return r.Kind == Primitive::Points && (r.WidePoints || always) &&
-    r.Stage != wfv::ShaderBuilder::Variant::Plain;
+    r.Stage != wfv::ShaderBuilder::Variant::Projected;
 }
 
 std::string GeometrySource(const Request& r, const std::vector<Varying>& varyings)
@@ -39,7 +39,7 @@ std::string FragmentSource(
 {
   stock::Replace(fragment, stock::Edit::PointCoordinate, "wfvPointCoord", stock::Found::May);
   const std::string inputs = CornerInputs(varyings, { "1.0" });
-  return OnDirections(r) ? std::string(own_map_glsl) + point_own_map_glsl + inputs
+  return OnDirections(r) ? std::string(local_map_glsl) + point_local_map_glsl + inputs
                          : point_fragment_glsl + inputs;
 }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Points on direction maps, of which nothing is known but their tables: a point of n pixels shows in
-// each pixel in whose own map (own_map.glsl) it is in the square of n pixels round the pixel's centre.
-// So it is whole on both sides of a tear, or a tear cuts it, as it cuts everything else there.
+// each pixel in whose local map (local_map.glsl) it is in the square of n pixels round the pixel's centre.
+// So it is complete on both sides of a discontinuity, or cut there, as everything else is.
 
 layout(points) in;
 layout(triangle_strip, max_vertices = 8) out;
@@ -50,9 +50,9 @@ void main()
   }
   vec3 direction = p / rho;
   float half_ = 0.5 * wfvPointSize;
-  WfvPlaces places = wfvCapPlaces(direction, wfvReachOf(1.5 * half_), wfvView); // of its corners
+  WfvPlaces places = wfvCapPlaces(direction, wfvFootprint(1.5 * half_), wfvView); // of its corners
   vec3 found = vec3(0.0, 0.0, 1e9);
-  if (wfvIsCalmPlace(places))
+  if (wfvIsSimplePlace(places))
   {
     found = wfvFindIn(places.first, wfvMiddleOf(places.first), direction);
   }

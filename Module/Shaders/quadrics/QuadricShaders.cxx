@@ -17,7 +17,7 @@ using stock::Edit;
 
 namespace
 {
-// Of a vertex of the cover, beside the stock shader's own: position, two balls, share,
+// Of a vertex of the cover, beside the stock shader's own: position, two spheres, share,
 // primitive.
 constexpr int QuadricComponents = 4 + 4 + 4 + 2 + 1;
 
@@ -138,21 +138,21 @@ std::string GeometrySource(const Request& r, const std::vector<Varying>& varying
     Define("WFV_ANGULAR",
       r.Projection->Axis == Family::Meridian || r.Projection->Axis == Family::Azimuthal) +
     Define("WFV_PIECES", pieces) + Define("WFV_SPAN_VERTICES", 8 * pieces) +
-    "#define WFV_BALL_RADIUS " +
+    "#define WFV_SPHERE_RADIUS " +
     (pixels ? "wfvPixelRadius(centre)" : "radiusVCVSOutput[0] / wfvScale()") + "\n" +
     CornerOutputs(r, varyings) + quadric_cover_glsl;
   switch (r.Kind)
   {
     case Primitive::Tubes:
       return head + quadric_pixels_glsl + quadric_span_glsl + quadric_tubes_glsl;
-    case Primitive::Sticks:
-      return head + quadric_span_glsl + quadric_sticks_glsl;
+    case Primitive::Cylinders:
+      return head + quadric_span_glsl + quadric_cylinders_glsl;
     case Primitive::Splats:
       return head + quadric_splats_glsl;
     case Primitive::PointSpheres:
-      return head + quadric_pixels_glsl + quadric_balls_glsl;
+      return head + quadric_pixels_glsl + quadric_spheres_glsl;
     default:
-      return head + quadric_balls_glsl;
+      return head + quadric_spheres_glsl;
   }
 }
 
@@ -163,12 +163,12 @@ std::string MeetSource(Primitive kind)
   {
     case Primitive::Tubes:
       return quadric_tube_glsl;
-    case Primitive::Sticks:
-      return quadric_stick_glsl;
+    case Primitive::Cylinders:
+      return quadric_cylinder_glsl;
     case Primitive::Splats:
       return quadric_splat_glsl;
     default:
-      return quadric_ball_glsl;
+      return quadric_sphere_glsl;
   }
 }
 
@@ -176,10 +176,10 @@ std::string MeetSource(Primitive kind)
 // how many of the gaussian's radii the disc has.
 std::string LookForShape(const Request& r, std::string& vertex)
 {
-  if (r.Kind == Primitive::Spheres || r.Kind == Primitive::Sticks)
+  if (r.Kind == Primitive::Spheres || r.Kind == Primitive::Cylinders)
   {
-    stock::Look(vertex, Edit::BallRadius, r.Stock.If(true));
-    stock::Look(vertex, Edit::StickAxis, r.Stock.If(r.Kind == Primitive::Sticks));
+    stock::Look(vertex, Edit::SphereRadius, r.Stock.If(true));
+    stock::Look(vertex, Edit::CylinderAxis, r.Stock.If(r.Kind == Primitive::Cylinders));
   }
   if (r.Kind != Primitive::Splats ||
     stock::Look(vertex, Edit::SplatRadius, r.Stock.If(true)).Number < 1)
@@ -194,7 +194,7 @@ std::string LookForShape(const Request& r, std::string& vertex)
 // What main begins with.
 std::string Before(const Request& r, std::string& fragment)
 {
-  // the stock sphere mapper draws translucent balls twice, their backs first
+  // the stock sphere mapper draws translucent spheres twice, their backs first
   const std::string side = r.Kind == Primitive::Spheres
     ? "opacityUniform >= 1.0 ? 0 : (invertedDepth < 0.0 ? -1 : 1)"
     : "0";
@@ -234,7 +234,7 @@ void FinishFragment(
 
 bool Draws(Primitive kind)
 {
-  return kind == Primitive::Spheres || kind == Primitive::Sticks || kind == Primitive::Splats ||
+  return kind == Primitive::Spheres || kind == Primitive::Cylinders || kind == Primitive::Splats ||
     kind == Primitive::PointSpheres || kind == Primitive::Tubes;
 }
 
@@ -251,8 +251,8 @@ void Prepare(const Request& r, std::string& geometry, std::string& fragment)
   }
   else if (r.Kind != Primitive::Splats)
   {
-    // the mapper's own meeting of its imposter with the ray, which stands there already
-    stock::Replace(fragment, Edit::ImposterMeeting, normal, r.Stock.If(true));
+    // the mapper's own meeting of its impostor with the ray, which stands there already
+    stock::Replace(fragment, Edit::ImpostorMeeting, normal, r.Stock.If(true));
   }
 }
 

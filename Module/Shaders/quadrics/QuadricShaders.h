@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The part of the shader builder for what is no mesh: balls, sticks, tubes and splats.
+// The part of the shader builder for what is no mesh: spheres, cylinders, tubes and splats.
 // A geometry stage of our own covers the picture of each, the fragment stage meets the
 // surface with the ray of each pixel. Text in, text out.
 #ifndef WideFoVQuadricShaders_h

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Geometry stage of balls, sticks, tubes and splats: rectangles that surely contain the
+// Geometry stage of spheres, cylinders, tubes and splats: rectangles that surely contain the
 // picture. What is looked for lies in a round cap of directions; a cap becomes a
 // rectangle of angles, and that a rectangle of the map (wfvBounds), in two parts where it
 // reaches across the seam. The fragment stage decides by the ray of each pixel.
 //
 // Positions are in tilted view coordinates, divided by a power of two near the far radius.
 
-flat out vec4 wfvBall;  // centre and radius; tubes: those of the first end
-flat out vec4 wfvOther; // tubes: the second end; sticks: axis and half length
+flat out vec4 wfvSphere;  // centre and radius; tubes: those of the first end
+flat out vec4 wfvOther; // tubes: the second end; cylinders: axis and half length
 flat out vec2 wfvShare; // the part of the length, of 0 to 1, that this rectangle draws
 
-vec4 wfvBallHere = vec4(0.0);
+vec4 wfvSphereHere = vec4(0.0);
 vec4 wfvOtherHere = vec4(0.0);
 vec2 wfvShareHere = vec2(0.0);
 
@@ -20,12 +20,12 @@ const float WFV_PAD = 1.5;
 // Angle added round a cap, radians: float32 rounding of angles.
 const float WFV_CAP_PAD = 2e-6;
 
-// Relative slack of a cap's reach in azimuth, whose arc sine is steep at its end.
+// Relative slack of a cap's extent in azimuth, whose arc sine is steep at its end.
 const float WFV_CAP_SLACK = 1e-5;
 
-#if WFV_OWN_BODIES
+#if WFV_NON_CENTRAL_IMPOSTORS
 // Radius of the circle on which the rays begin, the stage's own units, rounded up.
-float wfvEyeReach()
+float wfvBaselineRadius()
 {
   return 1.0001 * wfvFromMiddle(wfvView) / wfvScale();
 }
@@ -34,11 +34,11 @@ float wfvEyeReach()
 // distance from the origin is at least so much; half a turn for what is as near as the circle.
 float wfvGrowOf(float nearest)
 {
-  float s = wfvEyeReach() / max(nearest, 1e-30);
+  float s = wfvBaselineRadius() / max(nearest, 1e-30);
   return nearest > 0.0 && s < 1.0 ? wfvAtan2(s, sqrt((1.0 - s) * (1.0 + s))) : WFV_PI;
 }
 #else
-float wfvEyeReach()
+float wfvBaselineRadius()
 {
   return 0.0;
 }
@@ -52,7 +52,7 @@ float wfvGrowOf(float nearest)
 void wfvEmitCorner(vec2 ndc)
 {
   gl_Position = vec4(ndc * wfvTile.xy + wfvTile.zw, 0.0, 1.0);
-  wfvBall = wfvBallHere;
+  wfvSphere = wfvSphereHere;
   wfvOther = wfvOtherHere;
   wfvShare = wfvShareHere;
   wfvWriteCorners();
@@ -82,7 +82,7 @@ void wfvEmitWindow(bool front)
 }
 
 #if WFV_ANGULAR
-// A rectangle of angles whose azimuth may reach across the seam.
+// A rectangle of angles whose azimuth may extend across the seam.
 void wfvEmitAngles(vec4 a, bool front)
 {
 #if WFV_MERIDIAN
@@ -123,19 +123,19 @@ vec2 wfvPolarRange()
 
 void wfvCoverCap(vec3 centre, float angle, bool front)
 {
-  float reach = angle + WFV_CAP_PAD;
-  if (!(reach < 0.5 * WFV_PI) || !(wfvLength(centre) > 0.0))
+  float radius = angle + WFV_CAP_PAD;
+  if (!(radius < 0.5 * WFV_PI) || !(wfvLength(centre) > 0.0))
   {
     wfvEmitWindow(front);
     return;
   }
   vec2 a = WFV_ANGLES(centre);
   vec2 all = wfvPolarRange();
-  float low = a.y - reach;
-  float high = a.y + reach;
+  float low = a.y - radius;
+  float high = a.y + radius;
   // where the cap holds a pole it has every azimuth; else its edge meets the farthest
   // meridian at a right angle
-  float s = (1.0 + WFV_CAP_SLACK) * sin(reach) / max(wfvPoleSine(centre), 1e-30);
+  float s = (1.0 + WFV_CAP_SLACK) * sin(radius) / max(wfvPoleSine(centre), 1e-30);
   bool pole = low <= all.x || high >= all.y || s >= 1.0;
   float across = pole ? WFV_PI : wfvAtan2(s, sqrt((1.0 - s) * (1.0 + s))) + WFV_CAP_PAD;
 #if WFV_MERIDIAN
@@ -171,18 +171,18 @@ void wfvCoverCap(vec3 centre, float angle, bool front)
 }
 #endif
 
-// Angular radius of the cap that holds a ball seen from the eye; half a turn from inside.
-float wfvBallAngle(vec4 ball)
+// Angular radius of the cap that holds a sphere seen from the eye; half a turn from inside.
+float wfvSphereAngle(vec4 sphere)
 {
-  float d = wfvLength(ball.xyz);
-  float angle = d > ball.w ? wfvAtan2(ball.w, sqrt((d - ball.w) * (d + ball.w))) : WFV_PI;
-  return angle + wfvGrowOf(d - ball.w);
+  float d = wfvLength(sphere.xyz);
+  float angle = d > sphere.w ? wfvAtan2(sphere.w, sqrt((d - sphere.w) * (d + sphere.w))) : WFV_PI;
+  return angle + wfvGrowOf(d - sphere.w);
 }
 
 // Surely nothing to see: wholly inside the near or outside the far sphere, or no number.
-bool wfvBallHidden(vec4 ball)
+bool wfvSphereCulled(vec4 sphere)
 {
-  float d = wfvLength(ball.xyz);
-  return !(ball.w > 0.0) || !(d + ball.w >= wfvView.radii.x / wfvScale()) ||
-    !(d - ball.w - wfvEyeReach() <= wfvView.radii.y / wfvScale());
+  float d = wfvLength(sphere.xyz);
+  return !(sphere.w > 0.0) || !(d + sphere.w >= wfvView.radii.x / wfvScale()) ||
+    !(d - sphere.w - wfvBaselineRadius() <= wfvView.radii.y / wfvScale());
 }

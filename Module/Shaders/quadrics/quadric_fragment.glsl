@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fragment side of balls, sticks and tubes: the surface met by the ray of this pixel,
+// Fragment side of spheres, cylinders and tubes: the surface met by the ray of this pixel,
 // its coverage, depth and normal, before the stock shader runs. The surface is drawn as
 // a mesh of it would be: the first crossing between the clip spheres, from its inside too.
 
-flat in vec4 wfvBall;
+flat in vec4 wfvSphere;
 flat in vec4 wfvOther;
 flat in vec2 wfvShare;
 
@@ -14,33 +14,33 @@ vec3 wfvNormal = vec3(0.0); // towards the eye, view coordinates
 vec3 wfvSurface = vec3(0.0); // the point itself, view coordinates
 float wfvAlong = 0.0; // where on the length, 0 to 1
 
-#if WFV_OWN_BODIES
-// Each ray begins at a place of its own, and sees the body from there.
-vec4 wfvBallSeen = vec4(0.0);
+#if WFV_NON_CENTRAL_IMPOSTORS
+// Each ray begins at a place of its own, and sees the impostor from there.
+vec4 wfvSphereSeen = vec4(0.0);
 vec4 wfvOtherSeen = vec4(0.0);
-vec3 wfvSight = vec3(0.0); // of the ray that is shown, view coordinates
+vec3 wfvHitDirection = vec3(0.0); // of the ray that is shown, view coordinates
 float wfvDistanceSeen = 0.0;
-#define WFV_FROM_EYE wfvSight
+#define WFV_FROM_EYE wfvHitDirection
 #define WFV_DISTANCE wfvDistanceSeen
 
 void wfvStandAt(vec3 start)
 {
-  wfvBallSeen = vec4(wfvBall.xyz - start, wfvBall.w);
+  wfvSphereSeen = vec4(wfvSphere.xyz - start, wfvSphere.w);
   wfvOtherSeen = vec4(wfvOther.xyz - float(WFV_OTHER_IS_PLACE) * start, wfvOther.w);
 }
 #else
-#define wfvBallSeen wfvBall
+#define wfvSphereSeen wfvSphere
 #define wfvOtherSeen wfvOther
 #endif
 
 void wfvInterpolate(); // generated: sets the stock shader's inputs from wfvAlong
 
-// A line through a convex body: where it enters and where it leaves.
+// A line through a convex surface: where it enters and where it leaves.
 struct WfvCrossing
 {
   bool met;
   vec2 distance; // along the ray, the stage's own units
-  vec2 along;    // on the length of the body, 0 to 1
+  vec2 along;    // on its length, 0 to 1
   vec3 entry;    // normals, outwards
   vec3 exit;
 };
@@ -55,10 +55,10 @@ struct WfvSeen
   vec3 normal; // outwards
 };
 
-// A ball met by the line along the unit vector u. The centre's distance from the line
+// A sphere met by the line along the unit vector u. The centre's distance from the line
 // comes from a cross product and every difference of squares as a product: nothing
-// cancels for balls that are small, far away, or near the eye.
-WfvCrossing wfvMeetBall(vec3 u, vec3 c, float r)
+// cancels for spheres that are small, far away, or near the eye.
+WfvCrossing wfvMeetSphere(vec3 u, vec3 c, float r)
 {
   vec3 w = cross(c, u);
   float q = length(w);
@@ -93,7 +93,7 @@ bool wfvOwns(float along)
 // side: 1 its front only, -1 its back only, 0 whichever comes first
 WfvSeen wfvLook(vec3 u, int side)
 {
-#if WFV_OWN_BODIES
+#if WFV_NON_CENTRAL_IMPOSTORS
   wfvStandAt(wfvEyeAt(u, wfvView) / wfvScale());
 #endif
   WfvCrossing x = wfvMeet(u);
@@ -156,8 +156,8 @@ void wfvPrepare(int side)
   wfvDepth = clamp(wfvWindowDepth(s.distance), 0.0, 1.0);
   wfvAlong = clamp(s.along, 0.0, 1.0);
   wfvSurface = wfvUntilt(direction, wfvView) * (s.distance * wfvScale());
-#if WFV_OWN_BODIES
-  wfvSight = wfvUntilt(direction, wfvView);
+#if WFV_NON_CENTRAL_IMPOSTORS
+  wfvHitDirection = wfvUntilt(direction, wfvView);
   wfvDistanceSeen = s.distance * wfvScale();
   wfvSurface += wfvUntilt(wfvEyeAt(direction, wfvView), wfvView);
 #endif

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Radii given in pixels. A pixel of a wide map is no square of angles, and not the same
-// everywhere; here it stands for the square of the same solid angle. So a ball drawn for
+// everywhere; here it stands for the square of the same solid angle. So a sphere drawn for
 // a point of n pixels covers the area of a disc of n pixels wherever it lies, and a tube
 // is n pixels wide where the map keeps shapes. The radius belongs to the point alone:
-// segments of a polyline meet in the same ball.
+// segments of a polyline meet in the same sphere.
 
 uniform float wfvPixels; // diameter
 
@@ -19,7 +19,7 @@ const float WFV_AZIMUTH_STEP = 0.1;
 
 #if WFV_ANGULAR
 // The derivative of the map along an angle, by differences of fourth order: near a pole
-// maps bend within a few steps.
+// maps curve within a few steps.
 vec2 wfvMapSlope(vec2 a, vec2 h)
 {
   vec2 near = wfvMap(a + h, wfvView) - wfvMap(a - h, wfvView);
@@ -55,7 +55,7 @@ float wfvPixelAngle(vec3 p)
 #endif
 }
 
-// Radius of a ball at p that is wfvPixels wide: less than its distance from the eye.
+// Radius of a sphere at p that is wfvPixels wide: less than its distance from the eye.
 float wfvPixelRadius(vec3 p)
 {
   return wfvLength(p) * sin(min(0.5 * wfvPixels * wfvPixelAngle(p), 1.5));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Covers a span: all balls between one ball and another. Seen from the eye it follows an
+// Covers a span: all spheres between one sphere and another. Seen from the eye it follows an
 // arc of a great circle, which one cap would cover with much to spare: in pieces, a cap
 // each. A pixel in two caps is drawn by the piece that holds what its ray meets.
 
@@ -20,10 +20,10 @@ float wfvAngleBetween(vec3 p, vec3 q)
   return wfvAtan2(wfvLength(cross(p, q)), dot(p, q));
 }
 
-// Angular radius of the balls along p, q, each with its cap; half a turn where one holds the eye.
+// Angular radius of the spheres along p, q, each with its cap; half a turn where one holds the eye.
 float wfvSpanAngle(vec3 p, vec3 q, float radius)
 {
-  return wfvBallAngle(vec4(wfvNearest(p, q), 0.0, 0.0, radius));
+  return wfvSphereAngle(vec4(wfvNearest(p, q), 0.0, 0.0, radius));
 }
 
 void wfvCoverPiece(vec4 first, vec4 last, float from, float to)
@@ -45,7 +45,7 @@ void wfvCoverSpan(vec4 first, vec4 last)
   float far = max(lf + first.w, ll + last.w);
   float near = wfvNearest(first.xyz, last.xyz) - width;
   if (!(width > 0.0) || !(far >= wfvView.radii.x / wfvScale()) ||
-    !(near - wfvEyeReach() <= wfvView.radii.y / wfvScale()))
+    !(near - wfvBaselineRadius() <= wfvView.radii.y / wfvScale()))
   {
     return;
   }

@@ -7,18 +7,18 @@ uniform float WFV_SPLAT_SCALE; // radius of the disc in units of the gaussian's,
 
 WfvCrossing wfvMeet(vec3 u)
 {
-  float d = length(wfvBall.xyz);
-  vec3 ahead = wfvBall.xyz / d;
+  float d = length(wfvSphere.xyz);
+  vec3 ahead = wfvSphere.xyz / d;
   float c = dot(u, ahead);
   WfvCrossing x;
   // from a cross product, so that nothing cancels far away
-#if WFV_OWN_BODIES
+#if WFV_NON_CENTRAL_IMPOSTORS
   // both eyes see the same disc
-  float t = dot(wfvBallSeen.xyz, ahead) / c;
-  x.met = c > 0.0 && length(cross(ahead, cross(u, wfvBallSeen.xyz))) <= c * wfvBall.w;
+  float t = dot(wfvSphereSeen.xyz, ahead) / c;
+  x.met = c > 0.0 && length(cross(ahead, cross(u, wfvSphereSeen.xyz))) <= c * wfvSphere.w;
 #else
   float t = d / c;
-  x.met = c > 0.0 && t * length(cross(u, ahead)) <= wfvBall.w;
+  x.met = c > 0.0 && t * length(cross(u, ahead)) <= wfvSphere.w;
 #endif
   x.distance = vec2(t);
   x.along = vec2(0.0);
@@ -31,10 +31,10 @@ WfvCrossing wfvMeet(vec3 u)
 // the view's own up, or its right where that is behind or ahead.
 vec2 wfvSplatOffset()
 {
-  vec3 centre = wfvUntilt(wfvBall.xyz, wfvView);
+  vec3 centre = wfvUntilt(wfvSphere.xyz, wfvView);
   vec3 ahead = centre / length(centre);
   vec3 right = cross(ahead, vec3(0.0, 1.0, 0.0));
   right = dot(right, right) > 1e-12 ? normalize(right) : vec3(1.0, 0.0, 0.0);
   vec3 from = wfvSurface / wfvScale() - centre;
-  return vec2(dot(from, right), dot(from, cross(right, ahead))) * (WFV_SPLAT_SCALE / wfvBall.w);
+  return vec2(dot(from, right), dot(from, cross(right, ahead))) * (WFV_SPLAT_SCALE / wfvSphere.w);
 }

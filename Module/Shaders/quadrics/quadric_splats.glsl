@@ -8,13 +8,13 @@ void main()
 {
   vec4 p = gl_in[0].gl_Position;
   vec3 centre = wfvTilt(p.xyz / p.w, wfvView) / wfvScale();
-  wfvBallHere = vec4(centre, radiusVCVSOutput[0] / wfvScale());
+  wfvSphereHere = vec4(centre, radiusVCVSOutput[0] / wfvScale());
   wfvOtherHere = vec4(0.0);
   wfvShareHere = vec2(0.0, 1.0);
-  if (!wfvBallHidden(wfvBallHere))
+  if (!wfvSphereCulled(wfvSphereHere))
   {
     // nothing of the disc is nearer than its centre
     float d = wfvLength(centre);
-    wfvCoverCap(centre, wfvAtan2(wfvBallHere.w, d) + wfvGrowOf(d), true);
+    wfvCoverCap(centre, wfvAtan2(wfvSphereHere.w, d) + wfvGrowOf(d), true);
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Geometry stage of lines drawn as tubes: each segment is the hull of two balls, whose
+// Geometry stage of lines drawn as tubes: each segment is the hull of two spheres, whose
 // radius is so many pixels at each end.
 
 layout(lines) in;
@@ -14,7 +14,7 @@ vec4 wfvEnd(int i)
 
 void main()
 {
-  wfvBallHere = wfvEnd(0);
+  wfvSphereHere = wfvEnd(0);
   wfvOtherHere = wfvEnd(1);
-  wfvCoverSpan(wfvBallHere, wfvOtherHere);
+  wfvCoverSpan(wfvSphereHere, wfvOtherHere);
 }

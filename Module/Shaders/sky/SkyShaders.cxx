@@ -50,8 +50,8 @@ void EditSky(Kind kind, std::string& fragment)
 // vtkWideFoVDataPass draws to more than the colour: there is nothing where the sky is.
 std::string DataOf(const std::string& fragment)
 {
-  const bool tells = fragment.find("wfvData(") != std::string::npos;
-  return tells ? "  gl_FragData[1] = vec4(0.0);\n  gl_FragData[2] = vec4(0.0);\n" : "";
+  const bool writesData = fragment.find("wfvData(") != std::string::npos;
+  return writesData ? "  gl_FragData[1] = vec4(0.0);\n  gl_FragData[2] = vec4(0.0);\n" : "";
 }
 }
 

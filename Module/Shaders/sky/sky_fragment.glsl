@@ -57,7 +57,7 @@ void wfvSkyCover(bool rim, float depth)
 }
 
 #if WFV_SKY_SHIFTED
-// The change of direction per pixel along one axis: the smaller one, for the map may be torn on the
+// The change of direction per pixel along one axis: the smaller one, for the map may be discontinuous on the
 // one side or end there.
 vec3 wfvSkyStep(vec2 axis, float depth)
 {

@@ -33,7 +33,7 @@ const float WFV_SINGULAR_PIECES = 3.0;
 // Every interval counts at least this share of the mean, which keeps the places apart.
 const float WFV_LEAST_SHARE = 0.05;
 
-// NDC beyond the picture by which an interval counts as unseen.
+// NDC beyond the picture by which an interval counts as outside.
 const float WFV_SEEN = 1.1;
 
 float wfvAzimuth = 0.0; // of the point before, for continuing across the seam
@@ -65,7 +65,7 @@ float wfvPieces(vec2 a, vec2 m, vec2 b)
   return sqrt(pixels / (WFV_PIECE_SHARE * wfvTolerance));
 }
 
-bool wfvUnseen(vec2 a, vec2 b)
+bool wfvIsOutside(vec2 a, vec2 b)
 {
   vec2 rim = WFV_SEEN * 0.5 * wfvViewport.zw * wfvTile.xy;
   return min(a.x, b.x) > rim.x || max(a.x, b.x) < -rim.x || min(a.y, b.y) > rim.y ||
@@ -76,7 +76,7 @@ bool wfvUnseen(vec2 a, vec2 b)
 // at and to are the pictures of its ends.
 float wfvCount(vec3 a, vec3 b, vec2 at, vec2 middle, vec2 to)
 {
-  if (wfvUnseen(at, to))
+  if (wfvIsOutside(at, to))
   {
     return 0.0;
   }

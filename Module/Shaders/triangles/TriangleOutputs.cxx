@@ -20,8 +20,8 @@ constexpr int ShapeVertices = 4;
 int OwnComponents(const Request& r)
 {
   const bool exact = r.ByRays || r.Stage == wfv::ShaderBuilder::Variant::Exact;
-  const bool rays = OwnRays(r);
-  const int edges = r.Whole ? 3 * 3 * 2 : 3 * 3; // doubles count twice
+  const bool rays = NonCentral(r);
+  const int edges = r.Fp64 ? 3 * 3 * 2 : 3 * 3; // doubles count twice
   const int plane = 3 + (rays || CurvedRays(r) ? 3 : 5);
   const int chords = 3 + 3 + 3 + 4 + 2 + 4 + 1;
   const int order = 3 + 3;

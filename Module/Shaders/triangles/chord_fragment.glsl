@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fragment side of the pre-clip: where a covered triangle meets one drawn with chords.
+// Fragment side of the pre-clip: where a ray-tested triangle meets one drawn with chords.
 //
 // Both must end at the same line. An edge that neighbours draw as a chord therefore ends
-// the covered triangle at that chord too, found from the same two corners in the picture.
+// the ray-tested triangle at that chord too, found from the same two corners in the picture.
 
 #define WFV_CHORDS (!WFV_EXACT || WFV_MEETS_CHORDS)
 #if WFV_EXACT && WFV_MEETS_CHORDS
@@ -33,7 +33,7 @@ const float WFV_LENS_PAD = 0.02;
 bool wfvInside(float e, WFV_EDGE n)
 {
   WFV_SIDE shifted = n.x != 0.0 ? n.x : (n.y != 0.0 ? n.y : n.z);
-#if WFV_OWN_RAYS
+#if WFV_NON_CENTRAL
   shifted *= wfvTurn;
 #endif
   return e > 0.0 || (e == 0.0 && shifted > 0.0);
@@ -57,9 +57,9 @@ float wfvToChord(float e, vec2 slope, float slack, vec2 a, vec2 b)
   float along = dot(at, chord) / max(l, 1e-6);
   float beside = (chord.x * at.y - chord.y * at.x) / max(l, 1e-6);
   float inside = dot(vec2(-chord.y, chord.x), slope) < 0.0 ? -beside : beside;
-  float reach = WFV_LENS_SAFETY * slack + WFV_LENS_PAD;
+  float thickness = WFV_LENS_SAFETY * slack + WFV_LENS_PAD;
   bool decides = slack >= 0.0 && l > WFV_SHORT && along >= -WFV_SNAP &&
-    along <= l + WFV_SNAP && abs(beside) <= reach && abs(e) <= reach * steep;
+    along <= l + WFV_SNAP && abs(beside) <= thickness && abs(e) <= thickness * steep;
   return decides ? (inside + WFV_SNAP) * steep - e : 0.0;
 }
 
@@ -98,7 +98,7 @@ float wfvToChordOf(int i, float e, vec2 slope, float slack, vec2 a, vec2 b)
 #endif
 
 // Pixels from each edge within which its chord counts.
-vec3 wfvChordReach()
+vec3 wfvChordErrors()
 {
 #if !WFV_CHORDS
   return vec3(0.0);
@@ -150,7 +150,7 @@ vec3 wfvToChords(vec3 direction, vec3 e, vec3 dx, vec3 dy)
 #if WFV_SEVERAL_CHORDS
   // where a chord may decide; a loop for those alone (see wfvMustCover)
   bvec3 several = greaterThan(wfvCount, vec3(1.0));
-  bvec3 near = lessThanEqual(abs(e), wfvChordReach() * sqrt(dx * dx + dy * dy));
+  bvec3 near = lessThanEqual(abs(e), wfvChordErrors() * sqrt(dx * dx + dy * dy));
   bvec3 left = bvec3(several.x && near.x, several.y && near.y, several.z && near.z);
   for (int i = int(left.x) + int(left.y) + int(left.z); i > 0; i--)
   {

@@ -8,7 +8,7 @@ void wfvCover(bool front)
   bool centre = wfvHolds(2, -1.0);
   bool antipode = wfvHolds(2, 1.0);
   vec4 a = wfvAngularBounds(vec3(0.0, 0.0, 1.0));
-#if WFV_OWN_RAYS
+#if WFV_NON_CENTRAL
   a = wfvGrowAngles(a, min(a.y, WFV_PI - a.w));
 #endif
   a = vec4(a.x, centre ? 0.0 : max(a.y, 0.0), a.z, antipode ? WFV_PI : a.w);

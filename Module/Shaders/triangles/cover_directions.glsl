@@ -22,18 +22,18 @@ WfvPlaces wfvPart(vec3 a, vec3 b, vec3 c)
   vec3 centre = sum / max(length(sum), 1e-30);
   float chord = max(length(a - centre), max(length(b - centre), length(c - centre)));
   float angle = chord < WFV_CAP_CHORD ? WFV_CAP_ANGLE * chord + WFV_ANGLE_PAD : WFV_PI;
-#if WFV_OWN_RAYS
+#if WFV_NON_CENTRAL
   angle = min(angle + wfvGrow, WFV_PI);
 #endif
   return wfvCapPlaces(centre, angle, wfvView);
 }
 
-// With one more part. The bend is the larger one: parts that are one piece each are one together,
+// With one more part. The curvature is the larger one: parts that are one piece each are one together,
 // for each shares corners, which no other place sees, with the next.
 WfvPlaces wfvWithPart(WfvPlaces places, WfvPlaces part)
 {
   WfvPlaces all = wfvWithPlaces(places, part);
-  all.bend = max(places.bend, part.bend);
+  all.curvature = max(places.curvature, part.curvature);
   return all;
 }
 
@@ -41,7 +41,7 @@ WfvPlaces wfvWithPart(WfvPlaces places, WfvPlaces part)
 WfvPlaces wfvParts(int parts)
 {
   WfvPlaces places = wfvNoPlaces();
-  places.bend = 0.0;
+  places.curvature = 0.0;
   float count = float(parts);
   for (int i = 0; i < parts; i++)
   {
@@ -65,7 +65,7 @@ vec3 wfvPlaceOf(vec3 d)
 {
   WfvPlaces cap = wfvCapPlaces(d, WFV_ANGLE_PAD, wfvView);
   vec3 found = vec3(0.0, 0.0, 1e9);
-  if (cap.bend < 1.0)
+  if (cap.curvature < 1.0)
   {
     vec2 low = wfvPixelOfNdc(cap.first.xy, wfvView);
     vec2 high = wfvPixelOfNdc(cap.first.zw, wfvView);
@@ -83,9 +83,9 @@ vec2 wfvPixelOfPlace(vec2 place)
 }
 
 // Covers a triangle that is one piece by what lies round its corners; false where that is not found.
-bool wfvCoverClose(float bend, vec3 a, vec3 b, vec3 c, bool front)
+bool wfvCoverClose(float curvature, vec3 a, vec3 b, vec3 c, bool front)
 {
-  if (WFV_OWN_RAYS == 1 || !(bend < 1.0))
+  if (WFV_NON_CENTRAL == 1 || !(curvature < 1.0))
   {
     return false;
   }
@@ -93,7 +93,7 @@ bool wfvCoverClose(float bend, vec3 a, vec3 b, vec3 c, bool front)
   vec3 q = wfvPlaceOf(b);
   vec3 s = wfvPlaceOf(c);
   vec2 size = max(p.xy, max(q.xy, s.xy)) - min(p.xy, min(q.xy, s.xy));
-  float beside = wfvBesideChord(length(size), bend);
+  float beside = wfvBesideChord(length(size), curvature);
   if (!(max(p.z, max(q.z, s.z)) < WFV_SEARCH_REST && beside < WFV_ASTRAY))
   {
     return false;
@@ -122,7 +122,7 @@ void wfvCover(bool front)
   float longest = max(length(b - c), max(length(c - a), length(a - b)));
   float cells = longest * wfvView.tables.z / (WFV_CAP_SHARE * 0.5 * WFV_PI);
   WfvPlaces places = wfvParts(int(clamp(ceil(cells), 1.0, float(WFV_PARTS))));
-  if (wfvCoverClose(places.bend, a, b, c, front))
+  if (wfvCoverClose(places.curvature, a, b, c, front))
   {
     return;
   }

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Covers a triangle for maps of the faces of a cube: for each row of faces the rectangle of
 // what the row shows of it. On a face straight edges are straight in the gnomonic picture,
-// so its extremes are corners of the triangle cut to the face's pyramid.
+// so its extremes are corners of the triangle cut to the face's frustum.
 
-// By how much, relative, the pyramid of a face is widened before it cuts.
+// By how much, relative, the frustum of a face is widened before it cuts.
 const float WFV_FACE_SLACK = 1e-5;
 
 // A triangle cut by four planes has seven corners at the most.
 const int WFV_FACE_CORNERS = 7;
 
-#if WFV_OWN_RAYS
+#if WFV_NON_CENTRAL
 // Radians: what is seen as far as this from where the origin sees it may be on any face.
 const float WFV_FACE_GROW = 0.3;
 
@@ -21,12 +21,12 @@ const float WFV_FACE_STEEP = 2.0;
 vec3 wfvPolygon[WFV_FACE_CORNERS];
 int wfvPolygonSize = 0;
 
-// Which side of a pyramid's plane number k (right, left, above, below) q is on; positive:
+// Which side of a frustum's plane number k (right, left, above, below) q is on; positive:
 // inside. q in the frame of the face.
-float wfvPyramid(vec3 q, int k)
+float wfvFrustumSide(vec3 q, int k)
 {
   float sideways = k < 2 ? q.x : q.y;
-#if WFV_OWN_RAYS
+#if WFV_NON_CENTRAL
   // beyond 45 degrees by what the circle adds, which at a corner of the cube is more about the axis
   float s = WFV_FACE_STEEP * sin(min(wfvGrow, WFV_FACE_GROW));
   float t = s / sqrt((1.0 - s) * (1.0 + s));
@@ -37,7 +37,7 @@ float wfvPyramid(vec3 q, int k)
   return q.z * ahead * (1.0 + WFV_FACE_SLACK) + ((k & 1) == 0 ? -sideways : sideways);
 }
 
-// Cuts the polygon by one plane of the pyramid.
+// Cuts the polygon by one plane of the frustum.
 void wfvCutPolygon(int k)
 {
   vec3 cut[WFV_FACE_CORNERS];
@@ -46,8 +46,8 @@ void wfvCutPolygon(int k)
   {
     vec3 p = wfvPolygon[i];
     vec3 q = wfvPolygon[i + 1 < wfvPolygonSize ? i + 1 : 0];
-    float a = wfvPyramid(p, k);
-    float b = wfvPyramid(q, k);
+    float a = wfvFrustumSide(p, k);
+    float b = wfvFrustumSide(q, k);
     if (a >= 0.0 && n < WFV_FACE_CORNERS)
     {
       cut[n] = p;
@@ -87,7 +87,7 @@ vec4 wfvFaceBounds(int face)
   vec2 pad = 2.0 * WFV_PAD / (wfvViewport.zw * wfvTile.xy);
   vec2 centre = wfvFaceCentre(face);
   vec2 half_ = vec2(1.0 / 3.0, 0.5);
-#if WFV_OWN_RAYS
+#if WFV_NON_CENTRAL
   if (!(wfvGrow < WFV_FACE_GROW))
   {
     return vec4(centre - half_, centre + half_);

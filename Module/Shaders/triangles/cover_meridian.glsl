@@ -13,7 +13,7 @@ const float WFV_UPRIGHT = 1e-6;
 // either side, or what is narrower than this would be drawn as high as it is somewhere else.
 const float WFV_COLUMN_SNAP = 1.0 / 64.0;
 
-#if WFV_OWN_RAYS
+#if WFV_NON_CENTRAL
 // Radians: a column widened by more is no longer less than half a turn wide.
 const float WFV_WIDEST_TURN = 1.8;
 #endif
@@ -27,8 +27,8 @@ vec2 wfvEdgeRange(vec3 n, vec2 lambda)
   float turn = wfvAtan2(n.z, n.x);
   vec2 ends = slope * sin(lambda - turn);
   float most = wfvWrap(0.5 * (lambda.x + lambda.y) - turn - 0.5 * WFV_PI);
-  float reach = 0.5 * (lambda.y - lambda.x);
-  float high = abs(most) <= reach ? slope : max(ends.x, ends.y);
+  float half_ = 0.5 * (lambda.y - lambda.x);
+  float high = abs(most) <= half_ ? slope : max(ends.x, ends.y);
   float slack = WFV_UPRIGHT * length(n);
   if (abs(n.y) <= slack)
   {
@@ -45,16 +45,16 @@ vec2 wfvColumn(vec2 lambda, bool asked)
   lambda += vec2(-snap, snap);
   vec2 r = vec2(-1e30, 1e30);
   float pad = WFV_ANGLE_PAD;
-#if WFV_OWN_RAYS
+#if WFV_NON_CENTRAL
   pad += wfvGrow;
 #endif
   vec3 plane = wfvN[0];
   vec3 next = wfvN[1];
   for (int i = asked ? 3 : 0; i > 0; i--) // see wfvMustCover
   {
-#if WFV_OWN_RAYS
-    vec2 edge = wfvEdgeRange(plane, lambda - wfvOwnTurns.yx);
-    edge = wfvOwnTurns.y - wfvOwnTurns.x < WFV_WIDEST_TURN ? edge : vec2(-1e30, 1e30);
+#if WFV_NON_CENTRAL
+    vec2 edge = wfvEdgeRange(plane, lambda - wfvNcTurns.yx);
+    edge = wfvNcTurns.y - wfvNcTurns.x < WFV_WIDEST_TURN ? edge : vec2(-1e30, 1e30);
 #else
     vec2 edge = wfvEdgeRange(plane, lambda);
 #endif
@@ -67,8 +67,8 @@ vec2 wfvColumn(vec2 lambda, bool asked)
     return vec2(1e9, -1e9);
   }
   vec2 phi = vec2(wfvAtan2(r.x, 1.0) - pad, wfvAtan2(r.y, 1.0) + pad);
-#if WFV_OWN_RAYS
-  phi = clamp(phi, wfvOwnBand.x, wfvOwnBand.y);
+#if WFV_NON_CENTRAL
+  phi = clamp(phi, wfvNcBand.x, wfvNcBand.y);
 #endif
   phi = clamp(phi, -0.5 * WFV_PI, 0.5 * WFV_PI);
   vec4 b = wfvBounds(vec4(lambda.x, phi.x, lambda.y, phi.y), wfvView);
@@ -139,11 +139,11 @@ void wfvCover(bool front)
   bool pole = (wfvHolds(1, 1.0) || wfvHolds(1, -1.0)) &&
     !wfvCornerAtPole(vec3(0.0, 1.0, 0.0));
   vec4 a = wfvAngularBounds(vec3(0.0, 1.0, 0.0));
-#if WFV_OWN_RAYS
-  wfvOwnSet(a, wfvHolds(1, 1.0) || wfvHolds(1, -1.0));
-  a += vec4(wfvOwnTurns.x, 0.0, wfvOwnTurns.y, 0.0);
-  wfvOwnBand.x = wfvHolds(1, -1.0) ? -0.5 * WFV_PI : wfvOwnBand.x;
-  wfvOwnBand.y = wfvHolds(1, 1.0) ? 0.5 * WFV_PI : wfvOwnBand.y;
+#if WFV_NON_CENTRAL
+  wfvNcSet(a, wfvHolds(1, 1.0) || wfvHolds(1, -1.0));
+  a += vec4(wfvNcTurns.x, 0.0, wfvNcTurns.y, 0.0);
+  wfvNcBand.x = wfvHolds(1, -1.0) ? -0.5 * WFV_PI : wfvNcBand.x;
+  wfvNcBand.y = wfvHolds(1, 1.0) ? 0.5 * WFV_PI : wfvNcBand.y;
 #endif
   bool round_ = pole || a.z - a.x >= 2.0 * WFV_PI;
   vec2 here = round_ ? vec2(-WFV_PI, WFV_PI) : vec2(max(a.x, -WFV_PI), min(a.z, WFV_PI));
@@ -170,9 +170,9 @@ void wfvCover(bool front)
   bool north = wfvHolds(1, 1.0);
   bool south = wfvHolds(1, -1.0);
   vec4 a = wfvAngularBounds(vec3(0.0, 1.0, 0.0));
-#if WFV_OWN_RAYS
-  wfvOwnSet(a, north || south);
-  a = vec4(a.x + wfvOwnTurns.x, wfvOwnBand.x, a.z + wfvOwnTurns.y, wfvOwnBand.y);
+#if WFV_NON_CENTRAL
+  wfvNcSet(a, north || south);
+  a = vec4(a.x + wfvNcTurns.x, wfvNcBand.x, a.z + wfvNcTurns.y, wfvNcBand.y);
 #endif
   a = vec4(a.x, south ? -0.5 * WFV_PI : max(a.y, -0.5 * WFV_PI), a.z,
     north ? 0.5 * WFV_PI : min(a.w, 0.5 * WFV_PI));

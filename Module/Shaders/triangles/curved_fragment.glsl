@@ -6,7 +6,7 @@
 
 flat in vec2 wfvDepths; // NDC depths at which the triangle may be
 
-// Parts of these depths: a curve that bends much, or leaves the map, may meet the plane twice.
+// Parts of these depths: a sharp curve, or leaves the map, may meet the plane twice.
 const int WFV_CURVE_PARTS = 8;
 
 // Steps of the search in one of them: to float32's end at surfaces not seen edge-on.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cuts triangles that are longer than their chords may be, and that nothing tears, into smaller ones.
+// Cuts triangles that are longer than their chords may be, and meet no discontinuity, into smaller ones.
 // Each edge is cut into its own number of chords, so that no crack opens between neighbours.
 layout(triangles) in;
 layout(triangle_strip, max_vertices = WFV_CUT_VERTICES) out;

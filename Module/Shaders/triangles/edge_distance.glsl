@@ -8,7 +8,7 @@ const float WFV_NO_SLOPE = 1e-30;
 // first step then has to do.
 const float WFV_EDGE_NEAR = 12.0;
 
-// Newton's steps: the first is all that is needed where a map hardly bends within a few
+// Newton's steps: the first is all that is needed where a map hardly curves within a few
 // pixels, but beside a pole it does.
 const int WFV_EDGE_STEPS = 5;
 

@@ -15,7 +15,7 @@ const float WFV_CURVE_SAFETY = 1.2;
 // like an arc of a parabola, which stays between the ends; and they are no farther from the chord
 // than its middle, by more than this factor.
 const float WFV_EVEN_SHARE = 0.1;
-const float WFV_EVEN_BEND = 1.1;
+const float WFV_EVEN_CURVATURE = 1.1;
 
 // Pixels: of an edge that is nearer to its chord nothing else is asked.
 const float WFV_NEAR_CHORD = 0.5;
@@ -117,7 +117,7 @@ float wfvSampledError(vec3 a, vec3 p, vec3 m, vec3 q, vec3 b)
   float middle = wfvChordDistance(na, nb, nm);
   float quarters = max(wfvChordDistance(na, nb, np), wfvChordDistance(na, nb, nq));
   float e = max(middle, quarters);
-  bool even = quarters <= WFV_EVEN_BEND * middle &&
+  bool even = quarters <= WFV_EVEN_CURVATURE * middle &&
     min(wfvChordShare(na, nb, np), 1.0 - wfvChordShare(na, nb, nq)) >= WFV_EVEN_SHARE;
   return e > WFV_NEAR_CHORD && !even ? WFV_UNKNOWN : WFV_CURVE_SAFETY * e;
 }

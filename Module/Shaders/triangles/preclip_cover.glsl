@@ -56,7 +56,7 @@ vec4 wfvAngularBounds(vec3 pole)
   // the points of each great circle nearest to and farthest from the poles; no farther
   // from the corners than half an edge, whatever rounding says of an edge seen end-on
   vec4 corners = r;
-  float reach = 0.0;
+  float expansion = 0.0;
   for (int i = 0; i < 3; i++)
   {
     vec3 n = wfvT.w > 0.0 ? wfvN[i] : -wfvN[i]; // as p and q turn
@@ -64,7 +64,7 @@ vec4 wfvAngularBounds(vec3 pole)
     vec3 top = l2 > 0.0 ? pole - n * (dot(pole, n) / l2) : pole;
     vec3 p = wfvP[i == 2 ? 0 : i + 1];
     vec3 q = wfvP[i == 0 ? 2 : i - 1];
-    reach = max(reach, WFV_HALF_ARC * length(p / length(p) - q / length(q)));
+    expansion = max(expansion, WFV_HALF_ARC * length(p / length(p) - q / length(q)));
     for (float s = -1.0; s < 2.0; s += 2.0)
     {
       vec3 e = s * top;
@@ -76,7 +76,7 @@ vec4 wfvAngularBounds(vec3 pole)
       }
     }
   }
-  r = vec4(r.x, max(r.y, corners.y - reach), r.z, min(r.w, corners.w + reach));
+  r = vec4(r.x, max(r.y, corners.y - expansion), r.z, min(r.w, corners.w + expansion));
   return r + vec4(-WFV_ANGLE_PAD, -WFV_ANGLE_PAD, WFV_ANGLE_PAD, WFV_ANGLE_PAD);
 }
 
@@ -113,7 +113,7 @@ void wfvEmitRectangle(vec4 r, bool front)
 // Pixels of the tile, from its centre.
 vec2 wfvPixel(vec3 p)
 {
-#if WFV_OWN_RAYS
+#if WFV_NON_CENTRAL
   p = wfvSeenPlace(p);
 #endif
   vec4 c = wfvClipOnSide(p, 0.0);

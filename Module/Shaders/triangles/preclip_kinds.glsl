@@ -6,14 +6,14 @@ int wfvSplitKind(bool seam)
 #if WFV_MERIDIAN
   float low = min(wfvP[0].x, min(wfvP[1].x, wfvP[2].x));
   float high = max(wfvP[0].x, max(wfvP[1].x, wfvP[2].x));
-  return seam && low < 0.0 && high > 0.0 ? WFV_KIND_REAR : WFV_KIND_PLAIN;
+  return seam && low < 0.0 && high > 0.0 ? WFV_KIND_REAR : WFV_KIND_STRAIGHT;
 #else
-  return WFV_KIND_PLAIN;
+  return WFV_KIND_STRAIGHT;
 #endif
 }
 
 // Of a triangle that wfvMustCover has measured.
-int wfvCoverKind(bool seam, bool tear)
+int wfvCoverKind(bool seam, bool discontinuous)
 {
 #if WFV_MERIDIAN
   bool pole = wfvHolds(1, 1.0) || wfvHolds(1, -1.0);
@@ -21,10 +21,10 @@ int wfvCoverKind(bool seam, bool tear)
   bool pole = wfvHolds(2, 1.0);
 #endif
 #if WFV_BY_RAYS
-  return pole || tear ? WFV_KIND_POLE : wfvBent ? WFV_KIND_EXACT : wfvSplitKind(seam);
+  return pole || discontinuous ? WFV_KIND_POLE : wfvCurved ? WFV_KIND_EXACT : wfvSplitKind(seam);
 #elif WFV_EXACT
   return WFV_KIND_EXACT;
 #else
-  return pole || tear ? WFV_KIND_POLE : WFV_KIND_EXACT;
+  return pole || discontinuous ? WFV_KIND_POLE : WFV_KIND_EXACT;
 #endif
 }

@@ -10,8 +10,8 @@ const float WFV_TIGHT_PAD = 0.0625;
 
 // Factor on the sampled distance of the edges from their chords, and pixels added to it, for
 // what lies between the samples.
-const float WFV_REACH_SAFETY = 1.5;
-const float WFV_REACH_PAD = 0.5;
+const float WFV_CHORD_SAFETY = 1.5;
+const float WFV_CHORD_PAD = 0.5;
 
 // True where no pixel centre lies between two places, in pixels from the tile's centre.
 bool wfvBetweenCentres(vec2 low, vec2 high)
@@ -63,7 +63,7 @@ void wfvShapeAlong(vec2 from, vec2 way, vec2 third, vec2 grow, bool front)
 }
 
 // grow: pixels to move the side opposite to corner i out by. The sides next to the largest angle
-// move alike: what bulges from one of them may lie beyond the line of the other. A needle's would
+// move alike: what one of them leaves its chord by may lie beyond the line of the other. A needle's would
 // meet far beyond its ends, and it takes the rectangle along its longest side, as everything does
 // that is smaller so. Of the places wfvC; returns the number of corners.
 int wfvShapeRound(vec3 grow, bool front)
@@ -109,7 +109,7 @@ void wfvCoverTight(float grow, bool front)
 // By the sampled distance of the edges: pixels to grow by.
 float wfvNarrowGrow()
 {
-  return WFV_REACH_SAFETY * wfvReach + WFV_REACH_PAD + WFV_LENS;
+  return WFV_CHORD_SAFETY * wfvChordBound + WFV_CHORD_PAD + WFV_LENS;
 }
 
 // False where that is unknown or large.

@@ -41,7 +41,7 @@ vec3 wfvTowardOf(vec3 lengths)
 const double WFV_EDGE_ON = 1e-14lf;
 
 // Corner i in the stage's own units, not tilted: planes are tilted once they are known.
-dvec3 wfvWhole(int i)
+dvec3 wfvFp64(int i)
 {
   dvec3 p = dvec3(gl_in[i].gl_Position.xyz);
 #if WFV_MODEL
@@ -57,24 +57,24 @@ dvec3 wfvWhole(int i)
 // decided by the rounding of a plane and a direction, edge by edge; turned by a few times that,
 // they miss them, and the edges round a vertex agree. Not on maps with a pole or an antipode, by
 // which the least turn is many pixels.
-#if WFV_WHOLE
-const float WFV_ASIDE = 4e-13; // rays are in double too
+#if WFV_FP64
+const float WFV_EDGE_TURN = 4e-13; // rays are in double too
 #else
-const float WFV_ASIDE = 4e-7;
+const float WFV_EDGE_TURN = 4e-7;
 #endif
-const float WFV_ASIDE_PIXELS = 1e-3;
+const float WFV_EDGE_TURN_PIXELS = 1e-3;
 
-vec3 wfvAside()
+vec3 wfvEdgeTurn()
 {
   float pixel = 2.0 * wfvView.halfFov.y / (wfvViewport.w * wfvTile.y);
-  return vec3(min(WFV_ASIDE, WFV_ASIDE_PIXELS * pixel), 0.0, 0.0);
+  return vec3(min(WFV_EDGE_TURN, WFV_EDGE_TURN_PIXELS * pixel), 0.0, 0.0);
 }
 #endif
 
 // What wfvView.tilt has too few digits for.
 uniform vec2 wfvTiltLow;
 
-dvec3 wfvTiltWhole(dvec3 p)
+dvec3 wfvTiltFp64(dvec3 p)
 {
   if (!WFV_TILTED)
   {
@@ -89,14 +89,14 @@ dvec3 wfvTiltWhole(dvec3 p)
 WFV_EDGE wfvEdgePlane(int i, int j)
 {
   bool ordered = wfvOrdered(wfvP[i], wfvP[j]);
-  dvec3 p = ordered ? wfvWhole(i) : wfvWhole(j);
-  dvec3 q = ordered ? wfvWhole(j) : wfvWhole(i);
+  dvec3 p = ordered ? wfvFp64(i) : wfvFp64(j);
+  dvec3 q = ordered ? wfvFp64(j) : wfvFp64(i);
   dvec3 n = cross(p, q - p);
 #if WFV_FACES
-  n += cross(dvec3(wfvAside()), n);
+  n += cross(dvec3(wfvEdgeTurn()), n);
 #endif
-#if WFV_WHOLE
-  dvec3 seen = wfvTiltWhole(n);
+#if WFV_FP64
+  dvec3 seen = wfvTiltFp64(n);
 #else
   vec3 seen = wfvTilt(vec3(n), wfvView);
 #endif
@@ -106,9 +106,9 @@ WFV_EDGE wfvEdgePlane(int i, int j)
 // The triangle's own plane; w is 0 where it is seen edge-on. Sets wfvM, and wfvD for rays in float32.
 vec4 wfvTrianglePlane(vec3 lengths)
 {
-  dvec3 p = wfvWhole(0);
-  dvec3 q = wfvWhole(1);
-  dvec3 r = wfvWhole(2);
+  dvec3 p = wfvFp64(0);
+  dvec3 q = wfvFp64(1);
+  dvec3 r = wfvFp64(2);
   dvec3 normal = cross(q - p, r - p);
   double w = dot(normal, p);
   bool edgeOn = abs(w) <= WFV_EDGE_ON * length(p) * length(q) * length(r);
@@ -116,7 +116,7 @@ vec4 wfvTrianglePlane(vec3 lengths)
   wfvM = w;
 #else
   wfvD = wfvTowardOf(lengths);
-  wfvM = vec2(float(dot(wfvTiltWhole(normal), dvec3(wfvD))), float(w));
+  wfvM = vec2(float(dot(wfvTiltFp64(normal), dvec3(wfvD))), float(w));
 #endif
   return vec4(wfvTilt(vec3(normal), wfvView), edgeOn ? 0.0 : float(w));
 }
@@ -146,7 +146,7 @@ vec4 wfvTrianglePlane(vec3 lengths)
 }
 #endif
 
-#if WFV_OWN_RAYS || WFV_CURVED_RAYS
+#if WFV_NON_CENTRAL || WFV_CURVED_RAYS
 // A point of the plane, for the fragment stage: the nearest corner; of a long triangle the foot
 // of the perpendicular from the eye.
 vec3 wfvAnchorOf(vec4 plane, vec3 lengths)
@@ -195,7 +195,7 @@ void wfvFindRises()
 void wfvFacePlanes(vec3 lengths)
 {
   float facing = wfvT.w > 0.0 ? 1.0 : -1.0;
-#if WFV_OWN_RAYS || WFV_CURVED_RAYS
+#if WFV_NON_CENTRAL || WFV_CURVED_RAYS
   wfvA = wfvAnchorOf(wfvT, lengths);
 #endif
   wfvM *= facing;

@@ -80,14 +80,14 @@ WfvRay wfvRayAt(vec2 offset)
 #if WFV_SAMPLED
 // True where this pixel of the picture lies in pixels of the direction map that change
 // evenly.
-bool wfvIsCalm()
+bool wfvIsSimple()
 {
   vec2 at = wfvPixelOfNdc(wfvNdcOfPixel(gl_FragCoord.xy), wfvView);
   vec4 here = wfvDirectionTexel(wfvView, wfvNearestIndex(at.x, wfvView.tables.x),
     wfvNearestIndex(at.y, wfvView.tables.y));
   vec2 size = wfvViewport.zw * wfvTile.xy;
   bool fine = size.x >= wfvView.tables.x && size.y >= wfvView.tables.y;
-  return fine && (int(here.w) & WFV_PIXEL_CALM) != 0;
+  return fine && (int(here.w) & WFV_PIXEL_SIMPLE) != 0;
 }
 #endif
 
@@ -116,8 +116,8 @@ vec3 wfvRayStep(WfvRay ray, vec2 axis)
 mat2x3 wfvQuadSteps(WfvRay ray, out bool rim)
 {
 #if WFV_SAMPLED
-  // the next pixel may be torn from this one: this one's own slopes, inside it
-  rim = !wfvIsCalm();
+  // there may be a discontinuity before the next pixel: this one's own slopes, inside it
+  rim = !wfvIsSimple();
   return mat2x3(
     2.0 * (wfvRayAt(vec2(0.25, 0.0)).direction - wfvRayAt(vec2(-0.25, 0.0)).direction),
     2.0 * (wfvRayAt(vec2(0.0, 0.25)).direction - wfvRayAt(vec2(0.0, -0.25)).direction));

@@ -42,28 +42,28 @@ void TakeInputs(Found found, std::string& fragment)
 
 // By one headlight alone, which has variables of its own, or by others: how VTK counts them depends
 // on those that it had before.
-Found IfShaded(const Facts& facts, const std::string& fragment, const char* variable)
+Found IfShaded(const Traits& traits, const std::string& fragment, const char* variable)
 {
-  return facts.Known && facts.Shaded && Has(fragment, variable) ? Found::Must : Found::May;
+  return traits.Known && traits.Shaded && Has(fragment, variable) ? Found::Must : Found::May;
 }
 
-Found IfByHeadlight(const Facts& facts, const std::string& fragment)
+Found IfByHeadlight(const Traits& traits, const std::string& fragment)
 {
-  return IfShaded(facts, fragment, "vec3 g_ldir[");
+  return IfShaded(traits, fragment, "vec3 g_ldir[");
 }
 
 // Lights at the eye, which VTK takes for parallel to the view axis. 9.1 has all lights in the
 // renderer's order; since 9.2 those with a position come first. Returns what the text then calls.
-std::string RewriteLights(const Request& r, const Facts& facts, std::string& fragment)
+std::string RewriteLights(const Request& r, const Traits& traits, std::string& fragment)
 {
-  stock::Replace(fragment, Edit::VolumeToEye, "wfvToEye($1)", IfByHeadlight(facts, fragment));
+  stock::Replace(fragment, Edit::VolumeToEye, "wfvToEye($1)", IfByHeadlight(traits, fragment));
   const int wording = stock::Replace(fragment, Edit::VolumeLight,
-    "wfvVolumeLight($1, in_lightDirection[$1])", IfShaded(facts, fragment, "g_fragWorldPos /="));
+    "wfvVolumeLight($1, in_lightDirection[$1])", IfShaded(traits, fragment, "g_fragWorldPos /="));
   if (wording < 0)
   {
     return "";
   }
-  return Define("WFV_VOLUME_LIGHTS", wording == 0 ? r.Headlights : facts.Directional) +
+  return Define("WFV_VOLUME_LIGHTS", wording == 0 ? r.Headlights : traits.Directional) +
     Define("WFV_POSITIONAL_FIRST", wording != 0) + volume_light_glsl;
 }
 
@@ -86,9 +86,9 @@ std::string RewriteMarch(Found must, std::string& fragment)
 }
 }
 
-void Finish(const Request& r, const Facts& facts, std::string& geometry, std::string& fragment)
+void Finish(const Request& r, const Traits& traits, std::string& geometry, std::string& fragment)
 {
-  const Found must = facts.Known ? Found::Must : Found::May;
+  const Found must = traits.Known ? Found::Must : Found::May;
   TakeInputs(must, fragment);
   stock::Replace(fragment, Edit::VolumeRay, "vec3 wfvStockRayDirection()", must);
   stock::Replace(fragment, Edit::VolumePlace, "vec4 wfvStockWindowToNDC(", must);
@@ -99,7 +99,7 @@ void Finish(const Request& r, const Facts& facts, std::string& geometry, std::st
   stock::Replace(fragment, Edit::VolumeImageDepth,
     "$&\n    depthValue.z = 2.0 * NDCToWindow(depthValue.x, depthValue.y, depthValue.z).z - 1.0;",
     Found::May);
-  const std::string lights = RewriteLights(r, facts, fragment);
+  const std::string lights = RewriteLights(r, traits, fragment);
   const std::string march = Curves(r) ? RewriteMarch(must, fragment) : "";
   const int matrices = CountMatrices(fragment);
   const bool eyes = r.Stereo && r.Stereo->Traits.StraightRays;
@@ -113,15 +113,15 @@ void Finish(const Request& r, const Facts& facts, std::string& geometry, std::st
   geometry = "//VTK::System::Dec\n" + ViewSource(r) + volume_geometry_glsl;
 }
 
-void FinishFlat(const Facts& facts, std::string& fragment)
+void FinishFlat(const Traits& traits, std::string& fragment)
 {
-  const Found must = facts.Known ? Found::Must : Found::May;
+  const Found must = traits.Known ? Found::Must : Found::May;
   if (stock::Replace(fragment, Edit::VolumeRay, "vec3 wfvStockRayDirection()", must) < 0)
   {
     return;
   }
   stock::Replace(
-    fragment, Edit::VolumeToEye, "(-computeRayDirection())", IfByHeadlight(facts, fragment));
+    fragment, Edit::VolumeToEye, "(-computeRayDirection())", IfByHeadlight(traits, fragment));
   wfv::ShaderBuilder::Declare(fragment, "vec3 computeRayDirection();\n");
   fragment += std::string("\n") + volume_flat_glsl;
 }

@@ -11,7 +11,7 @@ namespace wfv
 namespace volume
 {
 // What is known of the volume's text, beside the request.
-struct Facts
+struct Traits
 {
   bool Known = false;  // all of it is VTK's own
   bool Shaded = false; // by lights
@@ -19,11 +19,11 @@ struct Facts
 };
 
 // After the mapper has replaced its tags.
-WFV_EXPORT void Finish(const ShaderBuilder::Request& request, const Facts& facts,
+WFV_EXPORT void Finish(const ShaderBuilder::Request& request, const Traits& traits,
   std::string& geometry, std::string& fragment);
 
 // The same of a flat picture that stock VTK draws, of an eye beside the camera's position.
-WFV_EXPORT void FinishFlat(const Facts& facts, std::string& fragment);
+WFV_EXPORT void FinishFlat(const Traits& traits, std::string& fragment);
 }
 }
 

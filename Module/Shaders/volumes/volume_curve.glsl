@@ -3,7 +3,7 @@
 // the eye, the one through the place where the curve enters the box; each sample is taken where
 // the curve is as far from the eye.
 
-uniform vec2 wfvReach; // distances of the nearest and of the farthest point of the volume's bounds
+uniform vec2 wfvVolumeRange; // distances of the nearest and of the farthest point of the volume's bounds
 
 const int WFV_CURVE_STEPS = 8192;   // at most, in looking for the box
 const int WFV_CURVE_BISECTIONS = 24; // to float32's end
@@ -91,11 +91,11 @@ bool wfvMeetVolume()
 {
   ip_inverseTextureDataAdjusted = in_cellToPoint[0] * in_inverseTextureDatasetMatrix[0];
   mat4 toData = in_inverseVolumeMatrix[0] * in_inverseModelViewMatrix;
-  float first = max(wfvReach.x, wfvView.radii.x);
+  float first = max(wfvVolumeRange.x, wfvView.radii.x);
   bool inside;
   vec3 ahead = wfvCurveAt(first, inside) / first;
   wfvWay = in_sampleDistance / length((toData * vec4(ahead, 0.0)).xyz);
-  if (!wfvFindEntry(first, min(wfvReach.y, wfvView.radii.y)))
+  if (!wfvFindEntry(first, min(wfvVolumeRange.y, wfvView.radii.y)))
   {
     return false;
   }
@@ -152,5 +152,5 @@ bool wfvSkipsSample()
 // Behind the box, whatever the curve does.
 bool wfvHasLeft()
 {
-  return wfvSampleDistance() > min(wfvReach.y, wfvView.radii.y);
+  return wfvSampleDistance() > min(wfvVolumeRange.y, wfvView.radii.y);
 }

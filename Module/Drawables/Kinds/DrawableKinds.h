@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The registry of drawables: what is known of VTK's mappers, and of actors, by their classes. A new
+// kind is one entry here. What a trait means is done where it is asked for; no other file of the
+// module lists classes.
+#ifndef WideFoVDrawableKinds_h
+#define WideFoVDrawableKinds_h
+
+#include "vtkWideFoVAbi.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkObjectBase;
+VTK_ABI_NAMESPACE_END
+
+namespace wfv
+{
+enum DrawableTrait : unsigned
+{
+  // Mappers of surfaces, lines and points.
+  StockMesh = 1u << 0,        // draws its polydata once, as they are
+  OwnMesh = 1u << 1,          // vtkWideFoVPolyDataMapper: draws patches, classifies its clusters
+  OneMaterial = 1u << 2,      // the actor's property holds for all that it draws
+  DrawsBlocks = 1u << 3,      // of composite data; each may have colours and an opacity of its own
+  ClassifiesBlocks = 1u << 4, // their clusters (Frame/BlockClusters.h)
+  StockComposite = 1u << 5,   // of composite data: hands blocks to what draws them
+  InBounds = 1u << 6,         // its bounds hold what it draws, but for widths of lines and points
+  NotItsInput = 1u << 7,      // draws its input many times, or blocks of it
+  Glyphs = 1u << 8,           // places each copy by a matrix
+  PointsAlone = 1u << 9,      // draws its points, whatever the cells are
+  Spheres = 1u << 10,         // VTK's geometry stage makes them of points
+  Cylinders = 1u << 11,       // the same
+  Splats = 1u << 12,          // the same, where it has radii
+
+  // Mappers of volumes.
+  GpuRays = 1u << 13,   // draws by GPU ray casting,
+  MayChoose = 1u << 14, // unless it is told otherwise (Compat/SmartMapper.h)
+
+  // Others.
+  InFrontOnly = 1u << 15, // labels: leaves out what is behind the plane of the camera
+  StockActor = 1u << 16   // draws by its own keys, and once
+};
+
+bool HasTrait(vtkObjectBase* drawable, DrawableTrait trait);
+
+// How far the mapper draws beyond the bounds of its points, scene units.
+double Overhang(vtkObjectBase* mapper);
+}
+
+#endif
