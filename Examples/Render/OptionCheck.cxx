@@ -5,7 +5,6 @@
 #include "ImageOutput.h"
 #include "Messages.h"
 #include "OptionValues.h"
-#include "Scenes.h"
 #include "Sights.h"
 #include "StereoChoice.h"
 #include "StereoOptions.h"
@@ -21,21 +20,6 @@ namespace
 
 // Horizontal field of view of the perspective where none is given, degrees.
 constexpr double PerspectiveFov = 90;
-
-const wfv::Projection& CheckProjection(const Options& o)
-{
-  const wfv::Projection* const projection = wfv::FindProjection(o.Projection);
-  if (projection == nullptr)
-  {
-    std::vector<std::string> names;
-    for (const wfv::Projection* p : wfv::AllProjections())
-    {
-      names.push_back(p->Name);
-    }
-    CheckChoice("--projection", o.Projection, names);
-  }
-  return *projection;
-}
 
 // Square pixels: the angle across `to` pixels where `angle` (degrees) spans `from`.
 double PlanarFov(double angle, double from, double to)
@@ -73,7 +57,7 @@ void CheckDirectionMap(const Options& o, const wfv::Projection& p)
 
 void CompleteView(Options& o, const FieldsOfView& fov)
 {
-  const wfv::Projection& p = CheckProjection(o);
+  const wfv::Projection& p = *wfv::FindProjection(o.Projection);
   wfv::ViewOptions& v = o.View;
   v.Aspect = double(o.Size[0]) / o.Size[1];
   if (fov.Round && p.Axis != wfv::Family::Azimuthal)
@@ -151,10 +135,6 @@ void CheckInput(const Options& o)
   if (o.Scene.empty() && o.Files.empty())
   {
     FailUsage("no input; give a file or --scene NAME (--list-scenes prints the names)");
-  }
-  if (!o.Scene.empty())
-  {
-    CheckChoice("--scene", o.Scene, SceneNames());
   }
   if (o.Look.Range && !((*o.Look.Range)[0] < (*o.Look.Range)[1]))
   {

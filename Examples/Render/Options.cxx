@@ -3,16 +3,17 @@
 #include "Options.h"
 
 #include "ColorMaps.h"
+#include "ColorValue.h"
 #include "Messages.h"
 #include "OptionCheck.h"
 #include "OptionGroup.h"
 #include "OptionValues.h"
+#include "ProjectionNames.h"
+#include "Scenes.h"
 #include "Sights.h"
 #include "StereoOptions.h"
 
 #include <CLI/CLI.hpp>
-
-#include <algorithm>
 
 namespace widefov
 {
@@ -26,10 +27,11 @@ void DeclareView(CLI::App& app, Options& o, FieldsOfView& fov)
 {
   Group group(app, "View");
   group.Add("--projection", "NAME", o.Projection, "the map; --list-projections prints them",
-    [&o](const std::string&, const std::string& value) {
-      o.Projection = value;
+    [&o](const std::string& option, const std::string& value) {
+      o.Projection = Choose(option, value, ProjectionNames(), ProjectionAliases());
       o.HasProjection = true;
     });
+  Completions()["--projection"] = ProjectionNames();
   const auto angle = [](std::optional<double>& target) {
     return [&target](const std::string& option, const std::string& value) {
       target = ParseNumber(option, value, FieldOfView);
@@ -74,20 +76,14 @@ void DeclareDrawing(CLI::App& app, Options& o)
   group.Flag("--debug-view", o.DebugView, "primitives coloured by what happened to them");
 }
 
-Vector3 ParseColor(const std::string& option, const std::string& value)
-{
-  const std::vector<double> rgb = ParseNumbers(option, value, 3, 3);
-  if (std::any_of(rgb.begin(), rgb.end(), [](double c) { return c < 0 || c > 1; }))
-  {
-    FailUsage(option + ": '" + value + "' is not three numbers in [0, 1]");
-  }
-  return { { rgb[0], rgb[1], rgb[2] } };
-}
-
 void DeclareData(CLI::App& app, Options& o)
 {
   Group group(app, "Data");
-  group.Name("--scene", "NAME", o.Scene, "a built-in scene; --list-scenes prints them");
+  group.Add("--scene", "NAME", "", "a built-in scene; --list-scenes prints them",
+    [&o](const std::string& option, const std::string& value) {
+      o.Scene = Choose(option, value, SceneNames());
+    });
+  Completions()["--scene"] = SceneNames();
   group.Name("--color-by", "NAME[:COMPONENT]", o.Look.ColorBy, "array that gives the colour");
   group.Choice("--colormap", o.Look.ColorMap, ColorMapNames(), {}, "colours");
   group.Add("--range", "A,B", "of the data", "values at the ends of the colour map",
@@ -102,11 +98,12 @@ void DeclareData(CLI::App& app, Options& o)
   group.Flag("--lines-as-tubes", o.Look.LinesAsTubes, "lines are round, --line-width wide");
   group.Flag("--points-as-spheres", o.Look.PointsAsSpheres, "points are round, --point-size wide");
   group.Flag("--scalar-bar", o.Look.ScalarBar, "draw the colour map's bar into the picture");
-  group.Add("--background", "R,G,B", "0,0,0", "colour where there is nothing, 0 to 1",
+  group.Add("--background", "COLOUR", "0,0,0",
+    "where there is nothing: R,G,B from 0 to 1, a name, or #rrggbb",
     [&o](const std::string& option, const std::string& value) {
       o.Background = ParseColor(option, value);
     });
-  group.Add("--zenith", "R,G,B", "", "colour straight up; --background is that of the horizon",
+  group.Add("--zenith", "COLOUR", "", "colour straight up; --background is that of the horizon",
     [&o](const std::string& option, const std::string& value) {
       o.Zenith = ParseColor(option, value);
     });

@@ -23,6 +23,9 @@ namespace widefov
 {
 namespace
 {
+const std::vector<Alias> LayoutAliases{ { "sbs", "side-by-side" }, { "left-right", "side-by-side" },
+  { "tb", "top-bottom" }, { "over-under", "top-bottom" }, { "exr", "multi-view" } };
+
 // The largest distance that may be asked for, scene units: squares of it still fit a float32.
 constexpr double MostLength = 1e18;
 
@@ -50,8 +53,8 @@ std::array<int, 2> ParseMask(const std::string& option, const std::string& value
   for (std::size_t i = 0; i < 2; i++)
   {
     const std::vector<std::string>& all = AnaglyphColors();
-    CheckChoice(option, names[i], all);
-    mask[i] = 1 + int(std::find(all.begin(), all.end(), names[i]) - all.begin());
+    const std::string color = Choose(option, names[i], all);
+    mask[i] = 1 + int(std::find(all.begin(), all.end(), color) - all.begin());
   }
   if ((mask[0] & mask[1]) != 0)
   {
@@ -169,10 +172,10 @@ void DeclareStereo(CLI::App& app, Options& o)
   group.Choice("--stereo", o.Stereo, NamesOfModels(), {}, "stereo model");
   group.Add("--layout", "NAME", "anaglyph", "where the eyes go: " + Join(StereoLayoutNames()),
     [&o](const std::string& option, const std::string& value) {
-      CheckChoice(option, value, StereoLayoutNames());
-      o.Layout = value;
+      o.Layout = Choose(option, value, StereoLayoutNames(), LayoutAliases);
       o.StereoGiven.push_back(option);
     });
+  Completions()["--layout"] = StereoLayoutNames();
   DeclareAnaglyph(group, o);
   ModelNumber(group, o, "--ipd", "D", s.InterpupillaryDistance, { 0, MostLength },
     NamesWith(Number::InterpupillaryDistance) +

@@ -16,8 +16,6 @@
 #include "StereoLayout.h"
 #include "StereoOptions.h"
 
-#include <iostream>
-
 namespace
 {
 using namespace widefov;
@@ -94,8 +92,7 @@ int Run(int argc, char** argv)
   const std::string listing = ListingText(options);
   if (!listing.empty())
   {
-    std::cout << listing << std::flush;
-    CheckStandardOutput();
+    Print(listing);
     return ExitDone;
   }
   CheckOutputs(options);

@@ -15,8 +15,6 @@
 #include "ViewerOptions.h"
 #include "Wall.h"
 
-#include <iostream>
-
 namespace
 {
 using namespace widefov;
@@ -41,8 +39,7 @@ int Run(int argc, char** argv)
   const std::string listing = ListingText(options.Picture);
   if (!listing.empty())
   {
-    std::cout << listing << std::flush;
-    CheckStandardOutput();
+    Print(listing);
     return ExitDone;
   }
   LoadDirectionMap(options.Picture);
