@@ -5,8 +5,10 @@
 #include "ImageOutput.h"
 #include "Messages.h"
 #include "OptionValues.h"
+#include "OutputFiles.h"
 #include "Sights.h"
 #include "StereoChoice.h"
+#include "StereoLayout.h"
 #include "StereoOptions.h"
 
 #include <algorithm>
@@ -123,7 +125,7 @@ void CheckCamera(const Options& o)
 // Something is printed instead of drawn: nothing else need be right.
 bool OnlyLists(const Options& o)
 {
-  return o.ListProjections || o.ListScenes || o.Version;
+  return o.ListProjections || o.ListScenes || o.ListPresets || !o.ListArrays.empty() || o.Version;
 }
 
 void CheckInput(const Options& o)
@@ -175,10 +177,23 @@ std::vector<std::string> AllOutputs(const Options& o)
   return all;
 }
 
+// Standard output takes one file, and no list of several.
+void CheckStandardStream(const Options& o)
+{
+  const bool separate = HasTwoEyes(o) && FindStereoLayout(o.Layout).Separate;
+  const bool several = separate || HasRoom(o);
+  if (several && std::count(o.Outputs.begin(), o.Outputs.end(), StandardStream) > 0)
+  {
+    FailUsage("--output - takes one picture, not those of " +
+      std::string(separate ? "--layout " + o.Layout : "--screens and --pose") + "; name files");
+  }
+}
+
 void CheckOutput(const Options& o)
 {
+  CheckStandardStream(o);
   const std::vector<std::string> all = AllOutputs(o);
-  if (all.empty() && o.DumpShaders.empty())
+  if (all.empty() && o.DumpShaders.empty() && !o.DryRun)
   {
     FailUsage(
       "nothing to write; give -o FILE, --aov FILE.exr, --stats FILE.json or --dump-shaders DIR");
@@ -194,7 +209,7 @@ void CheckOutput(const Options& o)
     }
     for (const std::string& input : o.Files)
     {
-      if (SameFile(all[i], input))
+      if (input != StandardStream && SameFile(all[i], input))
       {
         FailUsage(all[i] + " is an input file; write somewhere else");
       }

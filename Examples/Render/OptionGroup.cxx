@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OptionGroup.h"
 
+#include "Completion.h"
 #include "Messages.h"
 
 #include <CLI/CLI.hpp>
@@ -12,6 +13,9 @@ namespace widefov
 {
 namespace
 {
+// Of --help, where the texts begin: behind the longest names that share a line with theirs.
+constexpr std::size_t HelpColumn = 34;
+
 constexpr double Most = 1e18; // squares of it still fit a float32
 
 void ParseSize(const std::string& option, const std::string& text, std::array<int, 2>& size)
@@ -169,6 +173,10 @@ void OptionGroup::Choices(const std::string& name, std::vector<std::string>& tar
 
 std::optional<int> ParseCommandLine(CLI::App& app, int argc, char** argv)
 {
+  app.get_formatter()->column_width(HelpColumn);
+  std::string shell;
+  OptionGroup(app, "Output")
+    .Choice("--completion", shell, { "bash" }, {}, "print what completes the command line for");
   try
   {
     app.parse(argc, argv);
@@ -187,6 +195,11 @@ std::optional<int> ParseCommandLine(CLI::App& app, int argc, char** argv)
   catch (const CLI::ParseError& error)
   {
     FailUsage(std::string(error.what()) + "; " + app.get_name() + " --help lists the options");
+  }
+  if (!shell.empty())
+  {
+    Print(BashCompletion(app));
+    return ExitDone;
   }
   return std::nullopt;
 }

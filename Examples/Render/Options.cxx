@@ -8,6 +8,7 @@
 #include "OptionCheck.h"
 #include "OptionGroup.h"
 #include "OptionValues.h"
+#include "PresetChoice.h"
 #include "ProjectionNames.h"
 #include "Scenes.h"
 #include "Sights.h"
@@ -117,7 +118,9 @@ void DeclareData(CLI::App& app, Options& o)
 void DeclareOutput(CLI::App& app, Options& o)
 {
   Group group(app, "Output");
-  app.add_option("-o,--output", o.Outputs, "picture: .png .jpg .tif .exr; repeatable")
+  app
+    .add_option("-o,--output", o.Outputs,
+      "picture: .png .jpg .tif .exr, - for PNG to standard output; repeatable")
     ->type_name("FILE")
     ->allow_extra_args(false)
     ->group("Output");
@@ -127,6 +130,7 @@ void DeclareOutput(CLI::App& app, Options& o)
   group.Name("--stats", "FILE.json", o.Stats, "timings and counts");
   group.Name(
     "--dump-shaders", "DIR", o.DumpShaders, "the text of each shader program, files in a folder");
+  group.Flag("--dry-run", o.DryRun, "print what would be drawn, and draw nothing; --json");
   group.Flag("--overlay", o.Overlay, "what was drawn and left out, as text on the picture");
 }
 
@@ -135,19 +139,24 @@ void DeclareListings(CLI::App& app, Options& o)
   Group group(app, "Output");
   group.Flag("--list-projections", o.ListProjections, "print the projections");
   group.Flag("--list-scenes", o.ListScenes, "print the built-in scenes");
-  group.Flag("--json", o.Json, "lists as JSON");
+  group.Name("--list-arrays", "FILE", o.ListArrays, "print the arrays of a file of data");
+  group.Flag("--json", o.Json, "what is printed as JSON");
   group.Flag("--version", o.Version, "print the version");
 }
 }
 
 void DeclareScene(CLI::App& app, Options& options, FieldsOfView& fov)
 {
-  app.add_option("FILE", options.Files, "data to draw, in any format that VTK reads");
+  app
+    .add_option(
+      "FILE", options.Files, "data to draw, in any format that VTK reads; - for standard input")
+    ->type_name("");
   DeclareData(app, options);
   DeclareView(app, options, fov);
   DeclareDrawing(app, options);
   DeclareStereo(app, options);
   DeclareRoom(app, options);
+  DeclarePresets(app, options);
   DeclareListings(app, options);
 }
 
@@ -161,7 +170,7 @@ std::optional<int> ParseOptions(int argc, char** argv, Options& options)
   {
     return done;
   }
-  options.HasSize = app.count("--size") > 0;
+  CompleteFromPreset(app, options, Target::File);
   CheckTogether(options, fov);
   return std::nullopt;
 }

@@ -7,7 +7,6 @@
 
 #include <CLI/CLI.hpp>
 
-
 namespace wfv
 {
 namespace stress
