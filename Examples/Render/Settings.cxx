@@ -19,6 +19,9 @@ namespace
 // What stands for nothing else in a file: these print instead of drawing, or name the file itself.
 const std::vector<std::string> CommandLineOnly{ "--help", "--config", "--version", "--completion" };
 
+// Of a line that says nothing: it may be that of a binary file.
+constexpr std::size_t LongestQuote = 60;
+
 // Of those in one row the command line gives one at the most.
 const std::vector<std::vector<std::string>> Rivals{ { "FILE", "--scene" },
   { "--look-at", "--direction" }, { "--fov", "--hfov" }, { "--fov", "--vfov" },
@@ -117,7 +120,7 @@ Setting ParseLine(const std::string& line, const std::string& where)
   const std::string key = Trimmed(line.substr(0, sign));
   if (key.empty() || key.find_first_of(" \t") != std::string::npos)
   {
-    FailUsage(where + "'" + line + "' is not of the form NAME = VALUE");
+    FailUsage(where + "'" + line.substr(0, LongestQuote) + "' is not of the form NAME = VALUE");
   }
   std::string value = sign == std::string::npos ? "" : Trimmed(line.substr(sign + 1));
   const bool quoted =

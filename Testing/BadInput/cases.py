@@ -156,7 +156,7 @@ COMMAND_LINE += [
     usage("good.vtk --config unknown.conf", "unknown.conf, line 2: there is no option --hfvo"),
     usage("good.vtk --config wrong.conf", "wrong.conf, line 1: --hfov"),
     usage("good.vtk --config words.conf", "words.conf, line 1"),
-    usage("good.vtk --config noise.vtk", "noise.vtk, line 1"),
+    usage("good.vtk --config noise.vtk", "is not of the form NAME = VALUE"),
     usage("good.vtk --quiet --verbose", "--verbose"),
     usage("good.vtk --background slategry", "did you mean slategray"),
     usage("good.vtk --background '#12345'", "#12345"),
