@@ -123,9 +123,7 @@ void SetScreen(vtkWideFoVScreenCamera* camera, const Options& o)
 }
 }
 
-namespace
-{
-// A vector of the head or room of a pose, world; its up need not be at right angles.
+// Up need not be at right angles to the direction.
 Vector3 ToWorld(const Pose& pose, const wfv::vec3& v)
 {
   const Vector3 right = Unit(Cross(pose.Direction, pose.Up));
@@ -133,6 +131,8 @@ Vector3 ToWorld(const Pose& pose, const wfv::vec3& v)
   return v.x * right + v.y * up + -v.z * pose.Direction;
 }
 
+namespace
+{
 // The display is on the head, or, where it is screens in a room, the room turns with it.
 void MoveWithHead(Pose& pose, const HeadPose& head)
 {

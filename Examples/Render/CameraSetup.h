@@ -24,6 +24,9 @@ struct Pose
 // Throws a Failure with ExitUsage where the directions do not make a camera.
 Pose MakePose(const Scene& scene, const Options& options);
 
+// A vector in view coordinates (x right, y up, -z ahead) in those of the world.
+Vector3 ToWorld(const Pose& pose, const wfv::vec3& v);
+
 // Sets the renderer's camera: a vtkWideFoVCamera, or for the technique cubemap a new
 // stock one.
 void SetCamera(vtkRenderer* renderer, const Scene& scene, const Options& options);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ImageSpec.h"
 
+#include "OutputFiles.h"
+
 #include "GPano.h"
 #include "Messages.h"
 
@@ -45,6 +47,10 @@ void AddGPano(OIIO::ImageSpec& spec, const PanoramaInfo& info)
 
 std::string WriterFor(const std::string& path)
 {
+  if (path == StandardStream)
+  {
+    return "png";
+  }
   std::string ending = std::filesystem::path(path).extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
     [](unsigned char c) { return static_cast<char>(std::tolower(c)); });

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Listing.h"
 
+#include "ArrayList.h"
 #include "Messages.h"
+#include "PresetChoice.h"
+#include "ProjectionNames.h"
 #include "Scenes.h"
 #include "Spread.h"
+#include "StandardInput.h"
 #include "StereoChoice.h"
 
 #include <nlohmann/json.hpp>
@@ -35,9 +39,18 @@ Json Describe(const wfv::Projection& p)
   {
     options.push_back("lens");
   }
-  return { { "name", p.Name }, { "title", p.Title }, { "properties", p.Properties },
-    { "min_hfov", p.MinHorizontalFov }, { "max_hfov", p.MaxHorizontalFov },
-    { "min_vfov", p.MinVerticalFov }, { "max_vfov", p.MaxVerticalFov }, { "options", options } };
+  Json aliases = Json::array();
+  for (const auto& [alias, name] : ProjectionAliases())
+  {
+    if (name == p.Name)
+    {
+      aliases.push_back(alias);
+    }
+  }
+  return { { "name", p.Name }, { "aliases", aliases }, { "title", p.Title },
+    { "properties", p.Properties }, { "min_hfov", p.MinHorizontalFov },
+    { "max_hfov", p.MaxHorizontalFov }, { "min_vfov", p.MinVerticalFov },
+    { "max_vfov", p.MaxVerticalFov }, { "options", options } };
 }
 
 std::string ProjectionList(bool json)
@@ -79,6 +92,15 @@ Json Times(const std::vector<double>& ms)
   const Spread spread = SpreadOf(ms);
   return { { "median", spread.Median }, { "min", spread.Least }, { "max", spread.Most } };
 }
+
+// Of a file that has none: said, for an empty text is no list.
+std::string ArrayListText(const Options& options)
+{
+  std::vector<std::string> files{ options.ListArrays };
+  const StandardInput input(files);
+  const std::string text = ArrayListOf(files[0], options.Json);
+  return text.empty() ? options.ListArrays + " has no arrays\n" : text;
+}
 }
 
 std::string ListingText(const Options& options)
@@ -95,6 +117,14 @@ std::string ListingText(const Options& options)
   if (options.ListScenes)
   {
     text += SceneList(options.Json);
+  }
+  if (!options.ListArrays.empty())
+  {
+    text += ArrayListText(options);
+  }
+  if (options.ListPresets)
+  {
+    text += PresetList(options.Json);
   }
   return text;
 }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Messages.h"
 
+#include <algorithm>
+#include <atomic>
 #include <cctype>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <fcntl.h>
-#include <iostream>
 #include <mutex>
 #include <unistd.h>
 
@@ -19,6 +22,24 @@ std::string& ProgramName()
 }
 
 int QuietedDescriptor = -1; // the user's standard error while it is redirected
+
+std::atomic<Verbosity> Chosen{ Verbosity::Normal };
+
+// 0, or the error.
+int WriteWhole(int descriptor, const std::string& text)
+{
+  std::size_t done = 0;
+  while (done < text.size())
+  {
+    const ssize_t n = write(descriptor, text.data() + done, text.size() - done);
+    if (n < 0 && errno != EINTR)
+    {
+      return errno;
+    }
+    done += static_cast<std::size_t>(std::max<ssize_t>(n, 0));
+  }
+  return 0;
+}
 }
 
 void Fail(const std::string& message)
@@ -66,28 +87,41 @@ std::string OneLine(const std::string& text)
 
 void Say(const std::string& message)
 {
-  static std::mutex mutex;
-  const std::lock_guard<std::mutex> lock(mutex);
-  const std::string line = ProgramName() + ": " + OneLine(message) + "\n";
-  std::size_t done = 0;
-  while (done < line.size())
+  if (Chosen != Verbosity::Quiet)
   {
-    const ssize_t n = write(UserErrorDescriptor(), line.data() + done, line.size() - done);
-    if (n <= 0)
-    {
-      return; // nobody listens: there is nowhere left to say so
-    }
-    done += static_cast<std::size_t>(n);
+    SayError(message);
   }
 }
 
-void CheckStandardOutput()
+void SayError(const std::string& message)
 {
-  std::cout.flush();
-  if (!std::cout)
+  static std::mutex mutex;
+  const std::lock_guard<std::mutex> lock(mutex);
+  // where nobody listens there is nowhere left to say so
+  WriteWhole(UserErrorDescriptor(), ProgramName() + ": " + OneLine(message) + "\n");
+}
+
+void Tell(const std::string& message)
+{
+  if (Chosen == Verbosity::Verbose)
   {
-    Fail("standard output cannot be written; check where it goes");
+    SayError(message);
   }
+}
+
+void Print(const std::string& text)
+{
+  const int error = WriteWhole(STDOUT_FILENO, text);
+  if (error != 0 && error != EPIPE)
+  {
+    Fail("standard output cannot be written: " + std::string(std::strerror(error)) +
+      "; check where it goes");
+  }
+}
+
+void SetVerbosity(Verbosity verbosity)
+{
+  Chosen = verbosity;
 }
 
 std::string Text(double value)

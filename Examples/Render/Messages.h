@@ -39,11 +39,24 @@ const std::string& GetProgramName();
 std::string OneLine(const std::string& text);
 
 // One line on standard error. Nothing is lost when standard error itself is
-// redirected by QuietStandardError.
+// redirected by QuietStandardError. Say: unless the program is to be quiet; SayError: always;
+// Tell: where it is to be verbose.
 void Say(const std::string& message);
+void SayError(const std::string& message);
+void Tell(const std::string& message);
 
-// Throws a Failure with ExitFailed where what was printed did not get out.
-void CheckStandardOutput();
+// Writes to standard output. A reader that went away (`... | head`) has all it wants; throws a
+// Failure with ExitFailed where the text did not get out for another reason.
+void Print(const std::string& text);
+
+// How much the program says: errors alone; warnings and progress too; what it does as well.
+enum class Verbosity
+{
+  Quiet,
+  Normal,
+  Verbose
+};
+void SetVerbosity(Verbosity verbosity);
 
 // Numbers as people write them: no trailing zeros.
 std::string Text(double value);

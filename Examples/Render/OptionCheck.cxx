@@ -5,9 +5,10 @@
 #include "ImageOutput.h"
 #include "Messages.h"
 #include "OptionValues.h"
-#include "Scenes.h"
+#include "OutputFiles.h"
 #include "Sights.h"
 #include "StereoChoice.h"
+#include "StereoLayout.h"
 #include "StereoOptions.h"
 
 #include <algorithm>
@@ -21,21 +22,6 @@ namespace
 
 // Horizontal field of view of the perspective where none is given, degrees.
 constexpr double PerspectiveFov = 90;
-
-const wfv::Projection& CheckProjection(const Options& o)
-{
-  const wfv::Projection* const projection = wfv::FindProjection(o.Projection);
-  if (projection == nullptr)
-  {
-    std::vector<std::string> names;
-    for (const wfv::Projection* p : wfv::AllProjections())
-    {
-      names.push_back(p->Name);
-    }
-    CheckChoice("--projection", o.Projection, names);
-  }
-  return *projection;
-}
 
 // Square pixels: the angle across `to` pixels where `angle` (degrees) spans `from`.
 double PlanarFov(double angle, double from, double to)
@@ -73,7 +59,7 @@ void CheckDirectionMap(const Options& o, const wfv::Projection& p)
 
 void CompleteView(Options& o, const FieldsOfView& fov)
 {
-  const wfv::Projection& p = CheckProjection(o);
+  const wfv::Projection& p = *wfv::FindProjection(o.Projection);
   wfv::ViewOptions& v = o.View;
   v.Aspect = double(o.Size[0]) / o.Size[1];
   if (fov.Round && p.Axis != wfv::Family::Azimuthal)
@@ -139,7 +125,7 @@ void CheckCamera(const Options& o)
 // Something is printed instead of drawn: nothing else need be right.
 bool OnlyLists(const Options& o)
 {
-  return o.ListProjections || o.ListScenes || o.Version;
+  return o.ListProjections || o.ListScenes || o.ListPresets || !o.ListArrays.empty() || o.Version;
 }
 
 void CheckInput(const Options& o)
@@ -151,10 +137,6 @@ void CheckInput(const Options& o)
   if (o.Scene.empty() && o.Files.empty())
   {
     FailUsage("no input; give a file or --scene NAME (--list-scenes prints the names)");
-  }
-  if (!o.Scene.empty())
-  {
-    CheckChoice("--scene", o.Scene, SceneNames());
   }
   if (o.Look.Range && !((*o.Look.Range)[0] < (*o.Look.Range)[1]))
   {
@@ -195,10 +177,23 @@ std::vector<std::string> AllOutputs(const Options& o)
   return all;
 }
 
+// Standard output takes one file, and no list of several.
+void CheckStandardStream(const Options& o)
+{
+  const bool separate = HasTwoEyes(o) && FindStereoLayout(o.Layout).Separate;
+  const bool several = separate || HasRoom(o);
+  if (several && std::count(o.Outputs.begin(), o.Outputs.end(), StandardStream) > 0)
+  {
+    FailUsage("--output - takes one picture, not those of " +
+      std::string(separate ? "--layout " + o.Layout : "--screens and --pose") + "; name files");
+  }
+}
+
 void CheckOutput(const Options& o)
 {
+  CheckStandardStream(o);
   const std::vector<std::string> all = AllOutputs(o);
-  if (all.empty() && o.DumpShaders.empty())
+  if (all.empty() && o.DumpShaders.empty() && !o.DryRun)
   {
     FailUsage(
       "nothing to write; give -o FILE, --aov FILE.exr, --stats FILE.json or --dump-shaders DIR");
@@ -214,7 +209,7 @@ void CheckOutput(const Options& o)
     }
     for (const std::string& input : o.Files)
     {
-      if (SameFile(all[i], input))
+      if (input != StandardStream && SameFile(all[i], input))
       {
         FailUsage(all[i] + " is an input file; write somewhere else");
       }

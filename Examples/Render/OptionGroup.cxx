@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OptionGroup.h"
 
+#include "Completion.h"
 #include "Messages.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 
 namespace widefov
 {
 namespace
 {
+// Of --help, where the texts begin: behind the longest names that share a line with theirs.
+constexpr std::size_t HelpColumn = 34;
+
 constexpr double Most = 1e18; // squares of it still fit a float32
 
 void ParseSize(const std::string& option, const std::string& text, std::array<int, 2>& size)
@@ -26,6 +29,33 @@ void ParseSize(const std::string& option, const std::string& text, std::array<in
   size[0] = ParseInteger(option, text.substr(0, cross), 1, Largest);
   size[1] = ParseInteger(option, text.substr(cross + 1), 1, Largest);
 }
+
+// Of what CLI11 could not place; an option's value is no part of its name.
+std::string FirstUnknown(const CLI::App& app)
+{
+  const std::vector<std::string> all = app.remaining();
+  const std::string first = all.empty() ? "" : all.front();
+  return first.substr(0, first.find('='));
+}
+}
+
+std::map<std::string, std::vector<std::string>>& Completions()
+{
+  static std::map<std::string, std::vector<std::string>> all;
+  return all;
+}
+
+std::vector<std::string> OptionNames(const CLI::App& app)
+{
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options())
+  {
+    for (const std::string& name : option->get_lnames())
+    {
+      names.push_back("--" + name);
+    }
+  }
+  return names;
 }
 
 CLI::Option* OptionGroup::Add(const std::string& name, const std::string& type,
@@ -77,14 +107,14 @@ void OptionGroup::Vector(const std::string& name, std::optional<Vector3>& target
 }
 
 void OptionGroup::Choice(const std::string& name, std::string& target,
-  const std::vector<std::string>& choices, const std::vector<std::string>& later,
+  const std::vector<std::string>& choices, const std::vector<Alias>& aliases,
   const std::string& text)
 {
   this->Add(name, "NAME", target, text + ": " + Join(choices),
-    [&target, choices, later](const std::string& option, const std::string& value) {
-      CheckChoice(option, value, choices, later);
-      target = value;
+    [&target, choices, aliases](const std::string& option, const std::string& value) {
+      target = Choose(option, value, choices, aliases);
     });
+  Completions()[name] = choices;
 }
 
 void OptionGroup::Name(
@@ -97,14 +127,6 @@ void OptionGroup::Name(
         FailUsage(option + " needs a name, not an empty text");
       }
       target = value;
-    });
-}
-
-void OptionGroup::Later(const std::string& name, const std::string& type, const std::string& text)
-{
-  this->Add(name, type, "", text + " (comes with a later version)",
-    [](const std::string& option, const std::string&) {
-      FailUsage(option + " comes with a later version; leave it out");
     });
 }
 
@@ -139,8 +161,7 @@ void OptionGroup::Choices(const std::string& name, std::vector<std::string>& tar
       for (std::size_t begin = 0; begin <= value.size();)
       {
         const std::size_t end = std::min(value.find(',', begin), value.size());
-        const std::string one = value.substr(begin, end - begin);
-        CheckChoice(option, one, choices);
+        const std::string one = Choose(option, value.substr(begin, end - begin), choices);
         if (std::find(target.begin(), target.end(), one) == target.end())
         {
           target.push_back(one);
@@ -152,19 +173,33 @@ void OptionGroup::Choices(const std::string& name, std::vector<std::string>& tar
 
 std::optional<int> ParseCommandLine(CLI::App& app, int argc, char** argv)
 {
+  app.get_formatter()->column_width(HelpColumn);
+  std::string shell;
+  OptionGroup(app, "Output")
+    .Choice("--completion", shell, { "bash" }, {}, "print what completes the command line for");
   try
   {
     app.parse(argc, argv);
   }
   catch (const CLI::CallForHelp&)
   {
-    std::cout << app.help() << std::flush;
-    CheckStandardOutput();
+    Print(app.help());
     return ExitDone;
+  }
+  catch (const CLI::ExtrasError& error)
+  {
+    const std::string first = FirstUnknown(app);
+    FailUsage(std::string(error.what()) + DidYouMean(NearestName(first, OptionNames(app))) + "; " +
+      app.get_name() + " --help lists the options");
   }
   catch (const CLI::ParseError& error)
   {
     FailUsage(std::string(error.what()) + "; " + app.get_name() + " --help lists the options");
+  }
+  if (!shell.empty())
+  {
+    Print(BashCompletion(app));
+    return ExitDone;
   }
   return std::nullopt;
 }

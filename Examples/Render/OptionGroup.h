@@ -8,6 +8,7 @@
 
 #include <array>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,7 +42,7 @@ public:
   void Vector(const std::string& name, std::optional<Vector3>& target, const std::string& standard,
     const std::string& text);
   void Choice(const std::string& name, std::string& target, const std::vector<std::string>& choices,
-    const std::vector<std::string>& later, const std::string& text);
+    const std::vector<Alias>& aliases, const std::string& text);
 
   // Names with commas between them, each one of the choices; the target is what is
   // given, in that order and each once.
@@ -55,14 +56,19 @@ public:
   void Size(const std::string& name, std::optional<std::array<int, 2>>& target,
     const std::string& standard, const std::string& text);
 
-  // Part of the contract, not built yet.
-  void Later(const std::string& name, const std::string& type, const std::string& text);
   void Flag(const std::string& name, bool& target, const std::string& text);
 
 private:
   CLI::App& App;
   std::string Title;
 };
+
+// What a shell may complete the value of an option to, by the option's name; filled as options are
+// declared.
+std::map<std::string, std::vector<std::string>>& Completions();
+
+// The long names of all options, with their hyphens.
+std::vector<std::string> OptionNames(const CLI::App& app);
 
 // Throws a Failure with ExitUsage; returns an exit code where nothing is left to do
 // (--help was printed).

@@ -81,20 +81,16 @@ std::vector<double> ParseNumbers(
   return values;
 }
 
-void CheckChoice(const std::string& option, const std::string& text,
-  const std::vector<std::string>& choices, const std::vector<std::string>& later)
+std::string Choose(const std::string& option, const std::string& text,
+  const std::vector<std::string>& choices, const std::vector<Alias>& aliases)
 {
-  if (std::find(later.begin(), later.end(), text) != later.end())
+  const std::string chosen = MatchName(text, choices, aliases);
+  if (chosen.empty())
   {
-    FailUsage(option + " " + text + " comes with a later version" +
-      (choices.empty() ? "; leave it out" : "; use " + Join(choices)));
+    FailUsage(option + ": there is no '" + text + "'" +
+      DidYouMean(NearestName(text, choices, aliases)) + "; choose one of " + Join(choices));
   }
-  if (std::find(choices.begin(), choices.end(), text) == choices.end())
-  {
-    std::vector<std::string> all = choices;
-    all.insert(all.end(), later.begin(), later.end());
-    FailUsage(option + ": there is no '" + text + "'; choose one of " + Join(all));
-  }
+  return chosen;
 }
 
 std::string Join(const std::vector<std::string>& names, const std::string& separator)

@@ -3,6 +3,8 @@
 #ifndef WideFoVOptionValues_h
 #define WideFoVOptionValues_h
 
+#include "NameMatch.h"
+
 #include <string>
 #include <vector>
 
@@ -27,9 +29,9 @@ int ParseInteger(const std::string& option, const std::string& text, int low, in
 std::vector<double> ParseNumbers(
   const std::string& option, const std::string& text, std::size_t least, std::size_t most);
 
-// One of the choices; a choice in `later` is refused as not built yet.
-void CheckChoice(const std::string& option, const std::string& text,
-  const std::vector<std::string>& choices, const std::vector<std::string>& later = {});
+// The one of the choices that the text means (NameMatch.h).
+std::string Choose(const std::string& option, const std::string& text,
+  const std::vector<std::string>& choices, const std::vector<Alias>& aliases = {});
 
 // "a, b, c"
 std::string Join(const std::vector<std::string>& names, const std::string& separator = ", ");

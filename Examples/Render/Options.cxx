@@ -3,16 +3,18 @@
 #include "Options.h"
 
 #include "ColorMaps.h"
+#include "ColorValue.h"
 #include "Messages.h"
 #include "OptionCheck.h"
 #include "OptionGroup.h"
 #include "OptionValues.h"
+#include "PresetChoice.h"
+#include "ProjectionNames.h"
+#include "Scenes.h"
 #include "Sights.h"
 #include "StereoOptions.h"
 
 #include <CLI/CLI.hpp>
-
-#include <algorithm>
 
 namespace widefov
 {
@@ -26,10 +28,11 @@ void DeclareView(CLI::App& app, Options& o, FieldsOfView& fov)
 {
   Group group(app, "View");
   group.Add("--projection", "NAME", o.Projection, "the map; --list-projections prints them",
-    [&o](const std::string&, const std::string& value) {
-      o.Projection = value;
+    [&o](const std::string& option, const std::string& value) {
+      o.Projection = Choose(option, value, ProjectionNames(), ProjectionAliases());
       o.HasProjection = true;
     });
+  Completions()["--projection"] = ProjectionNames();
   const auto angle = [](std::optional<double>& target) {
     return [&target](const std::string& option, const std::string& value) {
       target = ParseNumber(option, value, FieldOfView);
@@ -73,20 +76,14 @@ void DeclareDrawing(CLI::App& app, Options& o)
   group.Flag("--debug-view", o.DebugView, "primitives coloured by what happened to them");
 }
 
-Vector3 ParseColor(const std::string& option, const std::string& value)
-{
-  const std::vector<double> rgb = ParseNumbers(option, value, 3, 3);
-  if (std::any_of(rgb.begin(), rgb.end(), [](double c) { return c < 0 || c > 1; }))
-  {
-    FailUsage(option + ": '" + value + "' is not three numbers in [0, 1]");
-  }
-  return { { rgb[0], rgb[1], rgb[2] } };
-}
-
 void DeclareData(CLI::App& app, Options& o)
 {
   Group group(app, "Data");
-  group.Name("--scene", "NAME", o.Scene, "a built-in scene; --list-scenes prints them");
+  group.Add("--scene", "NAME", "", "a built-in scene; --list-scenes prints them",
+    [&o](const std::string& option, const std::string& value) {
+      o.Scene = Choose(option, value, SceneNames());
+    });
+  Completions()["--scene"] = SceneNames();
   group.Name("--color-by", "NAME[:COMPONENT]", o.Look.ColorBy, "array that gives the colour");
   group.Choice("--colormap", o.Look.ColorMap, ColorMapNames(), {}, "colours");
   group.Add("--range", "A,B", "of the data", "values at the ends of the colour map",
@@ -101,11 +98,12 @@ void DeclareData(CLI::App& app, Options& o)
   group.Flag("--lines-as-tubes", o.Look.LinesAsTubes, "lines are round, --line-width wide");
   group.Flag("--points-as-spheres", o.Look.PointsAsSpheres, "points are round, --point-size wide");
   group.Flag("--scalar-bar", o.Look.ScalarBar, "draw the colour map's bar into the picture");
-  group.Add("--background", "R,G,B", "0,0,0", "colour where there is nothing, 0 to 1",
+  group.Add("--background", "COLOUR", "0,0,0",
+    "where there is nothing: R,G,B from 0 to 1, a name, or #rrggbb",
     [&o](const std::string& option, const std::string& value) {
       o.Background = ParseColor(option, value);
     });
-  group.Add("--zenith", "R,G,B", "", "colour straight up; --background is that of the horizon",
+  group.Add("--zenith", "COLOUR", "", "colour straight up; --background is that of the horizon",
     [&o](const std::string& option, const std::string& value) {
       o.Zenith = ParseColor(option, value);
     });
@@ -119,7 +117,9 @@ void DeclareData(CLI::App& app, Options& o)
 void DeclareOutput(CLI::App& app, Options& o)
 {
   Group group(app, "Output");
-  app.add_option("-o,--output", o.Outputs, "picture: .png .jpg .tif .exr; repeatable")
+  app
+    .add_option("-o,--output", o.Outputs,
+      "picture: .png .jpg .tif .exr, - for PNG to standard output; repeatable")
     ->type_name("FILE")
     ->allow_extra_args(false)
     ->group("Output");
@@ -129,6 +129,7 @@ void DeclareOutput(CLI::App& app, Options& o)
   group.Name("--stats", "FILE.json", o.Stats, "timings and counts");
   group.Name(
     "--dump-shaders", "DIR", o.DumpShaders, "the text of each shader program, files in a folder");
+  group.Flag("--dry-run", o.DryRun, "print what would be drawn, and draw nothing; --json");
   group.Flag("--overlay", o.Overlay, "what was drawn and left out, as text on the picture");
 }
 
@@ -137,19 +138,24 @@ void DeclareListings(CLI::App& app, Options& o)
   Group group(app, "Output");
   group.Flag("--list-projections", o.ListProjections, "print the projections");
   group.Flag("--list-scenes", o.ListScenes, "print the built-in scenes");
-  group.Flag("--json", o.Json, "lists as JSON");
+  group.Name("--list-arrays", "FILE", o.ListArrays, "print the arrays of a file of data");
+  group.Flag("--json", o.Json, "what is printed as JSON");
   group.Flag("--version", o.Version, "print the version");
 }
 }
 
 void DeclareScene(CLI::App& app, Options& options, FieldsOfView& fov)
 {
-  app.add_option("FILE", options.Files, "data to draw, in any format that VTK reads");
+  app
+    .add_option(
+      "FILE", options.Files, "data to draw, in any format that VTK reads; - for standard input")
+    ->type_name("");
   DeclareData(app, options);
   DeclareView(app, options, fov);
   DeclareDrawing(app, options);
   DeclareStereo(app, options);
   DeclareRoom(app, options);
+  DeclarePresets(app, options);
   DeclareListings(app, options);
 }
 
@@ -163,7 +169,7 @@ std::optional<int> ParseOptions(int argc, char** argv, Options& options)
   {
     return done;
   }
-  options.HasSize = app.count("--size") > 0;
+  CompleteFromPreset(app, options, Target::File);
   CheckTogether(options, fov);
   return std::nullopt;
 }

@@ -48,7 +48,9 @@ Technique TechniqueOf(const std::string& name);
 struct Options
 {
   std::vector<std::string> Files;
-  std::string Scene; // a built-in scene instead of files
+  std::string Scene;  // a built-in scene instead of files
+  std::string Config; // file of options that the command line does not give
+  std::string Preset; // gives those that neither gives; empty: none
 
   std::string Projection = "equirectangular";
   bool HasProjection = false;
@@ -77,6 +79,7 @@ struct Options
   std::string Layout = "anaglyph";
   std::array<int, 2> AnaglyphMask{ { 4, 3 } }; // what each eye has: 4 red, 2 green, 1 blue
   double AnaglyphSaturation = 0.65;            // 0 grey, 1 full colours
+  bool EyesByDepth = false;                    // --ipd auto
   bool ConvergeOnDepth = false;                // --convergence auto, --offset auto
   double FloatingWindow = 0;                   // width of a bar, fraction of the picture's width
   double Letterbox = 0;                        // height of a bar, fraction of the picture's height
@@ -103,8 +106,13 @@ struct Options
 
   bool ListProjections = false;
   bool ListScenes = false;
+  bool ListPresets = false;
   bool Json = false;
   bool Version = false;
+  bool Quiet = false;
+  bool Verbose = false;
+  bool DryRun = false;    // say what would be drawn, and end
+  std::string ListArrays; // of this file; empty: of none
 };
 
 // Declares what every program takes that draws a scene: data, view, drawing, stereo, lists.

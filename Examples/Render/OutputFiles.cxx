@@ -21,6 +21,10 @@ namespace
 // A link is followed: the file it names is replaced, not the link.
 std::string TargetOf(const std::string& path)
 {
+  if (path == StandardStream)
+  {
+    return path;
+  }
   std::error_code error;
   const std::filesystem::path target = std::filesystem::weakly_canonical(path, error);
   return error ? path : target.string();
@@ -30,6 +34,23 @@ std::string TargetOf(const std::string& path)
 {
   Fail(path + " cannot be written: " + std::strerror(error) +
     "; nothing was changed, so make room or choose another place");
+}
+
+[[noreturn]] void FailTemporary(const std::string& why)
+{
+  Fail(
+    "no temporary folder can be made: " + why + "; set TMPDIR to a folder that can be written to");
+}
+
+std::string TemporaryPlace()
+{
+  std::error_code error;
+  const std::filesystem::path place = std::filesystem::temp_directory_path(error);
+  if (error)
+  {
+    FailTemporary(error.message());
+  }
+  return place.string();
 }
 
 // All bytes; 0 or the error.
@@ -55,6 +76,14 @@ int WriteAll(int file, const char* bytes, std::size_t count)
 
 void CheckWritable(const std::string& path)
 {
+  if (path == StandardStream)
+  {
+    if (isatty(STDOUT_FILENO) == 1)
+    {
+      Fail("standard output is a terminal; send the picture on, as in --output - > picture.png");
+    }
+    return;
+  }
   const std::filesystem::path target = TargetOf(path);
   std::error_code error;
   if (std::filesystem::is_directory(target, error))
@@ -93,14 +122,10 @@ void CheckFolder(const std::string& path)
 
 TemporaryFolder::TemporaryFolder()
 {
-  std::error_code error;
-  const std::filesystem::path place = std::filesystem::temp_directory_path(error);
-  this->Path = (place / "widefov-XXXXXX").string();
-  if (error || mkdtemp(&this->Path[0]) == nullptr)
+  this->Path = TemporaryPlace() + "/widefov-XXXXXX";
+  if (mkdtemp(&this->Path[0]) == nullptr)
   {
-    Fail("no temporary folder can be made: " +
-      (error ? error.message() : std::string(std::strerror(errno))) +
-      "; set TMPDIR to a folder that can be written to");
+    FailTemporary(std::strerror(errno));
   }
 }
 
@@ -133,8 +158,8 @@ OutputFiles::~OutputFiles()
 int OutputFiles::Open(const std::string& path)
 {
   const std::string target = TargetOf(path);
-  const std::string beside =
-    target + ".part-" + std::to_string(getpid()) + "-" + std::to_string(this->Files.size());
+  const std::string beside = (path == StandardStream ? TemporaryPlace() + "/widefov" : target) +
+    ".part-" + std::to_string(getpid()) + "-" + std::to_string(this->Files.size());
   const int file = open(beside.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (file < 0)
   {
@@ -176,7 +201,13 @@ void OutputFiles::Commit()
   while (!this->Files.empty())
   {
     const Pending& file = this->Files.front();
-    if (rename(file.Beside.c_str(), file.Target.c_str()) != 0)
+    if (file.Target == StandardStream)
+    {
+      const std::vector<unsigned char> bytes = ReadBytes(file.Beside);
+      unlink(file.Beside.c_str());
+      Print({ bytes.begin(), bytes.end() });
+    }
+    else if (rename(file.Beside.c_str(), file.Target.c_str()) != 0)
     {
       FailWriting(file.Target, errno);
     }

@@ -8,8 +8,11 @@
 
 namespace widefov
 {
+// As the name of a file: standard input or output.
+constexpr const char* StandardStream = "-";
+
 // Throws a Failure with ExitFailed where a file of that name cannot be made: its folder
-// is missing or closed, or the name is that of a folder.
+// is missing or closed, or the name is that of a folder; or where standard output is a terminal.
 void CheckWritable(const std::string& path);
 
 // The same where no file can be made in that folder.
@@ -35,7 +38,8 @@ private:
 std::vector<unsigned char> ReadBytes(const std::string& path);
 
 // Several files that appear together. Each is written under a name of its own beside
-// its target; Commit renames them. Without Commit nothing on disk changes.
+// its target; Commit renames them. Without Commit nothing on disk changes. What goes to standard
+// output is kept until then, too.
 class OutputFiles
 {
 public:

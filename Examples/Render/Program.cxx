@@ -22,16 +22,16 @@ int RunProgram(const std::string& name, const std::function<int()>& work)
   }
   catch (const Failure& failure)
   {
-    Say(failure.what());
+    SayError(failure.what());
     return failure.ExitCode;
   }
   catch (const std::bad_alloc&)
   {
-    Say("there is not enough memory; choose smaller data or a smaller picture");
+    SayError("there is not enough memory; choose smaller data or a smaller picture");
   }
   catch (const std::exception& error)
   {
-    Say(std::string("unexpected: ") + error.what() + "; please report it");
+    SayError(std::string("unexpected: ") + error.what() + "; please report it");
   }
   return ExitFailed;
 }

@@ -11,18 +11,18 @@
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
-#include <vtkStaticCellLocator.h>
 #include <vtkWideFoVStereoWindow.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <utility>
 
 namespace widefov
 {
 namespace
 {
+const std::vector<Alias> LayoutAliases{ { "sbs", "side-by-side" }, { "left-right", "side-by-side" },
+  { "tb", "top-bottom" }, { "over-under", "top-bottom" }, { "exr", "multi-view" } };
+
 // The largest distance that may be asked for, scene units: squares of it still fit a float32.
 constexpr double MostLength = 1e18;
 
@@ -50,8 +50,8 @@ std::array<int, 2> ParseMask(const std::string& option, const std::string& value
   for (std::size_t i = 0; i < 2; i++)
   {
     const std::vector<std::string>& all = AnaglyphColors();
-    CheckChoice(option, names[i], all);
-    mask[i] = 1 + int(std::find(all.begin(), all.end(), names[i]) - all.begin());
+    const std::string color = Choose(option, names[i], all);
+    mask[i] = 1 + int(std::find(all.begin(), all.end(), color) - all.begin());
   }
   if ((mask[0] & mask[1]) != 0)
   {
@@ -144,6 +144,20 @@ void DeclareFrame(OptionGroup& group, Options& o)
     "height of the bars above and below, of the picture's");
 }
 
+void DeclareEyeDistance(OptionGroup& group, Options& o)
+{
+  group.Add("--ipd", "D|auto", Text(o.View.Stereo.InterpupillaryDistance),
+    NamesWith(Number::InterpupillaryDistance) +
+      ", screens: distance between the eyes, scene units; auto: by the nearest thing seen",
+    [&o](const std::string& option, const std::string& value) {
+      o.EyesByDepth = value == "auto";
+      const Range range{ 0, MostLength };
+      double& distance = o.View.Stereo.InterpupillaryDistance;
+      distance = o.EyesByDepth ? distance : ParseNumber(option, value, range);
+      o.StereoGiven.push_back(option);
+    });
+}
+
 void DeclareAnaglyph(OptionGroup& group, Options& o)
 {
   group.Add("--anaglyph", "LEFT,RIGHT", "red,cyan",
@@ -169,14 +183,12 @@ void DeclareStereo(CLI::App& app, Options& o)
   group.Choice("--stereo", o.Stereo, NamesOfModels(), {}, "stereo model");
   group.Add("--layout", "NAME", "anaglyph", "where the eyes go: " + Join(StereoLayoutNames()),
     [&o](const std::string& option, const std::string& value) {
-      CheckChoice(option, value, StereoLayoutNames());
-      o.Layout = value;
+      o.Layout = Choose(option, value, StereoLayoutNames(), LayoutAliases);
       o.StereoGiven.push_back(option);
     });
+  Completions()["--layout"] = StereoLayoutNames();
   DeclareAnaglyph(group, o);
-  ModelNumber(group, o, "--ipd", "D", s.InterpupillaryDistance, { 0, MostLength },
-    NamesWith(Number::InterpupillaryDistance) +
-      ", screens: distance between the eyes, scene units");
+  DeclareEyeDistance(group, o);
   group.Add("--pole-fade", "A,B", "off",
     NamesWith(Number::PoleFade) + ": latitudes, degrees, between which the eyes' distance fades",
     [&o, &s](const std::string& option, const std::string& value) {
@@ -210,6 +222,12 @@ void CompleteStereo(Options& o)
   {
     known.emplace_back("--anaglyph");
     known.emplace_back("--anaglyph-saturation");
+  }
+  if (o.EyesByDepth && !o.Screens.empty())
+  {
+    FailUsage(
+      "--ipd auto is not for --screens, before which people have the eyes they have; give a "
+      "number");
   }
   for (const std::string& given : o.StereoGiven)
   {
@@ -274,37 +292,6 @@ void CheckFiles(const Options& o)
   if (HasTwoEyes(o) && FindStereoLayout(o.Layout).InTurn)
   {
     FailUsage("--layout " + o.Layout + " is for a window; use widefov-viewer, or another layout");
-  }
-}
-
-void WarnOfNearness(const Options& o, const Scene& scene, const Vector3& eye)
-{
-  if (StereoOf(o).Traits.OneCenter)
-  {
-    return;
-  }
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const SceneProp& prop : scene.Props)
-  {
-    if (!prop.Surface || prop.Surface->GetNumberOfCells() == 0)
-    {
-      continue;
-    }
-    vtkNew<vtkStaticCellLocator> cells;
-    cells->SetDataSet(prop.Surface);
-    cells->BuildLocator();
-    double point[3];
-    vtkIdType cell = 0;
-    int part = 0;
-    double squared = 0;
-    cells->FindClosestPoint(eye.data(), point, cell, part, squared);
-    nearest = std::min(nearest, std::sqrt(squared));
-  }
-  const double ipd = o.View.Stereo.InterpupillaryDistance;
-  if (ipd > nearest)
-  {
-    Say("warning: --ipd " + Text(ipd) + " is larger than the distance of the nearest surface, " +
-      Text(nearest) + ": what is inside the circle of the eyes is not shown; choose a smaller one");
   }
 }
 

@@ -8,7 +8,6 @@
 #include "OptionGroup.h"
 #include "ImageOutput.h"
 #include "Options.h"
-#include "Scene.h"
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkRenderWindow;
@@ -28,9 +27,6 @@ void CheckStereo(const Options& options);
 
 // The same, of what is written to files.
 void CheckFiles(const Options& options);
-
-// Says in one line where the eyes are farther apart than the nearest surface is from them.
-void WarnOfNearness(const Options& options, const Scene& scene, const Vector3& eye);
 
 // Colours of light; a mask of vtkRenderWindow is one more than the index.
 const std::vector<std::string>& AnaglyphColors();

@@ -2,6 +2,8 @@
 // widefov-render: pictures of VTK data in wide and non-planar projections.
 #include "CameraSetup.h"
 #include "DirectionMapFile.h"
+#include "DryRun.h"
+#include "EyeDistance.h"
 #include "Listing.h"
 #include "LoadScene.h"
 #include "Messages.h"
@@ -13,10 +15,9 @@
 #include "RenderJob.h"
 #include "SightsJob.h"
 #include "SkyPicture.h"
+#include "StandardInput.h"
 #include "StereoLayout.h"
 #include "StereoOptions.h"
-
-#include <iostream>
 
 namespace
 {
@@ -84,6 +85,42 @@ void DrawSights(const Options& options, const Scene& scene, double reading)
   files.Commit();
 }
 
+// For --verbose.
+void TellOfScene(const Scene& scene)
+{
+  const PrimitiveCount count = CountPrimitives(scene);
+  Tell(std::to_string(scene.Props.size()) + " props of " + std::to_string(count.Triangles) +
+    " triangles, " + std::to_string(count.Lines) + " lines and " + std::to_string(count.Points) +
+    " points");
+}
+
+void TellOfPictures(const Options& options, const RenderStats& stats)
+{
+  Tell("drawn by " + stats.Gl.Renderer + ", OpenGL " + stats.Gl.Version);
+  for (const std::string& output : options.Outputs)
+  {
+    for (const std::string& file : FilesOf(options, output))
+    {
+      Tell("written: " + file);
+    }
+  }
+}
+
+void Draw(const Options& options, const Scene& scene, double reading)
+{
+  TellOfScene(scene);
+  if (HasRoom(options))
+  {
+    DrawSights(options, scene, reading);
+    return;
+  }
+  OutputFiles files;
+  RenderResult result = Render(scene, options, files);
+  result.Stats.Parts.Reading = reading;
+  WriteAll(options, scene, result, files);
+  TellOfPictures(options, result.Stats);
+}
+
 int Run(int argc, char** argv)
 {
   Options options;
@@ -94,28 +131,28 @@ int Run(int argc, char** argv)
   const std::string listing = ListingText(options);
   if (!listing.empty())
   {
-    std::cout << listing << std::flush;
-    CheckStandardOutput();
+    Print(listing);
     return ExitDone;
   }
-  CheckOutputs(options);
+  if (!options.DryRun)
+  {
+    CheckOutputs(options);
+  }
   LoadDirectionMap(options);
   LoadSky(options);
   CheckSights(options);
   const Stopwatch watch;
+  const StandardInput input(options.Files);
   const Scene scene = LoadScene(options);
   const double reading = watch.GetMilliseconds();
   MakePose(scene, options); // complains before a window is opened
-  WarnOfNearness(options, scene, MakePose(scene, options).Eye);
-  if (HasRoom(options))
+  FitEyes(options, scene);
+  if (options.DryRun)
   {
-    DrawSights(options, scene, reading);
+    Print(DryRunText(options, scene));
     return ExitDone;
   }
-  OutputFiles files;
-  RenderResult result = Render(scene, options, files);
-  result.Stats.Parts.Reading = reading;
-  WriteAll(options, scene, result, files);
+  Draw(options, scene, reading);
   return ExitDone;
 }
 }

@@ -96,7 +96,7 @@ Wishes WishesOrExit()
   catch (const Failure& failure)
   {
     SetProgramName("widefov-run");
-    Say(failure.what());
+    SayError(failure.what());
     std::_Exit(failure.ExitCode);
   }
 }

@@ -3,6 +3,7 @@
 
 #include "Messages.h"
 #include "OptionValues.h"
+#include "ProjectionNames.h"
 #include "Projections/Projection.h"
 
 namespace widefov
@@ -14,7 +15,8 @@ constexpr Range Angles{ 0, 360, true };
 constexpr Range Tilts{ -180, 180 };
 constexpr Range Distances{ 0, 1e18 };
 
-std::vector<std::string> ProjectionNames()
+// A direction map is a file, which no variable brings along.
+std::vector<std::string> FormulaNames()
 {
   std::vector<std::string> names;
   for (const wfv::Projection& projection : wfv::Projections())
@@ -42,20 +44,17 @@ void TakeNumber(Wishes& wishes, const std::string& name, const std::string& valu
 
 void TakeProjection(Wishes& wishes, const std::string& name, const std::string& value)
 {
-  CheckChoice(name, value, ProjectionNames());
-  wishes.Projection = value;
+  wishes.Projection = Choose(name, value, FormulaNames(), ProjectionAliases());
 }
 
 void TakeStereo(Wishes& wishes, const std::string& name, const std::string& value)
 {
-  CheckChoice(name, value, StereoNames());
-  wishes.Stereo = wfv::FindStereoModel(value);
+  wishes.Stereo = wfv::FindStereoModel(Choose(name, value, StereoNames()));
 }
 
 void TakeInside(Wishes& wishes, const std::string& name, const std::string& value)
 {
-  CheckChoice(name, value, { "0", "1" });
-  wishes.Inside = value == "1";
+  wishes.Inside = Choose(name, value, { "0", "1" }) == "1";
 }
 
 void CheckField(const std::optional<double>& field, double least, double most, const char* what,

@@ -132,12 +132,12 @@ int main(int argc, char** argv)
   }
   catch (const Failure& failure)
   {
-    Say(failure.what());
+    SayError(failure.what());
     return failure.ExitCode;
   }
   catch (const std::exception& error)
   {
-    Say(std::string("unexpected: ") + error.what() + "; please report it");
+    SayError(std::string("unexpected: ") + error.what() + "; please report it");
   }
   return ExitFailed;
 }

@@ -185,7 +185,7 @@ void Viewer::TakeScreenshot()
   }
   catch (const Failure& failure)
   {
-    widefov::Say(failure.what()); // no reason to lose the view
+    widefov::SayError(failure.what()); // no reason to lose the view
     this->Say(failure.what());
   }
 }

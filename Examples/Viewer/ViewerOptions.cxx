@@ -6,6 +6,7 @@
 #include "Messages.h"
 #include "OptionCheck.h"
 #include "OptionGroup.h"
+#include "PresetChoice.h"
 
 #include <CLI/CLI.hpp>
 
@@ -108,7 +109,7 @@ std::optional<int> ParseViewerOptions(int argc, char** argv, ViewerOptions& o)
   {
     return done;
   }
-  o.Picture.HasSize = app.count("--size") > 0;
+  CompleteFromPreset(app, o.Picture, Target::Window);
   CheckScene(o.Picture, fov);
   CheckRoom(o);
   CheckWall(o);

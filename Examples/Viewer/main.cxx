@@ -4,18 +4,18 @@
 #include "Choices.h"
 #include "DirectionMapFile.h"
 #include "Display.h"
+#include "EyeDistance.h"
 #include "Listing.h"
 #include "LoadScene.h"
 #include "Messages.h"
 #include "Program.h"
 #include "Room.h"
 #include "SkyPicture.h"
+#include "StandardInput.h"
 #include "StateLog.h"
 #include "Viewer.h"
 #include "ViewerOptions.h"
 #include "Wall.h"
-
-#include <iostream>
 
 namespace
 {
@@ -41,16 +41,17 @@ int Run(int argc, char** argv)
   const std::string listing = ListingText(options.Picture);
   if (!listing.empty())
   {
-    std::cout << listing << std::flush;
-    CheckStandardOutput();
+    Print(listing);
     return ExitDone;
   }
   LoadDirectionMap(options.Picture);
   LoadSky(options.Picture);
   Room room(options);
   options.Picture = room.GetGiven();
+  const StandardInput input(options.Picture.Files);
   const Scene scene = LoadScene(options.Picture);
   MakePose(scene, options.Picture); // complains before a window is opened
+  FitEyes(options.Picture, scene);
   const DisplayConnection display;
   StateLog log(options.Log);
   const QuietStandardError quiet;

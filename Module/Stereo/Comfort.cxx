@@ -10,6 +10,11 @@ namespace wfv
 {
 namespace
 {
+// Metres: between people's eyes, and from them to what is near.
+constexpr double EyeDistance = 0.065;
+constexpr double PleasantlyNear = 0.75;
+constexpr double TooNear = 0.5;
+
 // Times the convergence.
 constexpr double NearestContent = 0.5;
 constexpr double FarthestContent = 100;
@@ -32,6 +37,16 @@ double CircleDisparity(double interpupillaryDistance, double d)
 double ParallaxAngle(double percent, double screenWidth, double viewerDistance)
 {
   return 2 * glm::degrees(std::atan2(0.005 * percent * screenWidth, viewerDistance));
+}
+
+double ComfortableEyeDistance(double nearest)
+{
+  return nearest * EyeDistance / PleasantlyNear;
+}
+
+double LargestDisparity()
+{
+  return CircleDisparity(EyeDistance, TooNear);
 }
 
 std::array<double, 2> DepthBudget(double convergence)

@@ -2,7 +2,8 @@
 // How far apart the pictures of the two eyes are, and how far apart they may be. Parallax is
 // positive for what lies behind the screen. Distances are in one unit of the caller's choice,
 // angles in degrees. Sources: the stereo models; S. Gateau and S. Nash, Implementing
-// Stereoscopic 3D in Your Applications (the budget).
+// Stereoscopic 3D in Your Applications (the budget); Oculus, Best Practices: Vision (how near
+// things may come to eyes in a headset).
 #ifndef WideFoVComfort_h
 #define WideFoVComfort_h
 
@@ -24,6 +25,14 @@ WFV_EXPORT double CircleDisparity(double interpupillaryDistance, double d);
 // The angle that a parallax (per cent of the width) is seen under on a screen of this width from
 // this distance, degrees.
 WFV_EXPORT double ParallaxAngle(double percent, double screenWidth, double viewerDistance);
+
+// The distance between the eyes for a picture whose nearest content is so far away: then it seems
+// 0.75 m from people's eyes, which are 0.065 m apart.
+WFV_EXPORT double ComfortableEyeDistance(double nearest);
+
+// The largest disparity that is comfortable to look at for long, degrees: that of content which
+// seems 0.5 m away.
+WFV_EXPORT double LargestDisparity();
 
 // Distances between which content belongs: half the convergence and a hundred times it.
 WFV_EXPORT std::array<double, 2> DepthBudget(double convergence);

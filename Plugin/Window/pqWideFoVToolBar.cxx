@@ -17,39 +17,19 @@
 #include <vtkSMTrace.h>
 #include <vtkSMViewProxy.h>
 
+#include "Stereo/Presets.h"
+
 #include <string>
 
 namespace
 {
-// What a kind of picture is made with; degrees.
-struct Preset
-{
-  const char* Title;
-  const char* Projection;
-  double HorizontalFov;
-  double VerticalFov;
-  double Tilt;
-  int TwoEyes;
-};
-
-const Preset Presets[] = {
-  { "360 photo", "equirectangular", 360, 180, 0, 0 },
-  { "360 stereo video", "equirectangular", 360, 180, 0, 1 },
-  { "VR180", "equirectangular", 180, 180, 0, 1 },
-  { "VR180, one eye", "equirectangular", 180, 180, 0, 0 },
-  { "Planetarium dome", "azimuthal-equidistant", 180, 180, 90, 0 },
-  { "Planetarium dome, two eyes", "azimuthal-equidistant", 180, 180, 90, 1 },
-  { "Fisheye", "azimuthal-equidistant", 180, 180, 0, 0 },
-  { "Whole sphere, equal areas", "hammer", 360, 180, 0, 0 },
-};
-
 vtkSMViewProxy* WideProxy(pqView* view)
 {
   vtkSMViewProxy* proxy = view ? view->getViewProxy() : nullptr;
   return proxy && std::string(proxy->GetXMLName()) == "WideFoVView" ? proxy : nullptr;
 }
 
-void Apply(const Preset& preset)
+void Apply(const wfv::Preset& preset)
 {
   pqView* const view = pqActiveObjects::instance().activeView();
   vtkSMViewProxy* const proxy = WideProxy(view);
@@ -57,16 +37,17 @@ void Apply(const Preset& preset)
   {
     return;
   }
-  BEGIN_UNDO_SET(preset.Title);
+  BEGIN_UNDO_SET(QString::fromStdString(preset.ViewTitle));
   {
     SM_SCOPED_TRACE(PropertiesModified).arg("proxy", proxy);
-    vtkSMPropertyHelper(proxy, "Projection").Set(preset.Projection);
+    vtkSMPropertyHelper(proxy, "Projection").Set(preset.Projection.c_str());
     vtkSMPropertyHelper(proxy, "HorizontalFieldOfView").Set(preset.HorizontalFov);
     vtkSMPropertyHelper(proxy, "VerticalFieldOfView").Set(preset.VerticalFov);
     vtkSMPropertyHelper(proxy, "Tilt").Set(preset.Tilt);
-    vtkSMPropertyHelper(proxy, "StereoRender").Set(preset.TwoEyes);
+    vtkSMPropertyHelper(proxy, "StereoRender").Set(preset.TwoEyes ? 1 : 0);
     if (preset.TwoEyes)
     {
+      vtkSMPropertyHelper(proxy, "PoleFade").Set(preset.PoleFade.data(), 2);
       proxy->GetProperty("StereoModel")->ResetToXMLDefaults(); // the usual one of such pictures
     }
     proxy->UpdateVTKObjects();
@@ -109,10 +90,13 @@ void pqWideFoVToolBar::build()
   button->setToolTip("Projection, fields of view, tilt and eyes for a kind of picture");
   button->setPopupMode(QToolButton::InstantPopup);
   auto* const menu = new QMenu(button);
-  for (const Preset& preset : Presets)
+  for (const wfv::Preset& preset : wfv::Presets())
   {
-    QObject::connect(
-      menu->addAction(preset.Title), &QAction::triggered, [&preset] { Apply(preset); });
+    if (!preset.ViewTitle.empty())
+    {
+      QObject::connect(menu->addAction(QString::fromStdString(preset.ViewTitle)),
+        &QAction::triggered, [&preset] { Apply(preset); });
+    }
   }
   button->setMenu(menu);
   this->addWidget(button);

@@ -147,6 +147,30 @@ COMMAND_LINE = [
     usage("good.vtk --tile 32x32 --stereo omnidirectional --layout split", "--tile"),
 ]
 
+COMMAND_LINE += [
+    usage("good.vtk --preset dome", "dome"),
+    usage("good.vtk --preset domemaster-4", "did you mean domemaster-"),
+    usage("good.vtk --preset vr180 --hfov 90", "--hfov 180"),
+    failed("good.vtk --config missing.conf", "missing.conf"),
+    failed("good.vtk --config folder.vtk", "folder.vtk"),
+    usage("good.vtk --config unknown.conf", "unknown.conf, line 2: there is no option --hfvo"),
+    usage("good.vtk --config wrong.conf", "wrong.conf, line 1: --hfov"),
+    usage("good.vtk --config words.conf", "words.conf, line 1"),
+    usage("good.vtk --config noise.vtk", "is not of the form NAME = VALUE"),
+    usage("good.vtk --quiet --verbose", "--verbose"),
+    usage("good.vtk --background slategry", "did you mean slategray"),
+    usage("good.vtk --background '#12345'", "#12345"),
+    usage("good.vtk --ipd auto", "--ipd does not go with --stereo mono"),
+    usage("good.vtk --stereo warped --ipd auto", "--ipd does not go with --stereo warped"),
+    usage(EYES + "--layout separate --output -", "takes one picture"),
+    usage("good.vtk --output - --stats -", "named twice"),
+    usage("- - --output new.png", "named twice"),
+    failed("-", "standard input is empty"),
+    usage("good.vtk --completion fish", "fish"),
+    failed("--list-arrays missing.vtk", "missing.vtk"),
+    failed("--list-arrays truncated.vtk", "truncated.vtk"),
+]
+
 DATA = [
     failed("missing.vtk", "missing.vtk"),
     failed("good.vtk missing.vtk", "missing.vtk"),
@@ -212,6 +236,10 @@ TOLERATED = [
     Case("little.ply", DONE, None),
     Case("big.ply", DONE, None),
     Case("good.vtk --stereo omnidirectional --ipd 100", DONE, "--ipd 100 is larger"),
+    Case("good.vtk --stereo omnidirectional --ipd 1e-6", DONE, "nobody sees depth"),
+    Case("good.vtk --stereo omnidirectional --ipd 0.5", DONE, "uncomfortable"),
+    Case("good.vtk --stereo omnidirectional --ipd 0.5 --quiet", DONE, None),
+    Case("good.vtk --stereo omnidirectional --ipd auto", DONE, None),
     Case(MAP + "map.exr", DONE, None),
 ]
 
@@ -250,6 +278,7 @@ OUTPUT = [
     failed("--list-projections", "", place="full standard output"),
     failed("--list-scenes", "", place="full standard output"),
     failed("--help", "", place="full standard output"),
+    failed("good.vtk --output -", "standard output", place="full standard output"),
 ]
 
 TILED = "good.vtk --size 512x256 --tile 128x96 "
@@ -266,6 +295,8 @@ OUTPUT += [
 # Of widefov-viewer: what it does not share with widefov-render.
 VIEWER = [
     usage("", "FILE"),
+    usage("good.vtk --preset dome", "dome"),
+    usage("good.vtk --config unknown.conf", "line 2"),
     usage("good.vtk --frobnicate", "--frobnicate"),
     usage("good.vtk --output {out}/picture.png", "--output"),
     usage("good.vtk --projection bent", "bent"),

@@ -60,6 +60,8 @@ def room_files():
 ROOM = [
     ("--screens cave.pvx --projection hammer", USAGE, "perspective"),
     ("--screens cave.pvx --hfov 90", USAGE, "corners"),
+    ("--screens cave.pvx --preset vr180", USAGE, "--preset"),
+    ("--screens cave.pvx --stereo offaxis --ipd auto", USAGE, "--ipd auto"),
     ("--screens cave.pvx --tilt 10", USAGE, "corners"),
     ("--screens cave.pvx --technique cubemap", USAGE, "cubemap"),
     ("--screens cave.pvx --stereo omnidirectional", USAGE, "offaxis"),

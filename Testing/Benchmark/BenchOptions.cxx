@@ -9,7 +9,6 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <iostream>
 
 namespace wfv
 {
@@ -141,8 +140,7 @@ std::optional<int> ParseBenchOptions(int argc, char** argv, BenchOptions& o)
   }
   if (o.Version)
   {
-    std::cout << "widefov-bench " WIDEFOV_VERSION "\n" << std::flush;
-    widefov::CheckStandardOutput();
+    widefov::Print("widefov-bench " WIDEFOV_VERSION "\n");
     return widefov::ExitDone;
   }
   if (o.Output.empty())

@@ -7,8 +7,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <iostream>
-
 namespace wfv
 {
 namespace stress
@@ -69,8 +67,7 @@ std::optional<int> ParseStressOptions(int argc, char** argv, StressOptions& o)
   }
   if (o.Version)
   {
-    std::cout << "widefov-stress " WIDEFOV_VERSION "\n" << std::flush;
-    widefov::CheckStandardOutput();
+    widefov::Print("widefov-stress " WIDEFOV_VERSION "\n");
     return widefov::ExitDone;
   }
   if (o.Output.empty() && !o.Worker)

@@ -9,7 +9,6 @@
 #include <vtkRenderWindow.h>
 
 #include <cstdlib>
-#include <iostream>
 
 namespace wfv
 {
@@ -19,8 +18,7 @@ namespace
 {
 void Print(const Json& json)
 {
-  std::cout << json.dump() << "\n" << std::flush;
-  widefov::CheckStandardOutput();
+  widefov::Print(json.dump() + "\n");
 }
 
 // `number` is that of the batch in the plan.

@@ -302,6 +302,9 @@ TEST(Stereo, ComfortIsThatOfTheModels)
   EXPECT_DOUBLE_EQ(budget[1], 300);
   EXPECT_DOUBLE_EQ(LargestSeparation(1.3, 0.065), 0.05);
   EXPECT_DOUBLE_EQ(LargestSeparation(0.05, 0.065), 0.5);
+  EXPECT_DOUBLE_EQ(ComfortableEyeDistance(0.75), 0.065);
+  EXPECT_NEAR(CircleDisparity(ComfortableEyeDistance(40), 40), 4.97, 0.005); // of 40 parsecs, too
+  EXPECT_NEAR(LargestDisparity(), 7.45, 0.005);
 }
 
 TEST(Stereo, ConvergenceKeepsWhatIsSeenInTheBudget)
