@@ -2,6 +2,7 @@
 #include "OptionCheck.h"
 
 #include "Angles.h"
+#include "FirstView.h"
 #include "ImageOutput.h"
 #include "Messages.h"
 #include "OptionValues.h"
@@ -76,6 +77,7 @@ void CompleteView(Options& o, const FieldsOfView& fov)
   const wfv::Projection& p = CheckProjection(o);
   wfv::ViewOptions& v = o.View;
   v.Aspect = double(o.Size[0]) / o.Size[1];
+  o.HasFov = fov.Horizontal || fov.Vertical || fov.Round;
   if (fov.Round && p.Axis != wfv::Family::Azimuthal)
   {
     FailUsage("--fov is for round projections; give " + p.Name + " --hfov and --vfov");
@@ -269,6 +271,16 @@ void CheckTechnique(Options& o)
 }
 }
 
+void SetField(Options& o, double across)
+{
+  const wfv::Projection& p = *wfv::FindProjection(o.Projection);
+  const double up = p.Axis == wfv::Family::Planar ? PlanarFov(across, o.Size[0], o.Size[1])
+    : p.Axis == wfv::Family::Azimuthal            ? across
+                                                  : across * o.Size[1] / o.Size[0];
+  o.View.HorizontalFov = across;
+  o.View.VerticalFov = std::min(up, p.MaxVerticalFov);
+}
+
 void CheckTiles(const Options& o)
 {
   if (o.Tile && (o.Technique == Technique::CubeMap || (HasTwoEyes(o) && o.Layout == "split")))
@@ -293,6 +305,7 @@ void CheckScene(Options& o, const FieldsOfView& fov)
     CompleteRoom(o, fov);
     CompleteView(o, fov);
     CheckCamera(o);
+    CheckFirstView(o);
     CheckDrawn(o);
   }
 }

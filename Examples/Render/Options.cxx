@@ -3,6 +3,7 @@
 #include "Options.h"
 
 #include "ColorMaps.h"
+#include "FirstView.h"
 #include "Messages.h"
 #include "OptionCheck.h"
 #include "OptionGroup.h"
@@ -47,7 +48,7 @@ void DeclareView(CLI::App& app, Options& o, FieldsOfView& fov)
     "what the projection direction-map shows: a unit vector a pixel in X, Y, Z");
   group.Number("--tilt", "DEG", o.View.Tilt, { -180, 180 }, "how far the axis is raised");
   group.Size("--size", o.Size, "pixels");
-  group.Vector("--eye", o.Eye, "centre of the scene", "where the camera is");
+  group.Vector("--eye", o.Eye, "as the data lie, see --inside", "where the camera is");
   group.Vector("--look-at", o.LookAt, "", "a point ahead of the camera");
   group.Vector("--direction", o.Direction, "0,0,-1", "the direction of view");
   group.Vector("--up", o.Up, "0,1,0", "what is up in the picture");
@@ -148,6 +149,7 @@ void DeclareScene(CLI::App& app, Options& options, FieldsOfView& fov)
   app.add_option("FILE", options.Files, "data to draw, in any format that VTK reads");
   DeclareData(app, options);
   DeclareView(app, options, fov);
+  DeclareFirstView(app, options);
   DeclareDrawing(app, options);
   DeclareStereo(app, options);
   DeclareRoom(app, options);

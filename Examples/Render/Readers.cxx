@@ -244,6 +244,7 @@ Scene ReadScene(const std::vector<std::string>& paths)
     prop.Source = ReadFile(paths[i]);
     prop.Label = paths[i];
     prop.Index = static_cast<int>(i);
+    prop.Globe = EndingOf(paths[i]) == ".nc" || EndingOf(paths[i]) == ".cdf";
     {
       const Progress progress("taking the surface of " + paths[i]);
       prop.Surface = SurfaceOf(prop.Source);

@@ -32,7 +32,9 @@ struct SceneProp
   int Index = 0;                         // of the file, in the order given; 0 for a built-in scene
   std::string Label;                     // for messages
   Shape Kind = Shape::Mesh;
-  double Margin = 0; // how far what is drawn reaches beyond the points, scene units
+  double Margin = 0;    // how far what is drawn reaches beyond the points, scene units
+  bool InSpace = false; // of 3-D data, and all through them
+  bool Globe = false;   // of longitudes and latitudes
 
   Vector3 Color{ { 0.9, 0.9, 0.9 } };
   std::string Array; // gives the colours; empty: Color

@@ -2,6 +2,7 @@
 // widefov-render: pictures of VTK data in wide and non-planar projections.
 #include "CameraSetup.h"
 #include "DirectionMapFile.h"
+#include "FirstView.h"
 #include "Listing.h"
 #include "LoadScene.h"
 #include "Messages.h"
@@ -104,6 +105,7 @@ int Run(int argc, char** argv)
   CheckSights(options);
   const Stopwatch watch;
   const Scene scene = LoadScene(options);
+  ChooseView(options, scene);
   const double reading = watch.GetMilliseconds();
   MakePose(scene, options); // complains before a window is opened
   WarnOfNearness(options, scene, MakePose(scene, options).Eye);

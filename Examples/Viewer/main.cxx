@@ -4,6 +4,7 @@
 #include "Choices.h"
 #include "DirectionMapFile.h"
 #include "Display.h"
+#include "FirstView.h"
 #include "Listing.h"
 #include "LoadScene.h"
 #include "Messages.h"
@@ -50,6 +51,7 @@ int Run(int argc, char** argv)
   Room room(options);
   options.Picture = room.GetGiven();
   const Scene scene = LoadScene(options.Picture);
+  ChooseView(options.Picture, scene);
   MakePose(scene, options.Picture); // complains before a window is opened
   const DisplayConnection display;
   StateLog log(options.Log);
