@@ -29,7 +29,7 @@ constexpr double LargestAngle = 90;
 // How far a thing reaches from the middle of the picture to its border, at most; with a bar of
 // colours below.
 constexpr double Reach = 0.9;
-constexpr double ReachAboveBar = 0.7;
+constexpr double ReachAboveBar = 0.73;
 
 // A thing thinner than this share of its middle extent is looked at from where it is wide.
 constexpr double Flat = 0.1;
@@ -261,11 +261,26 @@ void DeclareFirstView(CLI::App& app, Options& o)
   group.Flag("--outside", o.Outside, "the eye is before the data, which fill the picture");
 }
 
+void DeclareFirstLook(CLI::App& app, Look& look)
+{
+  OptionGroup group(app, "Data");
+  group.Off("--no-colors", look.Colors, "files are grey, unless --color-by says otherwise");
+  group.Off("--no-scalar-bar", look.UsualBar, "no bar of colours that nobody asked for");
+  group.Off("--no-smooth", look.Smooth, "surfaces without normals show their facets");
+  group.Off("--no-surface", look.Surface, "--vectors and --streamlines alone");
+  group.Flag("--volume", look.Volume, "data that fill space are drawn as such, not as surfaces");
+  group.Off("--no-volume", look.UsualVolume, "images are drawn as surfaces");
+}
+
 void CheckFirstView(const Options& o)
 {
   if (o.Inside && o.Outside)
   {
     FailUsage("--inside and --outside exclude each other; give one");
+  }
+  if (o.Look.Volume && !o.Look.UsualVolume)
+  {
+    FailUsage("--volume and --no-volume exclude each other; give one");
   }
   if (o.Eye && (o.Inside || o.Outside))
   {
@@ -284,7 +299,7 @@ void ChooseView(Options& o, const Scene& scene)
   std::optional<Vector3> inside = o.Outside ? std::nullopt : SurroundedPlace(scene);
   if (o.Inside && !inside)
   {
-    inside = SceneEye(scene);
+    inside = FreePlace(scene);
   }
   if (inside)
   {

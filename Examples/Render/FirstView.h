@@ -16,6 +16,9 @@ namespace widefov
 // --inside and --outside.
 void DeclareFirstView(CLI::App& app, Options& options);
 
+// What is drawn of files, and how, where nobody says.
+void DeclareFirstLook(CLI::App& app, Look& look);
+
 // Throws a Failure with ExitUsage where these contradict each other or --eye.
 void CheckFirstView(const Options& options);
 

@@ -3,6 +3,7 @@
 
 #include "MessageCatcher.h"
 #include "Messages.h"
+#include "Normals.h"
 #include "Pipeline.h"
 #include "Progress.h"
 #include "Readers.h"
@@ -23,7 +24,15 @@ Scene LoadScene(const Options& options)
     scene = ReadScene(options.Files);
   }
   const Progress progress("preparing the data");
-  ApplyLook(scene, options.Look);
+  Look look = options.Look;
+  // what stock VTK's pass and the float channels do not show
+  look.UsualVolume =
+    look.UsualVolume && options.Technique != Technique::CubeMap && options.Aov.empty();
+  ApplyLook(scene, look);
+  if (scene.FromFiles && options.Look.Smooth)
+  {
+    SmoothNormals(scene);
+  }
   const std::string error = MessageCatcher::TakeFirstError();
   if (!error.empty())
   {

@@ -77,7 +77,6 @@ void CompleteView(Options& o, const FieldsOfView& fov)
   const wfv::Projection& p = CheckProjection(o);
   wfv::ViewOptions& v = o.View;
   v.Aspect = double(o.Size[0]) / o.Size[1];
-  o.HasFov = fov.Horizontal || fov.Vertical || fov.Round;
   if (fov.Round && p.Axis != wfv::Family::Azimuthal)
   {
     FailUsage("--fov is for round projections; give " + p.Name + " --hfov and --vfov");
@@ -146,6 +145,10 @@ bool OnlyLists(const Options& o)
 
 void CheckInput(const Options& o)
 {
+  if (o.Info && o.Files.empty())
+  {
+    FailUsage("--info says what files hold; give one or more");
+  }
   if (!o.Scene.empty() && !o.Files.empty())
   {
     FailUsage("--scene and files exclude each other; give one or the other");
@@ -303,6 +306,7 @@ void CheckScene(Options& o, const FieldsOfView& fov)
   {
     CheckInput(o);
     CompleteRoom(o, fov);
+    o.HasFov = fov.Horizontal || fov.Vertical || fov.Round;
     CompleteView(o, fov);
     CheckCamera(o);
     CheckFirstView(o);
@@ -313,7 +317,7 @@ void CheckScene(Options& o, const FieldsOfView& fov)
 void CheckTogether(Options& o, const FieldsOfView& fov)
 {
   CheckScene(o, fov);
-  if (!OnlyLists(o))
+  if (!OnlyLists(o) && !o.Info)
   {
     CheckFiles(o);
     CheckOutput(o);

@@ -59,6 +59,9 @@ public:
   void Later(const std::string& name, const std::string& type, const std::string& text);
   void Flag(const std::string& name, bool& target, const std::string& text);
 
+  // Switches off what is usual.
+  void Off(const std::string& name, bool& target, const std::string& text);
+
 private:
   CLI::App& App;
   std::string Title;

@@ -139,7 +139,8 @@ void DeclareListings(CLI::App& app, Options& o)
   Group group(app, "Output");
   group.Flag("--list-projections", o.ListProjections, "print the projections");
   group.Flag("--list-scenes", o.ListScenes, "print the built-in scenes");
-  group.Flag("--json", o.Json, "lists as JSON");
+  group.Flag("--info", o.Info, "print what the files hold: bounds, arrays, times, triangles");
+  group.Flag("--json", o.Json, "lists and --info as JSON");
   group.Flag("--version", o.Version, "print the version");
 }
 }
@@ -150,6 +151,7 @@ void DeclareScene(CLI::App& app, Options& options, FieldsOfView& fov)
   DeclareData(app, options);
   DeclareView(app, options, fov);
   DeclareFirstView(app, options);
+  DeclareFirstLook(app, options.Look);
   DeclareDrawing(app, options);
   DeclareStereo(app, options);
   DeclareRoom(app, options);

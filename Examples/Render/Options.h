@@ -99,6 +99,7 @@ struct Options
 
   bool ListProjections = false;
   bool ListScenes = false;
+  bool Info = false;
   bool Json = false;
   bool Version = false;
 };

@@ -3,6 +3,7 @@
 #include "CameraSetup.h"
 #include "DirectionMapFile.h"
 #include "FirstView.h"
+#include "Info.h"
 #include "Listing.h"
 #include "LoadScene.h"
 #include "Messages.h"
@@ -92,10 +93,10 @@ int Run(int argc, char** argv)
   {
     return *done;
   }
-  const std::string listing = ListingText(options);
-  if (!listing.empty())
+  const std::string told = ListingText(options) + InfoText(options);
+  if (!told.empty())
   {
-    std::cout << listing << std::flush;
+    std::cout << told << std::flush;
     CheckStandardOutput();
     return ExitDone;
   }

@@ -10,6 +10,7 @@
 #include "StereoChoice.h"
 #include "StereoLayout.h"
 #include "StereoOptions.h"
+#include "Volume.h"
 
 #include <vtkPanoramicProjectionPass.h>
 #include <vtkRenderWindow.h>
@@ -63,6 +64,10 @@ ViewerStage::ViewerStage(
   {
     this->Actors.push_back(MakeActor(prop, o.Look));
     this->Renderer->AddActor(this->Actors.back());
+  }
+  for (vtkVolume* const volume : MakeVolumes(scene))
+  {
+    this->Renderer->AddVolume(volume);
   }
   if (const vtkSmartPointer<vtkScalarBarActor> bar = MakeScalarBar(scene))
   {

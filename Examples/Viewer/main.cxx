@@ -5,6 +5,7 @@
 #include "DirectionMapFile.h"
 #include "Display.h"
 #include "FirstView.h"
+#include "Info.h"
 #include "Listing.h"
 #include "LoadScene.h"
 #include "Messages.h"
@@ -39,10 +40,10 @@ int Run(int argc, char** argv)
   {
     return *done;
   }
-  const std::string listing = ListingText(options.Picture);
-  if (!listing.empty())
+  const std::string told = ListingText(options.Picture) + InfoText(options.Picture);
+  if (!told.empty())
   {
-    std::cout << listing << std::flush;
+    std::cout << told << std::flush;
     CheckStandardOutput();
     return ExitDone;
   }
