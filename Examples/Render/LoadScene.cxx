@@ -11,6 +11,12 @@
 
 namespace widefov
 {
+namespace
+{
+// Pixels: in smaller pictures nobody reads the numbers of a bar.
+constexpr std::array<int, 2> RoomForBar{ { 200, 100 } };
+}
+
 Scene LoadScene(const Options& options)
 {
   Scene scene;
@@ -28,6 +34,8 @@ Scene LoadScene(const Options& options)
   // what stock VTK's pass and the float channels do not show
   look.UsualVolume =
     look.UsualVolume && options.Technique != Technique::CubeMap && options.Aov.empty();
+  look.UsualBar =
+    look.UsualBar && options.Size[0] >= RoomForBar[0] && options.Size[1] >= RoomForBar[1];
   ApplyLook(scene, look);
   if (scene.FromFiles && options.Look.Smooth)
   {

@@ -69,9 +69,10 @@ ViewerStage::ViewerStage(
   {
     this->Renderer->AddVolume(volume);
   }
-  if (const vtkSmartPointer<vtkScalarBarActor> bar = MakeScalarBar(scene))
+  this->Bar = MakeScalarBar(scene);
+  if (this->Bar)
   {
-    this->Renderer->AddViewProp(bar);
+    this->Renderer->AddViewProp(this->Bar);
   }
   this->Renderer->AddObserver(vtkCommand::EndEvent, this, &ViewerStage::AfterScene);
   this->Window->AddRenderer(this->Renderer);
@@ -197,6 +198,10 @@ FrameCost ViewerStage::Draw(const Options& o, const std::array<int, 2>& size,
   this->Aiming = o.Technique != Technique::CubeMap ? aim : nullptr;
   this->Aimed = false;
   this->Apply(o, size);
+  if (this->Bar)
+  {
+    this->Bar->SetVisibility(this->HasRoom());
+  }
   this->Texts.SetHelp(this->HasRoom() ? help : "", size[0], size[1]);
   this->Start = std::chrono::steady_clock::now();
   if (this->InTurn)

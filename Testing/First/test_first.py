@@ -46,11 +46,11 @@ class Case(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         return done
 
-    def draw(self, name, text, *words):
+    def draw(self, name, text, *words, size=SIZE):
         """The picture, rows of red, green, blue, and what was said of the eye."""
         picture = self.path("picture.png")
         done = self.run_it(
-            self.path(name, text), *words, "--size", SIZE, "--samples", "0", "--output", picture)
+            self.path(name, text), *words, "--size", size, "--samples", "0", "--output", picture)
         said = [line for line in done.stderr.splitlines() if "the eye is" in line]
         self.assertLessEqual(len(said), 1)
         return imread(picture)[:, :, :3], said[0] if said else ""
@@ -132,8 +132,8 @@ class Look(Case):
         points, faces = files.box((0, 0, 0), (1, 1, 1))
         text = files.legacy((points, faces), height=[p[1] for p in points])
         view = ["--hfov", "90", "--vfov", "45"]
-        with_bar = self.draw("box.vtk", text, *view)[0]
-        without = self.draw("box.vtk", text, *view, "--no-scalar-bar")[0]
+        with_bar = self.draw("box.vtk", text, *view, size="256x128")[0]
+        without = self.draw("box.vtk", text, *view, "--no-scalar-bar", size="256x128")[0]
         rows = numpy.nonzero((with_bar != without).any(axis=(1, 2)))[0]
         self.assertGreater(len(rows), 2)
         self.assertGreater(rows.min(), 0.7 * len(without))  # it is below
