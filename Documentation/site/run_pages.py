@@ -4,7 +4,7 @@
 
     run_pages.py PROGRAMS LARGEST CHECKOUT PAGE...
 
-Every fenced block of "sh" on the pages is run by bash, in the folder of its page and in the order of
+Every fenced block of "sh" on the pages is run by bash, in a folder beside its page and in the order of
 the page, with the programs of the folder PROGRAMS; pictures are LARGEST pixels along their longer
 side. The page is written anew with the pictures in it: it may be a link to the page of the checkout.
 """
@@ -32,16 +32,16 @@ def spread(names):
     return [names[i * (len(names) - 1) // (MOST_SHOWN - 1)] for i in range(MOST_SHOWN)]
 
 
-def make_data(folder):
-    """The file data.vtu of the pages: a wavelet with an array and its gradient."""
-    path = os.path.join(folder, "data.vtu")
-    if not os.path.exists(path):
-        subprocess.run([sys.executable, "-B", os.path.join(HERE, "data.py"), path], check=True)
+def prepare(folder, checkout):
+    """What the commands of a page find: their data, and the examples of the checkout."""
+    os.makedirs(folder)
+    os.symlink(os.path.join(checkout, "Examples"), os.path.join(folder, "Examples"))
+    subprocess.run([sys.executable, "-B", os.path.join(HERE, "data.py"), os.path.join(folder, "data.vtu")],
+        check=True)
 
 
-def run(block, page, environment):
+def run(block, folder, environment):
     """The pictures that the block made, by their names."""
-    folder = os.path.dirname(page)
     before = set(os.listdir(folder))
     done = subprocess.run(["bash", "-euo", "pipefail", "-c", block], cwd=folder, env=environment,
         stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
@@ -50,24 +50,26 @@ def run(block, page, environment):
     if done.returncode or not new:
         said = done.stdout.strip() or "nothing"
         fail("%s: ended with %d, made %d files and said: %s\n%s"
-            % (os.path.basename(page), done.returncode, len(new), said, block))
+            % (os.path.basename(folder), done.returncode, len(new), said, block))
     return spread([name for name in new if name.endswith(SHOWN)])
 
 
-def show(names):
-    return "".join("\n![What the command above draws: %s](%s)\n" % (name, name) for name in names)
+def show(folder, names):
+    place = os.path.basename(folder)
+    return "".join("\n![What the command above draws: %s](%s/%s)\n" % (name, place, name) for name in names)
 
 
-def run_page(page, environment):
+def run_page(page, checkout, environment):
     with open(page, encoding="utf-8") as stream:
         text = stream.read()
-    make_data(os.path.dirname(page))
+    folder = os.path.splitext(page)[0] + "-files"
+    prepare(folder, checkout)
     blocks = 0
 
     def with_pictures(match):
         nonlocal blocks
         blocks += 1
-        return match.group(0) + show(run(match.group(1), page, environment))
+        return match.group(0) + show(folder, run(match.group(1), folder, environment))
 
     text = BLOCK.sub(with_pictures, text)
     os.remove(page)
@@ -84,10 +86,7 @@ def main():
     environment["PATH"] = os.pathsep.join([os.path.join(HERE, "programs"), programs, os.environ["PATH"]])
     blocks = 0
     for page in sys.argv[4:]:
-        examples = os.path.join(os.path.dirname(page), "Examples")
-        if not os.path.exists(examples):
-            os.symlink(os.path.join(checkout, "Examples"), examples)
-        blocks += run_page(page, environment)
+        blocks += run_page(page, checkout, environment)
     print("run_pages.py: %d blocks of %d pages" % (blocks, len(sys.argv) - 4))
     if not blocks:
         fail("no commands on these pages")
