@@ -24,9 +24,11 @@ paraview_plugin_build(
   RUNTIME_DESTINATION "${CMAKE_INSTALL_BINDIR}"
   LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
   LIBRARY_SUBDIRECTORY "${PARAVIEW_PLUGIN_SUBDIR}"
+  PLUGINS_COMPONENT plugin
   PLUGINS ${widefov_plugins})
 
 if(WIDEFOV_BUILD_TESTING)
   enable_testing()
   add_subdirectory(Testing/ParaView)
 endif()
+include(Utilities/Packages/Packages.cmake)

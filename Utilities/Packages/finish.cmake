@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Run by CPack over the folders that packages are made of: adds what Debian wants in each, takes out
+# what is of a build tree alone, and gives all the time of the commit.
+set(moment "$ENV{SOURCE_DATE_EPOCH}")
+file(GLOB folders LIST_DIRECTORIES ON "${CPACK_TEMPORARY_DIRECTORY}/*")
+foreach(folder IN LISTS folders)
+  get_filename_component(component "${folder}" NAME)
+  string(TOUPPER "${component}" upper)
+  set(package "${CPACK_DEBIAN_${upper}_PACKAGE_NAME}")
+  set(documents "${folder}/usr/share/doc/${package}")
+  file(MAKE_DIRECTORY "${documents}")
+  file(COPY_FILE "${CPACK_WIDEFOV_SOURCE}/LICENSE" "${documents}/copyright")
+  string(TIMESTAMP day "%a, %d %b %Y %H:%M:%S +0000" UTC) # of SOURCE_DATE_EPOCH
+  file(WRITE "${documents}/changelog.Debian" "widefov (${CPACK_DEBIAN_PACKAGE_VERSION}) unstable; \
+urgency=medium\n\n  * What changed stands in changelog.gz.\n\n -- ${CPACK_PACKAGE_CONTACT}  ${day}\n")
+  file(COPY_FILE "${CPACK_WIDEFOV_SOURCE}/CHANGELOG.md" "${documents}/changelog")
+  execute_process(COMMAND gzip -9 -n "${documents}/changelog.Debian" "${documents}/changelog"
+    COMMAND_ERROR_IS_FATAL ANY)
+
+  # system folders need no search path; the plugin finds what lies beside it by one
+  set(programs)
+  if(NOT component STREQUAL "plugin")
+    file(GLOB_RECURSE programs "${folder}/usr/bin/*" "${folder}/usr/lib/*.so*")
+  endif()
+  foreach(program IN LISTS programs)
+    if(NOT IS_SYMLINK "${program}")
+      file(RPATH_REMOVE FILE "${program}")
+    endif()
+  endforeach()
+  execute_process(
+    COMMAND find "${folder}" -exec touch --no-dereference "--date=@${moment}" {} +
+    COMMAND_ERROR_IS_FATAL ANY)
+endforeach()
