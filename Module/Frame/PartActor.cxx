@@ -144,7 +144,10 @@ void PutFirst(vtkObjectFactory* own)
   {
     for (const Override& each : Overrides)
     {
-      factory->SetEnableFlag(factory == own, each.Overridden, each.Stock);
+      if (factory != own)
+      {
+        factory->SetEnableFlag(0, each.Overridden, each.Stock);
+      }
     }
   }
 }

@@ -164,30 +164,6 @@ void SkyWindow::Keep(const std::string& name)
   writer->Write();
 }
 
-namespace
-{
-// The change of direction from pixel to pixel, along the axis where it is longer; the map may be
-// torn or end on one side.
-double PixelSize(const View& view, const SkyPicture& picture, int x, int y)
-{
-  const vec3 here = view.RayAt(vec3(picture.NdcOf(x, y), 1)).Direction;
-  constexpr double None = 2; // more than any change
-  double longer = 0;
-  for (const bool across : { true, false })
-  {
-    double shorter = None;
-    for (const int by : { -1, 1 })
-    {
-      const ViewRay ray =
-        view.RayAt(vec3(picture.NdcOf(x + (across ? by : 0), y + (across ? 0 : by)), 1));
-      shorter = ray.Inside ? std::min(shorter, glm::length(ray.Direction - here)) : shorter;
-    }
-    longer = std::max(longer, shorter < None ? shorter : 0);
-  }
-  return longer;
-}
-}
-
 bool IsCertain(const View& view, const vec3& ndc)
 {
   const bool inside = view.RayAt(ndc).Inside;
@@ -203,10 +179,10 @@ bool IsCertain(const View& view, const vec3& ndc)
   return true;
 }
 
-void SkyTally::Look(const SkyPicture& picture, int x, int y, const SkyColor& wanted, double spared)
+void SkyTally::Look(const SkyPicture& picture, int x, int y, const SkyColor& wanted)
 {
   const SkyColor off = glm::abs(wanted - picture.At(x, y));
-  const double worst = std::max(off.x, std::max(off.y, off.z)) - spared;
+  const double worst = std::max(off.x, std::max(off.y, off.z));
   if (worst > this->Worst)
   {
     this->Worst = worst;
@@ -214,8 +190,7 @@ void SkyTally::Look(const SkyPicture& picture, int x, int y, const SkyColor& wan
   }
 }
 
-SkyTally CheckFar(
-  SkyWindow& window, const SkyPicture& picture, const SkyLookup& lookup, double curved)
+SkyTally CheckFar(SkyWindow& window, const SkyPicture& picture, const SkyLookup& lookup)
 {
   const View view = window.GetView();
   SkyTally t;
@@ -229,8 +204,7 @@ SkyTally CheckFar(
       return;
     }
     (ray.Inside ? t.Inside : t.Outside)++;
-    const double size = ray.Inside && curved > 0 ? PixelSize(view, picture, x, y) : 0;
-    t.Look(picture, x, y, ray.Inside ? lookup(window.InWorld(ray)) : NoSky, curved * size * size);
+    t.Look(picture, x, y, ray.Inside ? lookup(window.InWorld(ray)) : NoSky);
   });
   return t;
 }

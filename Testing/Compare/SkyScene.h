@@ -88,14 +88,11 @@ struct SkyTally
   double Worst = 0;  // levels that a pixel is off
   std::string Where;
 
-  // spared: levels that the pixel may be off for a reason of its own.
-  void Look(const SkyPicture& picture, int x, int y, const SkyColor& wanted, double spared = 0);
+  void Look(const SkyPicture& picture, int x, int y, const SkyColor& wanted);
 };
 
-// Each pixel against what is at infinity. curved: levels that are spared where a pixel's size, in
-// units of direction, is 1; by its square elsewhere.
-SkyTally CheckFar(
-  SkyWindow& window, const SkyPicture& picture, const SkyLookup& lookup, double curved = 0);
+// Each pixel against what is at infinity.
+SkyTally CheckFar(SkyWindow& window, const SkyPicture& picture, const SkyLookup& lookup);
 }
 }
 
