@@ -102,7 +102,6 @@ void vtkWideFoVPass::DrawProps(const vtkRenderState* s, vtkProp** props, int cou
   seen.SetRequiredKeys(s->GetRequiredKeys());
   seen.SetPropArrayAndCount(props, count);
   {
-    const wfv::FrameInDrawing frame(s->GetRenderer(), in.Stages);
     const wfv::WithoutStockEffects without(s->GetRenderer());
     this->DrawDelegate(&seen);
   }
@@ -183,7 +182,10 @@ void vtkWideFoVPass::DrawSeen(const vtkRenderState* s, int seen)
     in.Stages.Fine.Begin(s->GetRenderer());
   }
   this->Draws = true;
-  this->DrawProps(s, s->GetPropArray(), seen);
+  {
+    const wfv::FrameInDrawing frame(s->GetRenderer(), &in.Stages);
+    this->DrawProps(s, s->GetPropArray(), seen);
+  }
   this->Draws = false;
   if (in.Enlargement > 0)
   {

@@ -82,26 +82,33 @@ bool Billboards::Take(vtkProp* prop)
   return actor != nullptr;
 }
 
+void ShowBillboard(vtkBillboardTextActor3D* actor, vtkRenderer* renderer, vtkWideFoVCamera* camera,
+  const float tile[4], const std::function<void()>& draw)
+{
+  double ndc[3];
+  if (!FindPlace(camera, PictureAspect(renderer), actor->GetPosition(), ndc))
+  {
+    return;
+  }
+  ndc[0] = tile[0] * ndc[0] + tile[2];
+  ndc[1] = tile[1] * ndc[1] + tile[3];
+  vtkNew<vtkOpenGLCamera> flat;
+  ShowAt(flat, camera, actor->GetPosition(), ndc);
+  const ActiveCamera active(renderer, flat);
+  draw();
+}
+
 void Billboards::Draw(vtkRenderer* renderer, vtkWideFoVCamera* camera, const float tile[4]) const
 {
-  const double aspect = PictureAspect(renderer);
   for (vtkBillboardTextActor3D* const actor : this->Actors)
   {
-    double ndc[3];
-    if (!FindPlace(camera, aspect, actor->GetPosition(), ndc))
-    {
-      continue;
-    }
-    ndc[0] = tile[0] * ndc[0] + tile[2];
-    ndc[1] = tile[1] * ndc[1] + tile[3];
-    vtkNew<vtkOpenGLCamera> flat;
-    ShowAt(flat, camera, actor->GetPosition(), ndc);
-    const ActiveCamera active(renderer, flat);
-    actor->RenderOpaqueGeometry(renderer);
-    if (actor->HasTranslucentPolygonalGeometry())
-    {
-      actor->RenderTranslucentPolygonalGeometry(renderer);
-    }
+    ShowBillboard(actor, renderer, camera, tile, [&] {
+      actor->RenderOpaqueGeometry(renderer);
+      if (actor->HasTranslucentPolygonalGeometry())
+      {
+        actor->RenderTranslucentPolygonalGeometry(renderer);
+      }
+    });
   }
 }
 }

@@ -5,6 +5,7 @@
 
 #include "vtkWideFoVAbi.h"
 
+#include <functional>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -18,7 +19,12 @@ namespace wfv
 {
 // Such an actor asks the camera for a matrix to find out how large its text is. So each is drawn
 // by a camera of its own, which shows the place of the text where the map does, at its depth, and
-// all round it in the plane of the picture. They come last, for text is translucent.
+// all round it in the plane of the picture. Calls with that one in the place of the renderer's;
+// not at all where the text's place is not in the picture. tile: of the picture, from NDC to NDC.
+void ShowBillboard(vtkBillboardTextActor3D* actor, vtkRenderer* renderer, vtkWideFoVCamera* camera,
+  const float tile[4], const std::function<void()>& draw);
+
+// Those that stand in the scene themselves. They come last, for text is translucent.
 class Billboards
 {
 public:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawables/Sky.h"
 
+#include "Compat/Gl.h"
 #include "Compat/Reports.h"
 
 #include "vtkInformation.h"
@@ -9,6 +10,7 @@
 #include "vtkOpenGLActor.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLSkybox.h"
+#include "vtkOpenGLState.h"
 #include "vtkOpenGLTexture.h"
 #include "vtkShaderProgram.h"
 #include "vtkSmartPointer.h"
@@ -109,6 +111,12 @@ void SetTexture(vtkShaderProgram* program, vtkProp* drawer, vtkWindow* window)
   auto* const actor = vtkActor::SafeDownCast(drawer);
   vtkTexture* const texture = actor ? actor->GetTexture() : nullptr;
   program->SetUniformi("wfvSkyMeans", texture && texture->GetMipmap());
+  auto* const gl = vtkOpenGLRenderWindow::SafeDownCast(window);
+  if (texture && texture->GetCubeMap() && gl)
+  {
+    // VTK asks for it with light from an environment alone: without it no face knows its neighbours
+    gl->GetState()->vtkglEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+  }
   auto* const loaded = vtkOpenGLTexture::SafeDownCast(texture);
   vtkTextureObject* const object = loaded ? loaded->GetTextureObject() : nullptr;
   const bool known = object && object->GetContext() == window; // one may be another window's

@@ -2,6 +2,7 @@
 #include "Frame/PartActor.h"
 
 #include "Compat/FutureConst.h"
+#include "Frame/PartText.h"
 #include "Frame/PropKeys.h"
 #include "Frame/Stages.h"
 
@@ -31,10 +32,15 @@ Stages* FindFrame(vtkRenderer* renderer)
   return nullptr;
 }
 
-FrameInDrawing::FrameInDrawing(vtkRenderer* renderer, Stages& stages)
+bool IsFrameInDrawing()
+{
+  return Innermost && Innermost->Found;
+}
+
+FrameInDrawing::FrameInDrawing(vtkRenderer* renderer, Stages* stages)
   : Before(Innermost)
   , Renderer(renderer)
-  , Found(&stages)
+  , Found(stages)
 {
   Innermost = this;
 }
@@ -88,8 +94,17 @@ private:
   PropKeys Keys;
 };
 
-constexpr const char* Overridden = "vtkActor";
-constexpr const char* Stock = "vtkOpenGLActor";
+struct Override
+{
+  const char* Overridden;
+  const char* Stock;
+  vtkObject* (*Make)();
+};
+
+const Override Overrides[] = {
+  { "vtkActor", "vtkOpenGLActor", []() -> vtkObject* { return PartActor::New(); } },
+  { "vtkBillboardTextActor3D", "vtkOpenGLBillboardTextActor3D", &MakePartText },
+};
 
 class PartFactory : public vtkObjectFactory
 {
@@ -105,14 +120,17 @@ public:
   const char* GetVTKSourceVersion() VTK_FUTURE_CONST override { return VTK_SOURCE_VERSION; }
   const char* GetDescription() VTK_FUTURE_CONST override
   {
-    return "actors that wide views find within other props";
+    return "actors and texts that wide views find within other props";
   }
 
 protected:
   PartFactory()
   {
-    this->RegisterOverride(Overridden, Stock, "finds the wide frame that it is drawn in", 1,
-      []() -> vtkObject* { return PartActor::New(); });
+    for (const Override& each : Overrides)
+    {
+      this->RegisterOverride(
+        each.Overridden, each.Stock, "finds the wide frame that it is drawn in", 1, each.Make);
+    }
   }
 };
 
@@ -124,9 +142,12 @@ void PutFirst(vtkObjectFactory* own)
   all->InitTraversal(it);
   while (vtkObjectFactory* factory = all->GetNextObjectFactory(it))
   {
-    if (factory != own)
+    for (const Override& each : Overrides)
     {
-      factory->SetEnableFlag(0, Overridden, Stock);
+      if (factory != own)
+      {
+        factory->SetEnableFlag(0, each.Overridden, each.Stock);
+      }
     }
   }
 }

@@ -18,7 +18,8 @@ class Stages;
 class FrameInDrawing
 {
 public:
-  FrameInDrawing(vtkRenderer* renderer, Stages& stages);
+  // stages: nullptr for what is no part of the frame, though it is drawn meanwhile
+  FrameInDrawing(vtkRenderer* renderer, Stages* stages);
   ~FrameInDrawing();
   FrameInDrawing(const FrameInDrawing&) = delete;
   FrameInDrawing& operator=(const FrameInDrawing&) = delete;
@@ -29,13 +30,18 @@ private:
   Stages* Found;
 
   friend Stages* FindFrame(vtkRenderer* renderer);
+  friend bool IsFrameInDrawing();
 };
 
 // The stages of the wide frame that is drawn in the renderer just now, else nullptr.
 Stages* FindFrame(vtkRenderer* renderer);
 
+// In any renderer.
+bool IsFrameInDrawing();
+
 // Nobody can ask such a prop for its actors. So the ones that VTK makes look for the frame
-// themselves: a factory makes them, under the name of VTK's own class. Loading this library
+// themselves, and so do texts (PartText.h): a factory makes them, under the names of VTK's own
+// classes. Loading this library
 // registers it; to call this again does nothing where it still is.
 void MakePartsWide();
 

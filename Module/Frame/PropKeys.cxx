@@ -21,6 +21,20 @@ public:
 
 namespace wfv
 {
+void HandPassesOn(vtkInformation* from, vtkInformation* to)
+{
+  vtkInformationObjectBaseVectorKey* const list = vtkOpenGLRenderPass::RenderPasses();
+  to->Remove(list);
+  for (int i = 0; from && i < from->Length(list); i++)
+  {
+    vtkObjectBase* const pass = from->Get(list, i);
+    if (!vtkWideFoVStage::SafeDownCast(pass))
+    {
+      to->Append(list, pass);
+    }
+  }
+}
+
 void PropKeys::Attach(vtkProp* prop, vtkWideFoVStage* stage)
 {
   vtkInformationObjectBaseVectorKey* const list = vtkOpenGLRenderPass::RenderPasses();

@@ -15,6 +15,10 @@ VTK_ABI_NAMESPACE_END
 
 namespace wfv
 {
+// The passes that a prop's keys name, but for the stages of wide frames, in the place of those that
+// `to` names. from may be nullptr.
+void HandPassesOn(vtkInformation* from, vtkInformation* to);
+
 // One for each prop of a frame, kept from frame to frame.
 class PropKeys
 {

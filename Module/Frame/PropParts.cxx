@@ -69,26 +69,6 @@ void AddOfPaths(vtkProp* prop, vtkPropCollection* props)
 }
 }
 
-namespace
-{
-// Those of others: a sky keeps them to itself.
-void HandPassesOn(vtkProp* sky, vtkProp* drawer)
-{
-  vtkInformationObjectBaseVectorKey* const list = vtkOpenGLRenderPass::RenderPasses();
-  vtkInformation* const from = sky->GetPropertyKeys();
-  vtkInformation* const to = drawer->GetPropertyKeys();
-  to->Remove(list);
-  for (int i = 0; from && i < from->Length(list); i++)
-  {
-    vtkObjectBase* const pass = from->Get(list, i);
-    if (!vtkWideFoVStage::SafeDownCast(pass))
-    {
-      to->Append(list, pass);
-    }
-  }
-}
-}
-
 namespace wfv
 {
 PropList FindParts(vtkProp* prop)
@@ -123,7 +103,8 @@ void PropParts::AttachSky(vtkProp* prop, Stages& stages)
   vtkActor* const drawer = sky::PrepareDrawer(prop);
   if (drawer && !Stages::FindAttached(drawer))
   {
-    HandPassesOn(prop, drawer);
+    // a sky keeps its keys to itself
+    HandPassesOn(prop->GetPropertyKeys(), drawer->GetPropertyKeys());
     this->Attach(drawer, stages.Sky);
   }
 }

@@ -11,6 +11,7 @@ them (float, float) is a tuple, and [float, float] a list that is filled.
 
 import ast
 import importlib
+import keyword
 import re
 import sys
 
@@ -116,7 +117,7 @@ def property_line(types, cls, name):
 def member_lines(types, cls):
     for name, value in cls.__dict__.items():
         kind = type(value).__name__
-        if name.startswith("__"):
+        if name.startswith("__") or keyword.iskeyword(name):  # as vtkRenderer's property "pass"
             continue
         if isinstance(value, type):  # an enumeration
             yield "class %s(int): ..." % name

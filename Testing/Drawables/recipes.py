@@ -61,6 +61,18 @@ def vtkCubeAxesActor():
     return made
 
 
+def vtkGridAxesActor3D():
+    made = vtk.vtkGridAxesActor3D()
+    made.SetGridBounds(*BOUNDS)
+    made.SetLabelMask(0)  # of pixels
+    for axis in range(3):
+        made.SetUseCustomLabels(axis, True)  # or each view has as many lines as it has room for
+        made.SetNumberOfLabels(axis, 3)
+        for i in range(3):
+            made.SetLabel(axis, i, 0.3 * (i - 1))
+    return made
+
+
 def vtkPolarAxesActor():
     made = vtk.vtkPolarAxesActor()
     made.SetBounds(-1, 1, -1, 1, 0, 0)

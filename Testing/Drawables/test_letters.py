@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Letters that are to be so many pixels large: those of cube axes and of flags, ahead and behind, on the
+"""Letters that are to be so many pixels large: those of cube axes, grids and flags, ahead and behind, on the
 screen and in a screenshot, which VTK draws by a copy of the camera.
 
     test_letters.py FOLDER
@@ -24,6 +24,22 @@ def axes(stage):
     made.SetScreenSize(20)
     for axis in "XYZ":
         getattr(made, "%sAxisTickVisibilityOff" % axis)()
+    stage.renderer.AddViewProp(made)
+
+
+def grid(stage):
+    """Its numbers alone."""
+    import vtk
+
+    made = vtk.vtkGridAxesActor3D()
+    for axis in range(3):
+        made.SetUseCustomLabels(axis, True)
+        made.SetNumberOfLabels(axis, 2)
+        for i in range(2):
+            made.SetLabel(axis, i, i - 0.5)
+    made.GenerateGridOff()
+    made.GenerateEdgesOff()
+    made.GenerateTicksOff()
     stage.renderer.AddViewProp(made)
 
 
@@ -59,7 +75,7 @@ def count(kind):
     stock = draw.Stage(vtk.vtkRenderer(), draw.SIZE)
     # pixels of the same angle in the middle
     stock.renderer.GetActiveCamera().SetViewAngle(2 * math.degrees(math.atan(math.pi / 2)))
-    put = {"axes": axes, "flag": flag}[kind]
+    put = {"axes": axes, "grid": grid, "flag": flag}[kind]
     put(stock)
     stock.renderer.ResetCameraClippingRange()
     stock.draw()
@@ -75,12 +91,18 @@ def count(kind):
     return found
 
 
+def has_grids(_):
+    import vtk
+
+    return hasattr(vtk, "vtkGridAxesActor3D")  # since 9.5
+
+
 def main(folder):
     sys.path.insert(0, folder)
     import forked
 
     faults = []
-    for kind in ("axes", "flag"):
+    for kind in ("axes", "grid", "flag") if forked.run(has_grids, None) else ("axes", "flag"):
         found = forked.run(count, kind)
         print(kind, found)
         stock = found.pop("stock", 0)

@@ -102,6 +102,16 @@ def short_strips_in_assembly():
     return check_alike(lambda: (shortened(), ball()), lambda: (ball(),), "strips")
 
 
+def text():
+    import recipes
+
+    return recipes.vtkBillboardTextActor3D()
+
+
+def text_in_assembly():
+    return check_alike(lambda: (ball(), text()), lambda: (ball(), text()), None)
+
+
 def follower(bearing):
     """A strip that begins at its place, as letters do."""
     import vtk
@@ -187,6 +197,7 @@ CASES = {
     "a sky in an assembly": sky_in_assembly,
     "a sky without a texture in an assembly": bare_sky_in_assembly,
     "strips of one point in an assembly": short_strips_in_assembly,
+    "a text in an assembly": text_in_assembly,
     "a follower at the rim of a fisheye": follower_at_the_rim,
     "a window that is given back and used again": window_given_back,
     "a warning of what is left out": innocent,

@@ -57,7 +57,7 @@ def add_glass(renderer):
     renderer.SetUseDepthPeeling(1)
     text = vtk.vtkTextActor()
     text.SetInput("glass")
-    renderer.AddActor2D(text)
+    renderer.AddViewProp(text)
     renderer.ResetCamera()
     renderer.GetActiveCamera().Azimuth(30)
     renderer.GetActiveCamera().SetViewAngle(40)

@@ -10,7 +10,11 @@ import importlib.util
 import os
 import sys
 
-OPENGL = "vtkmodules.vtkRenderingOpenGL2"
+
+def come_first(_):
+    """Since VTK 9.6 the package puts a finder of its own, of all its modules, ahead of others."""
+    sys.meta_path.remove(FINDER)
+    sys.meta_path.insert(0, FINDER)
 
 
 def make_wide(module):
@@ -24,25 +28,35 @@ def make_wide(module):
 class Loader(importlib.abc.Loader):
     """Of a module, by its own loader, and then one thing more."""
 
-    def __init__(self, own):
+    def __init__(self, own, more):
         self.own = own
+        self.more = more
+
+    def __getattr__(self, name):
+        return getattr(self.own, name)
 
     def create_module(self, spec):
         return self.own.create_module(spec)
 
     def exec_module(self, module):
         self.own.exec_module(module)
-        make_wide(module)
+        self.more(module)
+
+
+MORE = {"vtkmodules": come_first, "vtkmodules.vtkRenderingOpenGL2": make_wide}
 
 
 class Finder(importlib.abc.MetaPathFinder):
     def find_spec(self, name, path=None, target=None):
-        if name != OPENGL:
+        if name not in MORE:
             return None
         sys.meta_path.remove(self)
-        spec = importlib.util.find_spec(name)
+        try:
+            spec = importlib.util.find_spec(name)  # of those who are left
+        finally:
+            sys.meta_path.insert(0, self)
         if spec is not None:
-            spec.loader = Loader(spec.loader)
+            spec.loader = Loader(spec.loader, MORE[name])
         return spec
 
 
@@ -57,5 +71,6 @@ def import_next():
         sys.modules["sitecustomize"] = own
 
 
-sys.meta_path.insert(0, Finder())
+FINDER = Finder()
+sys.meta_path.insert(0, FINDER)
 import_next()

@@ -5,7 +5,8 @@ uniform mat3 wfvSkyToWorld; // from view coordinates
 uniform vec3 wfvSkyFrom;    // world: their origin
 uniform int wfvSkyMeans;    // 0: the texture has no mipmaps
 
-WfvRay wfvSky;                    // of the pixel's centre, in the map's own frame
+// Of the pixel's centre, in the map's own frame.
+WfvRay wfvSky = WfvRay(vec3(0.0, 0.0, -1.0), false);
 mat2x3 wfvSkySteps = mat2x3(0.0); // how its direction changes from pixel to pixel, world
 float wfvSkyLonger = 0.0;         // the longer one
 bool wfvSkyHide = false;          // outside the map: background
