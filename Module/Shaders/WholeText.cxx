@@ -17,11 +17,9 @@ std::string ToWhole(const std::string& glsl)
     { std::regex(R"(//(?! WideFoV:)[^\n]*)"), "" }, // but the names of files (NameText.cmake)
     { std::regex(R"(\bfloat\b)"), "double" },
     { std::regex(R"(\bvec([234])\b)"), "dvec$1" },
-    { std::regex(R"(\bsin\()"), "wfvWholeSin(" },
-    { std::regex(R"(\bcos\()"), "wfvWholeCos(" },
     { std::regex(R"(\bwfv(?!Whole)([A-Z]))"), "wfvWhole$1" },
     { std::regex(R"(\bWfv([A-Z]))"), "WfvWhole$1" },
-    { std::regex(R"(\bWFV_(?!FN\b|TABLES\b|TILTED\b|NEWTON_STEPS\b))"), "WFV_WHOLE_" },
+    { std::regex(R"(\bWFV_(?!FN\b|TABLES\b|TILTED\b|LENSED\b|NEWTON_STEPS\b))"), "WFV_WHOLE_" },
     { std::regex(R"((\b\d+(\.\d*([eE][-+]?\d+)?|[eE][-+]?\d+)))"), "$1lf" },
   };
   std::string whole = glsl;

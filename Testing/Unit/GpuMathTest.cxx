@@ -204,13 +204,10 @@ std::vector<NamedView> Views()
       o.VerticalFov = std::clamp(fov / 2, p.MinVerticalFov, p.MaxVerticalFov);
       o.Aspect = p.Axis == Family::Azimuthal ? 1 : 2;
       views.push_back(MakeView(p, o));
-      for (const auto& lens : Lenses(fov))
+      for (const auto& lens : Lenses(p, fov))
       {
-        if (p.HasLens)
-        {
-          o.Lens = lens;
-          views.push_back(MakeView(p, o));
-        }
+        o.Lens = lens;
+        views.push_back(MakeView(p, o));
       }
     }
   }

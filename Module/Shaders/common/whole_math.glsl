@@ -23,16 +23,6 @@ dvec2 wfvWholeSinCos(double x)
   return (quarters & 1) != 0 ? dvec2(sign_ * c, -sign_ * s) : dvec2(sign_ * s, sign_ * c);
 }
 
-double wfvWholeSin(double x)
-{
-  return wfvWholeSinCos(x).x;
-}
-
-double wfvWholeCos(double x)
-{
-  return wfvWholeSinCos(x).y;
-}
-
 // What float32 says, turned by what is left.
 double wfvWholeAtan2(double y, double x)
 {
