@@ -30,8 +30,8 @@ Shot LensShot(const std::string& projection, double fov, const MeasuredPicture& 
 {
   const std::vector<NamedPose> poses = PlainPoses();
   Shot shot = MakeShot(projection, fov, poses.back());
-  shot.Width = 400;
-  shot.Height = 300;
+  shot.Width = 300; // of pictures that are measured with more pixels
+  shot.Height = 225;
   shot.Options.Tilt = 20;
   shot.Options.Measured = measured;
   shot.Options.Lens = lens;

@@ -24,15 +24,13 @@ CORNER = (180, 240)  # of the small picture in the large one, pixels from above
 LEVELS = 2
 ON_EDGES = 0.002
 
-# Surfaces, their edges, wide lines, points, balls, sticks, arrows, a sky.
+# Surfaces, wide lines, points, balls, a gradient.
 SCENES = {
     "surfaces": "--scene cornell",
-    "edges": "--scene room --representation surface-with-edges",
     "lines": "--scene cornell --representation wireframe --line-width 4",
     "points": "--scene globe --representation points --point-size 5",
     "balls": "--scene balls",
-    "tubes": "--scene cornell --representation wireframe --line-width 6 --lines-as-tubes",
-    "gradient": "--scene balls --background 1,0.5,0 --zenith 0,0.2,1",
+    "gradient": "--scene cornell --background 1,0.5,0 --zenith 0,0.2,1",
 }
 
 # The centre of the circle and its radius, pixels of the large picture; the last is flat at its rim.

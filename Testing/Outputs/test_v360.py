@@ -17,18 +17,15 @@ import numpy
 RENDER = sys.argv[1]
 
 # Pixels of the picture of all directions. Its colours are waves of DENSITY radians a unit of the sphere:
-# a turn by a degree changes them by 22 of 255 levels where they change most.
-SKY = (2048, 1024)
-DENSITY = 10
+# a turn by a degree changes them by 6.7 of 255 levels where they change most. Shorter ones are blurred where
+# a map makes the sphere small, by the filter here and not by the other.
+SKY = (1024, 512)
+DENSITY = 3
 
-# Levels of 255 by which two filters of one texture may differ: both interpolate between its pixels. FFmpeg
-# leaves two pixels round the faces of its "eac", which moves its pixels by up to half a degree here.
+# Levels of 255 by which two filters of one texture may differ. FFmpeg leaves two pixels round the faces of its
+# "eac", which moves its pixels by up to 0.7 degrees here.
 LEVELS = 3
-EAC_LEVELS = 15
-
-# Levels from a pixel to its neighbours, beyond which a pixel holds so much of the waves that its colour is a
-# mean: one filter takes it, the other does not.
-STEEP = 50
+EAC_LEVELS = 7
 
 # Part of the pixels that may differ more: those on the borders of circles and faces, which belong to one side.
 BESIDE_BORDERS = 0.02
@@ -112,9 +109,7 @@ class Maps(unittest.TestCase):
         self.assertEqual(ours.shape, theirs.shape)
         # v360 fills the corners beside some maps with what is nearest; here they are black
         inside = ours.any(axis=2)
-        for axis in (0, 1):
-            inside &= abs(numpy.gradient(theirs.astype(float), axis=axis)).max(axis=2) < STEEP
-        self.assertGreater(inside.mean(), 0.5)
+        self.assertGreater(inside.mean(), 0.6)
         off = inside & (abs(ours - theirs).max(axis=2) > levels)
         self.assertLess(off.mean(), BESIDE_BORDERS,
                         "first of them at %s" % numpy.argwhere(off)[:1, ::-1].tolist())

@@ -80,14 +80,19 @@ std::vector<LensCoefficients> Lenses(const Projection& p, double fov)
     return {};
   }
   const double h = RadiusAt(p, ViewOptions(), 0.5 * fov * Degree); // of the ideal lens
-  return { { { 0.8 / h, 0, 0.2 / (h * h * h), 0, 0 } },
+  std::vector<LensCoefficients> lenses{ { { 0.8 / h, 0, 0.2 / (h * h * h), 0, 0 } },
     { { 1.2 / h, -0.1 / (h * h), 0, -0.1 / (h * h * h * h), 0 } },
     { { 1.1 / h, 0, 0, 0, -0.1 / (h * h * h * h * h) } },
-    // flat in the middle: a quarter of the mean slope
-    { { 2.5 / h, -4.5 / (h * h), 3 / (h * h * h), 0, 0 } },
     // as OpenCV's fisheyes are
     { { 1 / h, 0, -0.06 / std::pow(h, 3), 0, 0.1 / std::pow(h, 5), 0, -0.07 / std::pow(h, 7), 0,
       0.03 / std::pow(h, 9) } } };
+  if (h < WFV_PI + 0.1)
+  {
+    // flat in the middle: a quarter of the mean slope. (Not of a tangent of 5.7, which float32 has
+    // too few digits of for terms that cancel so.)
+    lenses.push_back({ { 2.5 / h, -4.5 / (h * h), 3 / (h * h * h), 0, 0 } });
+  }
+  return lenses;
 }
 
 std::vector<vec3> SpecialDirections(double offset)
