@@ -12,6 +12,10 @@ namespace test
 {
 namespace
 {
+// An ideal radius from which on float32 has too few digits for terms of a lens that nearly cancel:
+// more than that of any fisheye, less than the tangent of 80 degrees.
+constexpr double LargestFlat = 4;
+
 // The smallest distance from a border, radians, that a round trip is asked to survive,
 // and larger ones on the way to the open sphere.
 constexpr double Offsets[] = { 1e-9, 1e-7, 1e-5, 1e-3, 0.1 };
@@ -86,10 +90,9 @@ std::vector<LensCoefficients> Lenses(const Projection& p, double fov)
     // as OpenCV's fisheyes are
     { { 1 / h, 0, -0.06 / std::pow(h, 3), 0, 0.1 / std::pow(h, 5), 0, -0.07 / std::pow(h, 7), 0,
       0.03 / std::pow(h, 9) } } };
-  if (h < WFV_PI + 0.1)
+  if (h < LargestFlat)
   {
-    // flat in the middle: a quarter of the mean slope. (Not of a tangent of 5.7, which float32 has
-    // too few digits of for terms that cancel so.)
+    // flat in the middle: a quarter of the mean slope
     lenses.push_back({ { 2.5 / h, -4.5 / (h * h), 3 / (h * h * h), 0, 0 } });
   }
   return lenses;
