@@ -64,6 +64,18 @@ void SetStereo(vtkWideFoVCamera* camera, const wfv::StereoOptions& s)
   camera->SetConvergence(s.Convergence);
 }
 
+void SetMeasured(vtkWideFoVCamera* camera, const wfv::MeasuredPicture& m)
+{
+  if (m.IsSet())
+  {
+    camera->SetMeasuredPicture(&m.Size.x, &m.Axis.x, &m.Focal.x);
+  }
+  else
+  {
+    camera->ClearMeasuredPicture();
+  }
+}
+
 void SetView(vtkWideFoVCamera* camera, const Options& o)
 {
   const wfv::ViewOptions& v = o.View;
@@ -76,12 +88,13 @@ void SetView(vtkWideFoVCamera* camera, const Options& o)
   camera->SetExactPerspective(DrawsPerspective(o));
   if (v.Lens != wfv::ViewOptions().Lens)
   {
-    camera->SetLens(v.Lens[0], v.Lens[1], v.Lens[2], v.Lens[3], v.Lens[4]);
+    camera->SetLensCoefficients(v.Lens.data());
   }
   else
   {
     camera->ClearLens();
   }
+  SetMeasured(camera, v.Measured);
   SetStereo(camera, v.Stereo);
   if (o.HasClip)
   {

@@ -2,6 +2,8 @@
 #include "DirectionMapFile.h"
 
 #include "CrashGuard.h"
+#include "Displays.h"
+#include "LensMap.h"
 #include "Messages.h"
 #include "Progress.h"
 #include "Projections/DirectionMap.h"
@@ -97,9 +99,29 @@ void TakeSize(Options& o, const std::string& path, const OIIO::ImageSpec& spec)
 }
 }
 
+namespace
+{
+// Of what needs no file; false: it does.
+bool MakeDirectionMap(Options& o)
+{
+  if (o.UnevenLens)
+  {
+    const Progress progress("solving the lens of " + o.LensFile);
+    o.View.Map = MakeLensMap(*o.UnevenLens, o.Size[0], o.Size[1]);
+    return true;
+  }
+  const Display* const display = FindDisplay(o.DirectionMap);
+  if (display)
+  {
+    o.View.Map = MakeDisplay(*display, o.Size[0], o.Size[1]);
+  }
+  return display != nullptr;
+}
+}
+
 void LoadDirectionMap(Options& o)
 {
-  if (o.DirectionMap.empty())
+  if (MakeDirectionMap(o) || o.DirectionMap.empty())
   {
     return;
   }

@@ -2,8 +2,10 @@
 #include "OptionCheck.h"
 
 #include "Angles.h"
+#include "Displays.h"
 #include "FirstView.h"
 #include "ImageOutput.h"
+#include "LensView.h"
 #include "Messages.h"
 #include "OptionValues.h"
 #include "OutputFiles.h"
@@ -51,15 +53,38 @@ void CompletePlanar(Options& o, const wfv::Projection& p, const FieldsOfView& fo
 void CheckDirectionMap(const Options& o, const wfv::Projection& p)
 {
   const bool sampled = p.Axis == wfv::Family::Sampled;
-  if (sampled == o.DirectionMap.empty())
+  if (sampled == (o.DirectionMap.empty() && !o.UnevenLens))
   {
     FailUsage(sampled ? "--projection direction-map needs --direction-map FILE.exr"
                       : "--direction-map goes with --projection direction-map alone");
   }
 }
 
-void CompleteView(Options& o, const FieldsOfView& fov)
+// A display that is known by name needs no other projection and has a size of its own.
+void TakeDisplay(Options& o)
 {
+  const Display* const display = FindDisplay(o.DirectionMap);
+  if (display)
+  {
+    o.Projection = o.HasProjection ? o.Projection : "direction-map";
+    o.Size = o.HasSize ? o.Size : display->Size;
+  }
+}
+
+void TakeLens(Options& o, const FieldsOfView& fov)
+{
+  std::copy(fov.Lens.begin(), fov.Lens.end(), o.View.Lens.begin());
+  if (!fov.Lens.empty() &&
+    std::all_of(fov.Lens.begin(), fov.Lens.end(), [](double c) { return c == 0; }))
+  {
+    FailUsage("--lens: all coefficients are zero; at least one must not be");
+  }
+}
+
+void CompleteView(Options& o, const FieldsOfView& given)
+{
+  const FieldsOfView fov = TakeLensFile(o, given);
+  TakeDisplay(o);
   const wfv::Projection& p = *wfv::FindProjection(o.Projection);
   wfv::ViewOptions& v = o.View;
   v.Aspect = double(o.Size[0]) / o.Size[1];
@@ -84,12 +109,8 @@ void CompleteView(Options& o, const FieldsOfView& fov)
     v.VerticalFov = fov.Vertical.value_or(std::min(180., p.MaxVerticalFov));
   }
   CheckDirectionMap(o, p);
-  std::copy(fov.Lens.begin(), fov.Lens.end(), v.Lens.begin());
-  if (!fov.Lens.empty() &&
-    std::all_of(fov.Lens.begin(), fov.Lens.end(), [](double c) { return c == 0; }))
-  {
-    FailUsage("--lens: all coefficients are zero; at least one must not be");
-  }
+  TakeLens(o, fov);
+  TakeCircle(o, p);
   CompleteStereo(o);
   const std::string complaint = wfv::CheckOptions(p, v);
   if (!complaint.empty())
@@ -257,9 +278,10 @@ void CheckTechnique(Options& o)
   {
     FailUsage(cubemap + "always shows 180 degrees vertically; leave --vfov out");
   }
-  if (o.View.Lens != wfv::ViewOptions().Lens || o.HasClip || !o.Aov.empty() || !o.Sky.empty())
+  if (o.View.Lens != wfv::ViewOptions().Lens || o.View.Measured.IsSet() || o.HasClip ||
+    !o.Aov.empty() || !o.Sky.empty())
   {
-    FailUsage(cubemap + "has no --lens, --clip, --aov or --sky; leave them out");
+    FailUsage(cubemap + "has no --lens, --circle, --clip, --aov or --sky; leave them out");
   }
 }
 }

@@ -4,6 +4,7 @@
 
 #include "ColorMaps.h"
 #include "ColorValue.h"
+#include "Displays.h"
 #include "FirstView.h"
 #include "Messages.h"
 #include "OptionCheck.h"
@@ -25,6 +26,18 @@ using Group = OptionGroup;
 
 const Range FieldOfView{ 0, 360, true };
 
+void DeclareLens(Group& group, Options& o)
+{
+  group.Name("--lens-file", "FILE", o.LensFile,
+    "a calibrated camera: OpenCV's YAML, ROS's, or COLMAP's cameras.txt (FILE#ID for one of "
+    "several)");
+  group.Add("--circle", "X,Y,R", "as large as fits",
+    "centre and radius of a round map, pixels of the picture from its upper left corner",
+    [&o](const std::string& option, const std::string& value) {
+      o.Circle = ParseNumbers(option, value, 3, 3);
+    });
+}
+
 void DeclareView(CLI::App& app, Options& o, FieldsOfView& fov)
 {
   Group group(app, "View");
@@ -43,12 +56,15 @@ void DeclareView(CLI::App& app, Options& o, FieldsOfView& fov)
   group.Add("--vfov", "DEG", "180", "vertical field of view, degrees", angle(fov.Vertical));
   group.Add(
     "--fov", "DEG", "360", "field of view of a round projection, degrees", angle(fov.Round));
-  group.Add("--lens", "C1,..,C5", "", "fisheye lens: r = c1 t + .. + c5 t^5, t in radians",
+  group.Add("--lens", "C1,..,C9", "",
+    "lens: r = c1 t + .. + c9 t^9; t in radians, its tangent with brown-conrady",
     [&fov](const std::string& option, const std::string& value) {
-      fov.Lens = ParseNumbers(option, value, 1, 5);
+      fov.Lens = ParseNumbers(option, value, 1, 9);
     });
-  group.Name("--direction-map", "FILE.exr", o.DirectionMap,
-    "what the projection direction-map shows: a unit vector a pixel in X, Y, Z");
+  DeclareLens(group, o);
+  group.Name("--direction-map", "FILE.exr|NAME", o.DirectionMap,
+    "what the projection direction-map shows: a unit vector a pixel in X, Y, Z, or " +
+      Join(DisplayNames()));
   group.Number("--tilt", "DEG", o.View.Tilt, { -180, 180 }, "how far the axis is raised");
   group.Size("--size", o.Size, "pixels");
   group.Vector("--eye", o.Eye, "as the data lie, see --inside", "where the camera is");

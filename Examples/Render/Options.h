@@ -5,6 +5,7 @@
 
 #include "Frame/Technique.h"
 #include "HeadPose.h"
+#include "LensFile.h"
 #include "Look.h"
 #include "Projections/Projection.h"
 #include "ScreensFile.h"
@@ -57,7 +58,10 @@ struct Options
   bool HasFov = false;   // any field of view
   wfv::ViewOptions View; // complete after ParseOptions; Radii only where HasClip
   bool HasClip = false;
-  std::string DirectionMap; // file of the projection of that name
+  std::string DirectionMap;   // file of the projection of that name
+  std::string LensFile;       // of a calibrated camera
+  std::vector<double> Circle; // of a round map: its centre and radius, pixels of the picture
+  std::optional<CalibratedLens> UnevenLens; // one that is no round map: LoadDirectionMap makes one
   bool HasSize = false;
   std::array<int, 2> Size{ { 2048, 1024 } };
   std::optional<std::array<int, 2>> Tile; // none: only what cannot be drawn at once is in tiles

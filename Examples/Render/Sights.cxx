@@ -102,9 +102,11 @@ void CompleteRoom(Options& o, const FieldsOfView& fov)
     FailUsage("--screens are flat and show the projection perspective; leave --projection out");
   }
   o.Projection = "perspective";
-  if (fov.Horizontal || fov.Vertical || fov.Round || !fov.Lens.empty() || o.View.Tilt != 0)
+  if (fov.Horizontal || fov.Vertical || fov.Round || !fov.Lens.empty() || o.View.Tilt != 0 ||
+    !o.LensFile.empty() || !o.Circle.empty())
   {
-    FailUsage("what --screens show follows from their corners; leave --hfov, --vfov, --fov, --lens "
+    FailUsage("what --screens show follows from their corners; leave --hfov, --vfov, --fov, "
+              "--lens, --lens-file, --circle "
               "and --tilt out");
   }
 }

@@ -39,13 +39,22 @@ std::string FieldOfViewText(const Options& o)
   const wfv::Projection& p = *wfv::FindProjection(o.Projection);
   if (p.Axis == wfv::Family::Sampled)
   {
-    return " --direction-map " + Quoted(o.DirectionMap);
+    return o.UnevenLens ? " --lens-file " + Quoted(o.LensFile)
+                        : " --direction-map " + Quoted(o.DirectionMap);
   }
   if (p.Axis != wfv::Family::Azimuthal)
   {
     return " --hfov " + Exactly(o.View.HorizontalFov) + " --vfov " + Exactly(o.View.VerticalFov);
   }
   std::string text = " --fov " + Exactly(o.View.HorizontalFov);
+  if (o.View.Measured.IsSet() && o.Circle.empty())
+  {
+    return text + " --lens-file " + Quoted(o.LensFile);
+  }
+  for (std::size_t i = 0; i < o.Circle.size() && o.View.Measured.IsSet(); i++)
+  {
+    text += (i > 0 ? "," : " --circle ") + Exactly(o.Circle[i]);
+  }
   if (o.View.Lens != wfv::ViewOptions().Lens)
   {
     text += " --lens ";

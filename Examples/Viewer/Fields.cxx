@@ -32,6 +32,8 @@ double Proportion(const Options& o)
 
 Fields::Fields(const Options& o)
   : Lens(o.View.Lens)
+  , Measured(o.View.Measured)
+  , Lensed(o.Projection)
 {
   if (wfv::FindProjection(o.Projection)->Axis == wfv::Family::Planar)
   {
@@ -72,7 +74,8 @@ bool Fields::Zoom(const Options& o, double factor)
       this->PlanarWidth * factor, HalfTangent(SmallestFov), HalfTangent(p.MaxHorizontalFov) / tall);
     return true;
   }
-  if (p.MinHorizontalFov >= p.MaxHorizontalFov || p.Axis == wfv::Family::Sampled)
+  if (p.MinHorizontalFov >= p.MaxHorizontalFov || p.Axis == wfv::Family::Sampled ||
+    o.View.Measured.IsSet())
   {
     return false;
   }
@@ -85,7 +88,9 @@ void Fields::Apply(Options& o) const
 {
   const wfv::Projection& p = *wfv::FindProjection(o.Projection);
   o.View.Aspect = double(o.Size[0]) / o.Size[1];
-  o.View.Lens = p.HasLens ? this->Lens : wfv::ViewOptions().Lens;
+  const bool lensed = o.Projection == this->Lensed;
+  o.View.Lens = lensed ? this->Lens : wfv::ViewOptions().Lens;
+  o.View.Measured = lensed ? this->Measured : wfv::MeasuredPicture();
   Angles a{ this->Wide.Horizontal * this->WideZoom, this->Wide.Vertical * this->WideZoom };
   if (p.Axis == wfv::Family::Planar)
   {

@@ -19,8 +19,8 @@ public:
   // the picture. False where the projection always shows the same.
   bool Zoom(const Options& options, double factor);
 
-  // Sets the fields of view for the projection and the size that the options name, and the
-  // lens where it has one.
+  // Sets the fields of view for the projection and the size that the options name, and the lens
+  // and its place where the projection is the one that they were given for.
   void Apply(Options& options) const;
 
 private:
@@ -34,7 +34,9 @@ private:
 
   Angles Wide{ 360, 180 };
   double WideZoom = 1;
-  std::array<double, 5> Lens;
+  wfv::LensCoefficients Lens;
+  wfv::MeasuredPicture Measured;
+  std::string Lensed;          // the projection that has them
   double PlanarWidth = 1;      // of the perspective's picture at distance 1, over 2
   double PlanarProportion = 1; // of a pixel, height over width, as seen
 };

@@ -57,28 +57,32 @@ double PictureAspect(vtkRenderer* renderer)
 }
 
 void SetTileUniforms(vtkShaderProgram* program, const TilePixels& pixels, const float tile[4],
-  const int viewport[4], const vec2& scale)
+  const int viewport[4], const vec2& scale, const vec2& center)
 {
   // in whole and half pixels, so that a tile has the very rays of the whole picture
   float toMap[4];
   float picture[4];
   float toMapLow[2];
+  float shown[4];
   float quarter[2]; // pixels of a quarter turn, where the map's unit is the radian
   for (int i = 0; i < 2; i++)
   {
     const double larger = viewport[i + 2] / pixels.Size[i];
     const double whole = pixels.Full[i] * larger;
     const double start = pixels.Start[i] * larger;
-    picture[i] = static_cast<float>(viewport[i] - start);
+    const double aside = 0.5 * whole * center[i];
+    shown[i] = tile[i];
+    shown[i + 2] = static_cast<float>(tile[i + 2] + tile[i] * center[i]);
+    picture[i] = static_cast<float>(viewport[i] - start + aside);
     picture[i + 2] = static_cast<float>(whole);
-    toMap[i] = static_cast<float>(viewport[i] + 0.5 * whole - start);
+    toMap[i] = static_cast<float>(viewport[i] + 0.5 * whole - start + aside);
     toMap[i + 2] = static_cast<float>(2 / (whole * scale[i]));
     toMapLow[i] = LowPart(2 / (whole * scale[i]));
     quarter[i] = static_cast<float>(0.25 * WFV_PI * whole * scale[i]);
   }
   const float f[4] = { static_cast<float>(viewport[0]), static_cast<float>(viewport[1]),
     static_cast<float>(viewport[2]), static_cast<float>(viewport[3]) };
-  program->SetUniform4f("wfvTile", tile);
+  program->SetUniform4f("wfvTile", shown);
   program->SetUniform4f("wfvViewport", f);
   program->SetUniform4f("wfvPixelToMap", toMap);
   program->SetUniform2f("wfvPixelToMapLow", toMapLow);

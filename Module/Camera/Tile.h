@@ -28,10 +28,12 @@ TilePixels PixelsOfTile(vtkRenderer* renderer);
 // tile's.
 double PictureAspect(vtkRenderer* renderer);
 
-// The uniforms by which pixels and the picture's own coordinates are turned into each other;
-// viewport: of OpenGL, which a pass may have made larger; scale: NDC per unit of the raw map.
+// The uniforms by which pixels and the map's own coordinates are turned into each other; tile: NDC
+// of the tile = NDC of the picture * first two + last two; viewport: of OpenGL, which a pass may
+// have made larger; scale: NDC per unit of the raw map; center: NDC of the picture where the map's
+// are 0.
 void SetTileUniforms(vtkShaderProgram* program, const TilePixels& pixels, const float tile[4],
-  const int viewport[4], const vec2& scale);
+  const int viewport[4], const vec2& scale, const vec2& center);
 }
 
 #endif

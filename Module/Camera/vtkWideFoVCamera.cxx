@@ -105,7 +105,10 @@ void vtkWideFoVCamera::PrintSelf(ostream& os, vtkIndent indent)
   {
     os << " " << c;
   }
-  os << "\n";
+  const wfv::MeasuredPicture& m = o.Measured;
+  os << "\n"
+     << indent << "MeasuredPicture: " << m.Size.x << " x " << m.Size.y << ", axis " << m.Axis.x
+     << ", " << m.Axis.y << ", focal lengths " << m.Focal.x << ", " << m.Focal.y << "\n";
 }
 
 void vtkWideFoVCamera::CopyView(const vtkWideFoVCamera* source)
@@ -200,7 +203,7 @@ void vtkWideFoVCamera::SetHorizontalFieldOfView(double degrees)
   o.HorizontalFov = v;
   this->Modified();
   const bool lens = o.Lens[0] != 0;
-  if (lens && !wfv::LensIsMonotone(o.Lens, vtkMath::RadiansFromDegrees(0.5 * v)))
+  if (lens && !wfv::LensFits(*this->Definition, o.Lens, vtkMath::RadiansFromDegrees(0.5 * v)))
   {
     vtkWarningMacro(<< "The lens does not grow up to half of " << v << " degrees; it is removed");
     this->ClearLens();
@@ -269,32 +272,6 @@ int vtkWideFoVCamera::GetDepthMapping()
 double vtkWideFoVCamera::GetTilt()
 {
   return this->Internal->Options.Tilt;
-}
-
-bool vtkWideFoVCamera::SetLens(double c1, double c2, double c3, double c4, double c5)
-{
-  const std::array<double, 5> lens{ { c1, c2, c3, c4, c5 } };
-  const double rim = vtkMath::RadiansFromDegrees(0.5 * this->Internal->Options.HorizontalFov);
-  if (!wfv::LensIsMonotone(lens, rim))
-  {
-    vtkErrorMacro(<< "The lens " << c1 << ", " << c2 << ", " << c3 << ", " << c4 << ", " << c5
-                  << " does not grow everywhere up to half the field of view; it is refused");
-    return false;
-  }
-  this->Internal->Options.Lens = lens;
-  this->Modified();
-  return true;
-}
-
-void vtkWideFoVCamera::ClearLens()
-{
-  this->Internal->Options.Lens.fill(0);
-  this->Modified();
-}
-
-void vtkWideFoVCamera::GetLens(double coefficients[5])
-{
-  std::copy_n(this->Internal->Options.Lens.begin(), 5, coefficients);
 }
 
 void vtkWideFoVCamera::SetClipRadii(double nearRadius, double farRadius)

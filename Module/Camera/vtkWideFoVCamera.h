@@ -69,6 +69,7 @@ public:
   void SetProjectionToStereographic() { this->SetProjection("stereographic"); }
   void SetProjectionToOrthographic() { this->SetProjection("orthographic"); }
   void SetProjectionToGnomonic() { this->SetProjection("gnomonic"); }
+  void SetProjectionToBrownConrady() { this->SetProjection("brown-conrady"); }
   void SetProjectionToEquiAngularCubemap() { this->SetProjection("equi-angular-cubemap"); }
   void SetProjectionToDirectionMap() { this->SetProjection("direction-map"); }
   void SetProjectionToPerspective() { this->SetProjection("perspective"); }
@@ -107,23 +108,35 @@ public:
   ///@}
 
   ///@{
-  /// How far the axis of the projection is raised from the direction of view towards view up, in
-  /// degrees (default 0; 90 puts the zenith at the centre of a dome picture and the direction of
-  /// view at its bottom). Clamped to [-180, 180].
+  /// How far the axis is raised from the direction of view towards view up, degrees (default 0; 90
+  /// puts the zenith at the centre of a dome picture). Clamped to [-180, 180].
   virtual void SetTilt(double degrees);
   virtual double GetTilt();
   ///@}
 
   ///@{
   /**
-   * Lens polynomial of a fisheye: r = c1 t + c2 t^2 + .. + c5 t^5, t in radians from the axis, r =
-   * 1 at the rim of the picture. It must grow everywhere up to half the field of view; otherwise
-   * it is refused with an error and the old one stays. ClearLens() (the default) means the ideal
-   * lens, r = t / (fov/2).
+   * Lens polynomial: r = c1 t + c2 t^2 + .. + c9 t^9, r = 1 at the rim of the picture (but see
+   * SetMeasuredPicture); t is the angle from the axis, radians, or with "brown-conrady" its
+   * tangent. What does not grow up to half the field of view is refused with an error, and the old
+   * one stays. ClearLens() (the default): the ideal lens, r = t / (fov/2) of a fisheye.
    */
   virtual bool SetLens(double c1, double c2, double c3, double c4, double c5);
   virtual void ClearLens();
   virtual void GetLens(double coefficients[5]);
+  virtual bool SetLensCoefficients(const double coefficients[9]);
+  virtual void GetLensCoefficients(double coefficients[9]);
+  ///@}
+
+  ///@{
+  /**
+   * Where a round projection lies in a picture, as cameras are calibrated: its size, the place of
+   * the axis and the focal lengths (of the radius 1 of the lens), pixels from the upper left. A
+   * window shows it as large as it fits. By default the rim touches the borders of the window.
+   */
+  virtual bool SetMeasuredPicture(const double size[2], const double at[2], const double focal[2]);
+  virtual void ClearMeasuredPicture();
+  virtual void GetMeasuredPicture(double size[2], double at[2], double focal[2]);
   ///@}
 
   ///@{

@@ -103,9 +103,11 @@ const wfv::View& vtkWideFoVCamera::GetView(double aspect)
     options.Aspect = aspect;
     options.Stereo.Eye = eye;
     options.Stereo.Model = this->GetFittingModel();
-    if (!this->Definition->HasLens)
+    const double rim = vtkMath::RadiansFromDegrees(0.5 * options.HorizontalFov);
+    if (!this->Definition->HasLens ||
+      (options.Lens[0] != 0 && !wfv::LensFits(*this->Definition, options.Lens, rim)))
     {
-      options.Lens.fill(0);
+      options.Lens.fill(0); // it is that of another projection
     }
     in.Cache.emplace(this->GetDrawnProjection(), options);
     in.CacheAspect = aspect;

@@ -48,10 +48,11 @@ bool ClassifierView::operator==(const ClassifierView& o) const
   const WfvView& a = this->View;
   const WfvView& b = o.View;
   return this->Map == o.Map && a.halfFov == b.halfFov && a.scale == b.scale && a.tilt == b.tilt &&
-    a.radii == b.radii && a.lens == b.lens && a.lens5 == b.lens5 && a.maxAngle == b.maxAngle &&
-    a.map == b.map && this->Part.Low == o.Part.Low && this->Part.High == o.Part.High &&
-    this->Limits == o.Limits && this->Stereo == o.Stereo && this->Culls == o.Culls &&
-    this->EyeRadius == o.EyeRadius && this->BaselineRadius == o.BaselineRadius;
+    a.radii == b.radii && a.lens == b.lens && a.lens5 == b.lens5 && a.lensHigh == b.lensHigh &&
+    a.maxAngle == b.maxAngle && a.map == b.map && this->Part.Low == o.Part.Low &&
+    this->Part.High == o.Part.High && this->Limits == o.Limits && this->Stereo == o.Stereo &&
+    this->Culls == o.Culls && this->EyeRadius == o.EyeRadius &&
+    this->BaselineRadius == o.BaselineRadius;
 }
 
 Classifier::Classifier(const ClassifierView& view)

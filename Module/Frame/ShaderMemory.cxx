@@ -16,13 +16,13 @@ void Append(std::string& key, const Values&... values)
 void AppendRequest(std::string& key, const wfv::ShaderBuilder::Request& request)
 {
   const auto& [projection, stereo, stage, kind, widePoints, wideLines, edges, edgeFlags, byRays,
-    debugView, multisample, tilted, fades, surface, headlights, depthMapping, meetsChords,
+    debugView, multisample, tilted, lensed, fades, surface, headlights, depthMapping, meetsChords,
     severalChords, fp64, runs, lights, stock] = request;
   const auto& [noAmbient, noDiffuse, fullDiffuse, noSpecular, opaque] = surface;
   const auto& [known, light, physical, normals, wireframe, glyphs, clips, impostors] = stock;
   Append(key, projection, stereo, stage, kind, widePoints, wideLines, edges, edgeFlags, byRays,
-    debugView, multisample, tilted, fades, headlights, depthMapping, meetsChords, severalChords,
-    fp64, runs, noAmbient, noDiffuse, fullDiffuse, noSpecular, opaque);
+    debugView, multisample, tilted, lensed, fades, headlights, depthMapping, meetsChords,
+    severalChords, fp64, runs, noAmbient, noDiffuse, fullDiffuse, noSpecular, opaque);
   Append(key, known, light, physical, normals, wireframe, glyphs, clips, impostors);
   key += lights ? *lights : "";
   key += '\0'; // where they end

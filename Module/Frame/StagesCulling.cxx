@@ -93,8 +93,8 @@ void wfv::Stages::SetPart(vtkRenderer* renderer, const float tile[4])
   {
     const double pixels = (std::max(1, size[i]) + 2 * this->Border) * static_cast<double>(tile[i]);
     this->Pixels[i] = pixels;
-    this->Part.Low[i] = (-1.0 - tile[i + 2]) / tile[i] - 2 * Margin / pixels;
-    this->Part.High[i] = (1.0 - tile[i + 2]) / tile[i] + 2 * Margin / pixels;
+    this->Part.Low[i] = (-1.0 - tile[i + 2]) / tile[i] - this->View.center[i] - 2 * Margin / pixels;
+    this->Part.High[i] = (1.0 - tile[i + 2]) / tile[i] - this->View.center[i] + 2 * Margin / pixels;
   }
 }
 
@@ -174,7 +174,7 @@ wfv::Pictures wfv::Stages::GetPictures(const double* b) const
       : wfv::Pictures();
   }
   wfv::Pictures all;
-  all.Add(wfv::vec4(-1, -1, 1, 1));
+  all.Add(wfv::vec4(-1.0 - this->View.center, 1.0 - this->View.center));
   return all;
 }
 
@@ -213,7 +213,8 @@ std::shared_ptr<const wfv::ChordLimits> wfv::Stages::GetLimits(double tolerance)
   const wfv::WfvView& a = this->View;
   const wfv::WfvView& b = this->CurvatureView;
   const bool same = this->Curvature && this->CurvatureProjection == this->Projection &&
-    a.halfFov == b.halfFov && a.scale == b.scale && a.lens == b.lens && a.lens5 == b.lens5;
+    a.halfFov == b.halfFov && a.scale == b.scale && a.lens == b.lens && a.lens5 == b.lens5 &&
+    a.lensHigh == b.lensHigh && a.center == b.center;
   if (!same)
   {
     this->Curvature = std::make_shared<wfv::LocalCurvature>(*this->Projection, a);

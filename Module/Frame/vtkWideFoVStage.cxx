@@ -108,14 +108,16 @@ private:
 void vtkWideFoVStage::NoteView(const wfv::View& view)
 {
   const bool tilts = !this->Tilted && view.GetParameters().tilt != wfv::vec2(1, 0);
+  const bool bends = !this->Lensed && view.GetParameters().lens.x != 0;
   const wfv::StereoModel* const stereo = view.GetStereoModel();
   const bool fades = !this->Fades && stereo && stereo->Fades(view.GetParameters());
-  if (&view.GetProjection() != this->Projection || tilts || fades || stereo != this->Stereo ||
-    view.GetParameters().depthMapping != this->View.depthMapping)
+  if (&view.GetProjection() != this->Projection || tilts || bends || fades ||
+    stereo != this->Stereo || view.GetParameters().depthMapping != this->View.depthMapping)
   {
     this->Projection = &view.GetProjection();
     this->Stereo = stereo;
     this->Tilted = this->Tilted || tilts;
+    this->Lensed = this->Lensed || bends;
     this->Fades = this->Fades || fades;
     this->SourceTime.Modified();
   }
@@ -242,6 +244,7 @@ wfv::ShaderBuilder::Request vtkWideFoVStage::MakeRequest(
   request.DepthMapping = this->View.depthMapping;
   request.Multisample = this->Multisample;
   request.Tilted = this->Tilted;
+  request.Lensed = this->Lensed;
   auto* polydata = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
   if (auto* actor = vtkActor::SafeDownCast(prop); polydata && actor && this->Renderer)
   {

@@ -223,6 +223,7 @@ private:
   // draw on that has them.
   bool Multisample = false;
   bool Tilted = false; // once, and from then on
+  bool Lensed = false; // likewise
   bool Fades = false;  // likewise
   bool ByRays = false;
   bool MeetsChords = false;

@@ -21,6 +21,7 @@ wfv::ShaderBuilder::Request vtkWideFoVStage::MakeRayRequest() const
   request.DepthMapping = this->View.depthMapping;
   request.Multisample = this->Multisample;
   request.Tilted = this->Tilted;
+  request.Lensed = this->Lensed;
   request.Fades = this->Fades;
   request.Headlights = this->Headlights;
   return request;

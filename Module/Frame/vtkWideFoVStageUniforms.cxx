@@ -45,12 +45,15 @@ void SetViewParameters(vtkShaderProgram* program, const wfv::WfvView& v)
   set2("wfvView.tilt", v.tilt);
   set2("wfvTiltLow", wfv::vec2(wfv::LowPart(v.tilt.x), wfv::LowPart(v.tilt.y)));
   set2("wfvView.radii", v.radii);
-  const float lens[4] = { static_cast<float>(v.lens.x), static_cast<float>(v.lens.y),
-    static_cast<float>(v.lens.z), static_cast<float>(v.lens.w) };
-  program->SetUniform4f("wfvView.lens", lens);
-  const float stereo[4] = { static_cast<float>(v.stereo.x), static_cast<float>(v.stereo.y),
-    static_cast<float>(v.stereo.z), static_cast<float>(v.stereo.w) };
-  program->SetUniform4f("wfvView.stereo", stereo);
+  const auto set4 = [program](const char* name, const wfv::vec4& v) {
+    const float f[4] = { static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z),
+      static_cast<float>(v.w) };
+    program->SetUniform4f(name, f);
+  };
+  set4("wfvView.lens", v.lens);
+  set4("wfvView.lensHigh", v.lensHigh);
+  set4("wfvView.stereo", v.stereo);
+  set2("wfvView.center", v.center);
   program->SetUniformi("wfvView.eye", v.eye);
   program->SetUniformf("wfvView.halfEyes", static_cast<float>(v.halfEyes));
   program->SetUniformf("wfvView.lens5", static_cast<float>(v.lens5));
@@ -62,9 +65,7 @@ void SetViewParameters(vtkShaderProgram* program, const wfv::WfvView& v)
   set2("wfvUnitDepth", wfv::vec2(unit / depth, -v.radii.x / depth));
   if (v.map)
   {
-    const float tables[4] = { static_cast<float>(v.tables.x), static_cast<float>(v.tables.y),
-      static_cast<float>(v.tables.z), static_cast<float>(v.tables.w) };
-    program->SetUniform4f("wfvView.tables", tables);
+    set4("wfvView.tables", v.tables);
   }
 }
 
@@ -111,7 +112,8 @@ void vtkWideFoVStage::SetFrameParameters(vtkShaderProgram* program, const int vi
     const wfv::vec2 stretch = wfv::Stretch(*this->Projection, this->View);
     program->SetUniformf("wfvStretch", static_cast<float>(std::max(stretch.x, stretch.y)));
   }
-  wfv::SetTileUniforms(program, this->Pixels, this->Tile, viewport, this->View.scale);
+  wfv::SetTileUniforms(
+    program, this->Pixels, this->Tile, viewport, this->View.scale, this->View.center);
 }
 
 bool vtkWideFoVStage::SetShaderParameters(

@@ -12,7 +12,7 @@ namespace wfv
 {
 namespace
 {
-bool HasLens(const std::array<double, 5>& lens)
+bool HasLens(const LensCoefficients& lens)
 {
   for (double c : lens)
   {
@@ -48,22 +48,55 @@ std::vector<const Projection*> AllProjections()
   return all;
 }
 
-bool LensIsMonotone(const std::array<double, 5>& lens, double maxAngle)
+bool LensIsMonotone(const LensCoefficients& lens, double most)
 {
-  // The slope is a quartic: its sign is checked on a grid far finer than its four
+  // The slope is of the eighth degree: its sign is checked on a grid far finer than its
   // roots can hide in for any lens that exists.
   constexpr int Steps = 4096;
   for (int i = 0; i <= Steps; i++)
   {
-    const double t = maxAngle * i / Steps;
-    const double slope =
-      lens[0] + t * (2 * lens[1] + t * (3 * lens[2] + t * (4 * lens[3] + t * 5 * lens[4])));
+    const double t = most * i / Steps;
+    double slope = 0;
+    for (std::size_t k = lens.size(); k > 0; k--)
+    {
+      slope = slope * t + double(k) * lens[k - 1];
+    }
     if (!(slope > 0) || !std::isfinite(slope))
     {
       return false;
     }
   }
   return true;
+}
+
+namespace
+{
+// What the lens of these options is to a view.
+void SetLens(WfvView& v, const LensCoefficients& lens)
+{
+  v.lens = vec4(lens[0], lens[1], lens[2], lens[3]);
+  v.lens5 = lens[4];
+  v.lensHigh = vec4(lens[5], lens[6], lens[7], lens[8]);
+}
+
+double RadiusThrough(const Projection& p, const LensCoefficients& lens, double end, double theta)
+{
+  WfvView v{};
+  v.scale = vec2(1, 1);
+  v.maxAngle = end;
+  SetLens(v, lens);
+  return p.Map(vec2(0, theta), v).x;
+}
+}
+
+bool LensFits(const Projection& p, const LensCoefficients& lens, double maxAngle)
+{
+  return LensIsMonotone(lens, RadiusThrough(p, {}, maxAngle, maxAngle));
+}
+
+double RadiusAt(const Projection& p, const ViewOptions& o, double theta)
+{
+  return RadiusThrough(p, o.Lens, glm::radians(0.5 * o.HorizontalFov), theta);
 }
 
 namespace
@@ -81,6 +114,12 @@ std::string CheckFov(
     NumberText(degrees) + why;
 }
 
+// Of a picture that was measured: its longer side, pixels; its focal lengths, in its sides, and how
+// far beside it the axis is, likewise. Beyond there float32 tells no pixels apart.
+constexpr double MostPixels = 1e6;
+constexpr double LeastFocal = 1e-3;
+constexpr double MostAside = 10;
+
 std::string CheckLens(const Projection& p, const ViewOptions& o)
 {
   if (!HasLens(o.Lens))
@@ -89,10 +128,49 @@ std::string CheckLens(const Projection& p, const ViewOptions& o)
   }
   if (!p.HasLens)
   {
-    return p.Name + " takes no lens; azimuthal-equidistant does";
+    return p.Name + " takes no lens; azimuthal-equidistant and brown-conrady do";
   }
-  const bool fits = LensIsMonotone(o.Lens, glm::radians(0.5 * o.HorizontalFov));
+  const bool fits = LensFits(p, o.Lens, glm::radians(0.5 * o.HorizontalFov));
   return fits ? "" : "the lens polynomial does not grow everywhere up to half the field of view";
+}
+
+std::string CheckMeasured(const Projection& p, const ViewOptions& o)
+{
+  const MeasuredPicture& m = o.Measured;
+  if (m.Size == vec2(0))
+  {
+    return "";
+  }
+  if (p.Axis != Family::Azimuthal)
+  {
+    return p.Name + " has no circle to be put anywhere; round projections do";
+  }
+  if (o.Stereo.Model && !o.Stereo.Model->Traits.StraightRays)
+  {
+    return "the stereo model " + o.Stereo.Model->Name + " needs the axis in the middle";
+  }
+  const auto good = [](double v, double least, double most) { return v >= least && v <= most; };
+  for (int i = 0; i < 2; i++)
+  {
+    if (!good(m.Size[i], 1, MostPixels))
+    {
+      return "the measured picture must be 1 to " + NumberText(MostPixels) +
+        " pixels wide and high, not " + NumberText(m.Size[i]);
+    }
+    if (!good(m.Focal[i] / m.Size[i], LeastFocal, 1 / LeastFocal))
+    {
+      return "the focal length must be " + NumberText(LeastFocal) + " to " +
+        NumberText(1 / LeastFocal) + " times the size of its picture, not " +
+        NumberText(m.Focal[i]) + " of " + NumberText(m.Size[i]) + " pixels";
+    }
+    if (!good(m.Axis[i] / m.Size[i], -MostAside, 1 + MostAside))
+    {
+      return "the principal point must be at most " + NumberText(MostAside) +
+        " pictures beside its picture, not at " + NumberText(m.Axis[i]) + " of " +
+        NumberText(m.Size[i]) + " pixels";
+    }
+  }
+  return "";
 }
 }
 
@@ -100,7 +178,8 @@ std::string CheckOptions(const Projection& p, const ViewOptions& o)
 {
   for (const std::string& problem :
     { CheckFov("horizontal", p, o.HorizontalFov, p.MinHorizontalFov, p.MaxHorizontalFov),
-      CheckFov("vertical", p, o.VerticalFov, p.MinVerticalFov, p.MaxVerticalFov), CheckLens(p, o) })
+      CheckFov("vertical", p, o.VerticalFov, p.MinVerticalFov, p.MaxVerticalFov), CheckLens(p, o),
+      CheckMeasured(p, o) })
   {
     if (!problem.empty())
     {
@@ -145,6 +224,30 @@ bool FitsFrame(const ViewOptions& o)
 
 namespace
 {
+// True where the picture tells how large the map is and where.
+bool IsMeasured(const Projection& p, const ViewOptions& o)
+{
+  return p.Axis == Family::Azimuthal && !p.Framed && o.Measured.IsSet();
+}
+
+// Part of the window that shows the measured picture, along x and y.
+vec2 FitOf(const ViewOptions& o)
+{
+  const double wider = o.Aspect * o.Measured.Size.y / o.Measured.Size.x;
+  return vec2(std::min(1.0, 1 / wider), std::min(1.0, wider));
+}
+
+// NDC of the axis of a round map.
+vec2 CenterOf(const Projection& p, const ViewOptions& o)
+{
+  if (!IsMeasured(p, o))
+  {
+    return vec2(0);
+  }
+  const vec2 axis = 2.0 * o.Measured.Axis / o.Measured.Size - 1.0;
+  return vec2(axis.x, -axis.y) * FitOf(o);
+}
+
 // NDC per unit of the raw map.
 vec2 Scale(const Projection& p, const ViewOptions& o, const WfvView& v)
 {
@@ -155,6 +258,10 @@ vec2 Scale(const Projection& p, const ViewOptions& o, const WfvView& v)
       if (p.Framed)
       {
         return 1.0 / glm::tan(v.halfFov);
+      }
+      if (IsMeasured(p, o))
+      {
+        return 2.0 * o.Measured.Focal / o.Measured.Size * FitOf(o);
       }
       // theta = fov/2 has r = 1, or r as the lens says; a circle stays a circle
       const double rim = HasLens(o.Lens) ? 1 : p.Map(vec2(0, v.maxAngle), v).x;
@@ -183,7 +290,7 @@ View::View(const Projection& projection, const ViewOptions& o)
   : Map(&projection)
   , Stereo(o.Stereo.Model)
   , Tables(projection.Axis == Family::Sampled && !o.Map ? NothingToSee() : o.Map)
-  , Center(projection.Axis == Family::Planar ? o.Center : vec2(0))
+  , Center(projection.Axis == Family::Planar ? o.Center : CenterOf(projection, o))
 {
   WfvView& v = this->Parameters;
   v.map = this->Tables.get();
@@ -191,12 +298,16 @@ View::View(const Projection& projection, const ViewOptions& o)
   v.halfFov = glm::radians(vec2(0.5 * o.HorizontalFov, 0.5 * o.VerticalFov));
   v.tilt = vec2(std::cos(glm::radians(o.Tilt)), std::sin(glm::radians(o.Tilt)));
   v.radii = vec2(o.Radii[0], o.Radii[1]);
-  v.lens = vec4(o.Lens[0], o.Lens[1], o.Lens[2], o.Lens[3]);
-  v.lens5 = o.Lens[4];
+  SetLens(v, o.Lens);
   v.maxAngle = projection.Framed ? CornerAngle(v.halfFov) : v.halfFov.x;
   v.depthMapping = static_cast<int>(o.Mapping);
   v.scale = vec2(1, 1);
   v.scale = Scale(projection, o, v);
+  v.center = CenterOf(projection, o);
+  if (IsMeasured(projection, o))
+  {
+    v.halfFov = glm::min(v.halfFov, 1.0 / v.scale); // what pixels measure, about
+  }
   v.curvature = Curvature(projection, v);
   v.eye = static_cast<int>(o.Stereo.Eye);
   const StereoParameters both =

@@ -103,15 +103,32 @@ enum class DepthMapping
   Reversed = WFV_DEPTH_REVERSED
 };
 
+// c1 to c9 of r = c1 t + .. + c9 t^9, t the radius of the ideal lens; all zeros: that lens. r is 1
+// at the rim of the picture, unless the picture was measured.
+using LensCoefficients = std::array<double, 9>;
+
+// Where a round map lies in a picture, as cameras are calibrated: pixels of that picture, from the
+// upper left corner of its first one. Other pictures show it as large as it fits, in their middle.
+struct MeasuredPicture
+{
+  vec2 Size{ 0, 0 };  // of the picture; none: the rim touches the nearer borders of any
+  vec2 Axis{ 0, 0 };  // where the axis is: the principal point
+  vec2 Focal{ 1, 1 }; // pixels of the radius 1 of the map, along x and y: the focal lengths
+
+  // True where a picture was measured.
+  bool IsSet() const { return this->Size.x > 0; }
+};
+
 // What a user sets; degrees.
 struct ViewOptions
 {
-  double HorizontalFov = 360;                      // of round maps the one across
-  double VerticalFov = 180;                        // round maps have none
-  double Tilt = 0;                                 // how far the axis is raised, -180 to 180
-  std::array<double, 5> Lens{ { 0, 0, 0, 0, 0 } }; // c1 to c5; zeros: the ideal lens
-  std::array<double, 2> Radii{ { 0.01, 1000 } };   // of the clip spheres, scene units: near, far
-  DepthMapping Mapping = DepthMapping::Linear;     // how a distance becomes a depth
+  double HorizontalFov = 360;                    // of round maps the one across
+  double VerticalFov = 180;                      // round maps have none
+  double Tilt = 0;                               // how far the axis is raised, -180 to 180
+  LensCoefficients Lens{};                       // of projections that have one
+  MeasuredPicture Measured;                      // of round maps
+  std::array<double, 2> Radii{ { 0.01, 1000 } }; // of the clip spheres, scene units: near, far
+  DepthMapping Mapping = DepthMapping::Linear;   // how a distance becomes a depth
   double Aspect = 2;   // width / height of the viewport in pixels; round maps use it
   vec2 Center{ 0, 0 }; // where the axis of a perspective is in the picture, NDC; others ignore it
   std::shared_ptr<const DirectionMap> Map; // of the sampled projection; none: shows nothing
@@ -121,8 +138,16 @@ struct ViewOptions
 // An empty string, or why these options do not fit this projection.
 WFV_EXPORT std::string CheckOptions(const Projection& projection, const ViewOptions& options);
 
-// True where r(theta) of the lens grows on all of [0, maxAngle] (radians).
-WFV_EXPORT bool LensIsMonotone(const std::array<double, 5>& lens, double maxAngle);
+// True where r(t) of the lens grows on all of [0, most].
+WFV_EXPORT bool LensIsMonotone(const LensCoefficients& lens, double most);
+
+// True where the radius through this lens grows on all of [0, maxAngle] (radians).
+WFV_EXPORT bool LensFits(
+  const Projection& projection, const LensCoefficients& lens, double maxAngle);
+
+// Radius in the raw map of a round projection, in pixels divided by the focal length, at the angle
+// theta (radians) from the axis, through the options' lens.
+WFV_EXPORT double RadiusAt(const Projection& projection, const ViewOptions& options, double theta);
 
 // Where a point is in the picture.
 struct NdcPoint

@@ -17,14 +17,12 @@ using vec4 = glm::dvec4;
 
 using glm::abs;
 using glm::ceil;
-using glm::cos;
 using glm::cross;
 using glm::dot;
 using glm::exp;
 using glm::floor;
 using glm::max;
 using glm::min;
-using glm::sin;
 using glm::sqrt;
 
 // GLSL lacks these or leaves their accuracy open, so the shaders bring their own
@@ -72,6 +70,7 @@ constexpr double WFV_BESIDE_SEAM = 0;
 #define WFV_TABLES const DirectionMap*
 #define WFV_DEPTH_MAPPING(v) (v).depthMapping
 #define WFV_TILTED true
+#define WFV_LENSED true
 #define float double
 #include "library/common.glsl"
 #include "library/ray_hit.glsl"

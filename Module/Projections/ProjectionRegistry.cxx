@@ -11,6 +11,7 @@
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 #endif
 #define float double
+#define WFV_LENSED true
 namespace wfv
 {
 namespace equirectangular
@@ -101,6 +102,7 @@ namespace panini
 namespace azimuthal_equidistant
 {
 #include "azimuthal-equidistant.glsl"
+#include "library/lens.glsl"
 #include "library/azimuthal.glsl"
 #include "library/unproject.glsl"
 }
@@ -124,7 +126,16 @@ namespace orthographic
 }
 namespace gnomonic
 {
+#include "library/rectilinear.glsl"
 #include "gnomonic.glsl"
+#include "library/azimuthal.glsl"
+#include "library/unproject.glsl"
+}
+namespace brown_conrady
+{
+#include "library/rectilinear.glsl"
+#include "brown-conrady.glsl"
+#include "library/lens.glsl"
 #include "library/azimuthal.glsl"
 #include "library/unproject.glsl"
 }
@@ -141,6 +152,7 @@ namespace perspective
 }
 }
 #undef float
+#undef WFV_LENSED
 #if defined(__GNUC__)
 #pragma GCC diagnostic pop
 #endif
@@ -251,6 +263,14 @@ Projection Gnomonic(Projection p)
   return p;
 }
 
+Projection BrownConrady(Projection p)
+{
+  p = Round(p, brown_conrady::WFV_MOST_FOV);
+  p.HasLens = true;
+  p.Limit = "what is 90 degrees off the axis is infinitely far away";
+  return p;
+}
+
 Projection Faces(Projection p)
 {
   p.Axis = Family::Faces;
@@ -314,7 +334,7 @@ std::vector<Projection> OtherOnes()
 {
   return {
     Fisheye(WFV_PROJECTION(azimuthal_equidistant, "azimuthal-equidistant",
-      "Azimuthal equidistant (fisheye, dome)", "equidistant", azimuthal_equidistant_glsl,
+      "Azimuthal equidistant (fisheye, dome)", "equidistant", azimuthal_equidistant_glsl, lens_glsl,
       azimuthal_glsl)),
     Round(WFV_PROJECTION(azimuthal_equal_area, "azimuthal-equal-area",
             "Azimuthal equal-area (equisolid fisheye)", "equal-area, straight-radials",
@@ -325,7 +345,10 @@ std::vector<Projection> OtherOnes()
     Orthographic(WFV_PROJECTION(orthographic, "orthographic", "Orthographic (fisheye)",
       "straight-radials", orthographic_glsl, azimuthal_glsl)),
     Gnomonic(WFV_PROJECTION(gnomonic, "gnomonic", "Gnomonic (rectilinear fisheye)",
-      "straight-lines, straight-radials", gnomonic_glsl, azimuthal_glsl)),
+      "straight-lines, straight-radials", rectilinear_glsl, gnomonic_glsl, azimuthal_glsl)),
+    BrownConrady(
+      WFV_PROJECTION(brown_conrady, "brown-conrady", "Brown-Conrady (rectilinear lens, measured)",
+        "straight-radials", rectilinear_glsl, brown_conrady_glsl, lens_glsl, azimuthal_glsl)),
     Faces(WFV_PROJECTION(equi_angular_cubemap, "equi-angular-cubemap", "Equi-angular cubemap (3x2)",
       "equiangular", cube_faces_glsl, equi_angular_cubemap_glsl)),
     Planar(WFV_PROJECTION(
@@ -365,8 +388,8 @@ const Projection& SampledProjection()
 const Projection& FramedPerspective()
 {
   static const Projection framed = [] {
-    Projection p = Gnomonic(WFV_PROJECTION(
-      gnomonic, "perspective", "Perspective", "straight-lines", gnomonic_glsl, azimuthal_glsl));
+    Projection p = Gnomonic(WFV_PROJECTION(gnomonic, "perspective", "Perspective", "straight-lines",
+      rectilinear_glsl, gnomonic_glsl, azimuthal_glsl));
     p.Framed = true;
     return p;
   }();

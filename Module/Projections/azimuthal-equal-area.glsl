@@ -6,7 +6,7 @@
 // Radius in the raw map of the angle theta in radians.
 WFV_FN float wfvRadius(float theta, WfvView v)
 {
-  return 2.0 * sin(0.5 * theta);
+  return 2.0 * wfvSinCos(0.5 * theta).x;
 }
 
 WFV_FN float wfvTheta(float r, WfvView v)

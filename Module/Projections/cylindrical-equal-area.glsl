@@ -11,7 +11,7 @@ const bool WFV_EVEN_LATITUDES = false;
 
 WFV_FN float wfvHeight(float phi)
 {
-  return sin(phi);
+  return wfvSinCos(phi).x;
 }
 
 WFV_FN vec2 wfvLatitude(float y)

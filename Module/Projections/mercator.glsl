@@ -16,7 +16,8 @@ const float WFV_MERCATOR_END = 0.999999;
 
 WFV_FN float wfvHeight(float phi)
 {
-  float t = sin(0.5 * phi) / cos(0.5 * phi);
+  vec2 sc = wfvSinCos(0.5 * phi);
+  float t = sc.x / sc.y;
   return 2.0 * wfvAtanh(max(-WFV_MERCATOR_END, min(WFV_MERCATOR_END, t)));
 }
 

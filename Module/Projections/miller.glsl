@@ -13,7 +13,8 @@ const bool WFV_EVEN_LATITUDES = false;
 
 WFV_FN float wfvHeight(float phi)
 {
-  return 2.5 * wfvAtanh(sin(0.4 * phi) / cos(0.4 * phi));
+  vec2 sc = wfvSinCos(0.4 * phi);
+  return 2.5 * wfvAtanh(sc.x / sc.y);
 }
 
 // The angle from the equator is 2.5 atan(tanh(0.4 |y|)), that from the pole 2.5 atan(exp(-0.8 |y|)) less

@@ -9,7 +9,7 @@
 WFV_FN float wfvRadius(float theta, WfvView v)
 {
   float beyond = theta - 0.5 * WFV_PI;
-  return beyond > 0.0 ? 1.0 + 0.5 * beyond * beyond : sin(theta);
+  return beyond > 0.0 ? 1.0 + 0.5 * beyond * beyond : wfvSinCos(theta).x;
 }
 
 WFV_FN float wfvTheta(float r, WfvView v)

@@ -35,9 +35,11 @@ WFV_FN vec2 wfvProject(vec3 p, WfvView v)
 WFV_FN vec2 wfvMap(vec2 angles, WfvView v)
 {
   float half_ = max(-0.5 * WFV_PI, min(0.5 * WFV_PI, 0.5 * angles.x));
-  float c = max(cos(half_), WFV_PANINI_END);
-  float d = max(c * c * cos(angles.y), WFV_PANINI_END);
-  return vec2(2.0 * sin(half_) / c * v.scale.x, sin(angles.y) / d * v.scale.y);
+  vec2 lambda = wfvSinCos(half_);
+  vec2 phi = wfvSinCos(angles.y);
+  float c = max(lambda.y, WFV_PANINI_END);
+  float d = max(c * c * phi.y, WFV_PANINI_END);
+  return vec2(2.0 * lambda.x / c * v.scale.x, phi.x / d * v.scale.y);
 }
 
 WFV_FN WfvRay wfvRayOfMap(vec2 m, WfvView v)

@@ -5,8 +5,9 @@
 // Raw map of (lambda, phi) in radians, |lambda| < pi/2.
 WFV_FN vec2 wfvMap(vec2 angles, WfvView v)
 {
-  float c = cos(angles.x);
-  return vec2(sin(angles.x) / c * v.scale.x, sin(angles.y) / (cos(angles.y) * c) * v.scale.y);
+  vec2 lambda = wfvSinCos(angles.x);
+  vec2 phi = wfvSinCos(angles.y);
+  return vec2(lambda.x / lambda.y * v.scale.x, phi.x / (phi.y * lambda.y) * v.scale.y);
 }
 
 WFV_FN vec2 wfvProject(vec3 p, WfvView v)

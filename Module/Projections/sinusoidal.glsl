@@ -13,6 +13,7 @@ WFV_FN vec2 wfvParallel(vec2 phi, float latitude)
 
 WFV_FN vec3 wfvAtHeight(float y)
 {
-  float c = max(0.0, cos(y));
-  return vec3(c, c, sin(y));
+  vec2 phi = wfvSinCos(y);
+  float c = max(0.0, phi.y);
+  return vec3(c, c, phi.x);
 }

@@ -13,8 +13,9 @@ const float WFV_STEREOGRAPHIC_SLOPE = 33.163437477526331; // 1 / cos^2(80 degree
 WFV_FN float wfvRadius(float theta, WfvView v)
 {
   float beyond = theta - WFV_STEREOGRAPHIC_END;
+  vec2 sc = wfvSinCos(0.5 * theta);
   return beyond > 0.0 ? WFV_STEREOGRAPHIC_RIM + WFV_STEREOGRAPHIC_SLOPE * beyond
-                      : 2.0 * sin(0.5 * theta) / cos(0.5 * theta);
+                      : 2.0 * sc.x / sc.y;
 }
 
 WFV_FN float wfvTheta(float r, WfvView v)

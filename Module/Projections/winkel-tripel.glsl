@@ -67,7 +67,7 @@ WFV_FN WfvRay wfvRayOfMap(vec2 m, WfvView v)
   float rim = 0.5 * WFV_PI;
   float y = min(rim, abs(m.y));
   float border = wfvWinkelBorder(y);
-  float width = 1.0 + 0.5 * WFV_PI * max(0.0, cos(border));
+  float width = 1.0 + 0.5 * WFV_PI * max(0.0, wfvSinCos(border).y);
   WfvRay ray;
   ray.inside = abs(m.y) <= rim * WFV_BORDER && abs(m.x) <= width * WFV_BORDER;
   float x = min(width, abs(m.x));

@@ -17,11 +17,9 @@ std::string ToFp64(const std::string& glsl)
     { std::regex(R"(//(?! WideFoV:)[^\n]*)"), "" }, // but the names of files (NameText.cmake)
     { std::regex(R"(\bfloat\b)"), "double" },
     { std::regex(R"(\bvec([234])\b)"), "dvec$1" },
-    { std::regex(R"(\bsin\()"), "wfvFp64Sin(" },
-    { std::regex(R"(\bcos\()"), "wfvFp64Cos(" },
     { std::regex(R"(\bwfv(?!Fp64)([A-Z]))"), "wfvFp64$1" },
     { std::regex(R"(\bWfv([A-Z]))"), "WfvFp64$1" },
-    { std::regex(R"(\bWFV_(?!FN\b|TABLES\b|TILTED\b|NEWTON_STEPS\b))"), "WFV_FP64_" },
+    { std::regex(R"(\bWFV_(?!FN\b|TABLES\b|TILTED\b|LENSED\b|NEWTON_STEPS\b))"), "WFV_FP64_" },
     { std::regex(R"((\b\d+(\.\d*([eE][-+]?\d+)?|[eE][-+]?\d+)))"), "$1lf" },
   };
   std::string fp64 = glsl;

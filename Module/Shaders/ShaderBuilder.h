@@ -62,6 +62,7 @@ public:
     bool DebugView = false;     // coloured by what happens to each primitive
     bool Multisample = false;   // the framebuffer may have several samples a pixel
     bool Tilted = false;        // the view may have a tilt
+    bool Lensed = false;        // and a lens
     bool Fades = false;         // the eyes' circle may have a fade
     Material Surface;           // of triangles
     int Headlights = 0;         // which lights are at the eye, one bit each

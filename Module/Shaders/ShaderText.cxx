@@ -116,7 +116,8 @@ std::string ViewSource(const Request& r)
     Define("WFV_MULTISAMPLE", r.Multisample) + Define("WFV_WIDE_LINES", r.WideLines) +
     Define("WFV_EDGES", r.Edges || r.DebugView) + Define("WFV_EDGE_FLAGS", r.EdgeFlags) +
     Define("WFV_DEBUG_VIEW", r.DebugView) + "#define WFV_TILTED " + (r.Tilted ? "true" : "false") +
-    "\n" + "#define WFV_FADES " + (r.Fades ? "true" : "false") + "\n" + "#define WFV_ANGLES " +
+    "\n#define WFV_LENSED " + (r.Lensed ? "true" : "false") + "\n" + "#define WFV_FADES " +
+    (r.Fades ? "true" : "false") + "\n" + "#define WFV_ANGLES " +
     (meridian ? "wfvMeridianAngles" : "wfvAzimuthalAngles") + "\n" +
     Define("WFV_NON_CENTRAL", NonCentral(r)) +
     Define("WFV_NON_CENTRAL_IMPOSTORS", NonCentralImpostors(r)) +

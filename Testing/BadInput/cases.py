@@ -5,6 +5,7 @@ import os
 from collections import namedtuple
 
 from inputs import ENDINGS
+from lenses import LENSES
 from rooms import ROOM
 
 DONE, FAILED, USAGE = 0, 1, 2
@@ -78,7 +79,7 @@ COMMAND_LINE = [
     usage("good.vtk --projection azimuthal-equidistant --lens 1,-1", "lens"),
     usage("good.vtk --projection azimuthal-equidistant --lens -0.3", "lens"),
     usage("good.vtk --projection azimuthal-equidistant --lens nan", "--lens"),
-    usage("good.vtk --projection azimuthal-equidistant --lens 1,0,0,0,0,0", "--lens"),
+    usage("good.vtk --projection azimuthal-equidistant --lens 1,0,0,0,0,0,0,0,0,0", "--lens"),
     usage("good.vtk --lens 0.3", "lens"),
     usage("good.vtk --eye 1,2", "1,2"),
     usage("good.vtk --eye 1,2,nan", "1,2,nan"),
@@ -371,6 +372,7 @@ VIEWER += [failed("good.vtk " + words, says) for words, code, says in ROOM if co
 
 GROUPS = {
     "CommandLine": COMMAND_LINE,
+    "Lenses": [Case("good.vtk " + arguments, code, says) for arguments, code, says in LENSES],
     "Room": [Case("good.vtk " + arguments, code, says) for arguments, code, says in ROOM],
     "Data": DATA,
     "Tolerated": TOLERATED,

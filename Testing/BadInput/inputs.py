@@ -7,6 +7,7 @@ import struct
 import sys
 
 import numpy
+from lenses import lens_files
 from rooms import room_files
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "..", "Utilities"))
@@ -160,7 +161,8 @@ def write_inputs(folder):
     files["only-nan.vtk"] = binary([(NAN, NAN, NAN)] * len(POINTS))
     files.update(ply_files())
     files.update(direction_maps())
-    files.update((name, text.encode()) for name, text in room_files().items())
+    for written in (room_files(), lens_files()):
+        files.update((name, text.encode()) for name, text in written.items())
     noise = random.Random(1).randbytes(4096)
     files.update(("noise." + ending, noise) for ending in ENDINGS)
     for name, content in files.items():

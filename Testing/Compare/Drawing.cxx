@@ -137,6 +137,23 @@ void Drawing::SetPointSize(double pixels)
   this->Internal->Actor->GetProperty()->SetPointSize(static_cast<float>(pixels));
 }
 
+namespace
+{
+void SetLens(vtkWideFoVCamera* camera, const ViewOptions& o)
+{
+  camera->ClearLens();
+  camera->ClearMeasuredPicture();
+  if (o.Lens[0] != 0)
+  {
+    camera->SetLensCoefficients(o.Lens.data());
+  }
+  if (o.Measured.IsSet())
+  {
+    camera->SetMeasuredPicture(&o.Measured.Size.x, &o.Measured.Axis.x, &o.Measured.Focal.x);
+  }
+}
+}
+
 void PlaceCamera(vtkWideFoVCamera* camera, const Shot& s)
 {
   // from one within the range of every projection, which others would be clamped to
@@ -147,6 +164,7 @@ void PlaceCamera(vtkWideFoVCamera* camera, const Shot& s)
   camera->SetHorizontalFieldOfView(s.Options.HorizontalFov);
   camera->SetVerticalFieldOfView(s.Options.VerticalFov);
   camera->SetTilt(s.Options.Tilt);
+  SetLens(camera, s.Options);
   const StereoOptions& stereo = s.Options.Stereo;
   camera->SetStereoModel(stereo.Model ? stereo.Model->Name.c_str() : "mono");
   camera->SetInterpupillaryDistance(stereo.InterpupillaryDistance);

@@ -114,7 +114,7 @@ SkyPicture SkyWindow::Draw(const Shot& s)
   this->Window->SetSize(s.Width, s.Height);
   this->Camera->ClearLens();
   PlaceCamera(this->Camera, s);
-  const std::array<double, 5>& lens = s.Options.Lens;
+  const LensCoefficients& lens = s.Options.Lens;
   const bool lensed = lens != ViewOptions().Lens;
   if (lensed && !this->Camera->SetLens(lens[0], lens[1], lens[2], lens[3], lens[4]))
   {

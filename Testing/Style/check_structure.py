@@ -82,6 +82,10 @@ VTK_NAMESPACE = re.compile(r"^VTK_ABI_NAMESPACE_(BEGIN|END)\b")
 # Of a shader, outside its functions. Arrays are left alone: loops fill them.
 UNBEGUN = re.compile(r"^(?:float|double|u?int|bool|[biud]?vec[234]) (\w+);")
 
+# A projection's forward is drawn with: its sines are as good as the rays' own.
+MAPS = ("Module/Projections/", "Module/Stereo/")
+BUILT_IN_SINE = re.compile(r"\b(?:sin|cos|tan)\s*\(")
+
 # The models are the shaders of their folder. Everything else asks for traits (StereoTraits) and
 # numbers (StereoNumber); people choose by name, so the camera's header says the names, and setters
 # keep theirs.
@@ -233,6 +237,15 @@ def check_kinds(source):
             yield number, "drawable", "%s: ask for its traits, HasTrait" % match.group()
 
 
+def check_sines(source):
+    """How exact GLSL's own functions of angles are is up to the driver."""
+    if not source.is_kind(SHADERS) or not source.path.startswith(MAPS):
+        return
+    for match in BUILT_IN_SINE.finditer(without_comments(source.text)):
+        line = line_of(source.text, match.start())
+        yield line, "sine", "'%s': take wfvSinCos, which every driver has alike" % match.group()
+
+
 def check_models(source, models):
     """Only the models know which of them is which; `models`: their names."""
     path = source.path
@@ -255,7 +268,7 @@ def check_models(source, models):
 
 CHECKS = (
     check_length, check_shaders, check_licence, check_paths, check_versions, check_namespace,
-    check_begun, check_kinds,
+    check_begun, check_kinds, check_sines,
 )
 
 

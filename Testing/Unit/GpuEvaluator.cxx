@@ -22,6 +22,7 @@ namespace
 const char* const Head = "//VTK::System::Dec\n//VTK::Output::Dec\n"
                          "#define WFV_FN\n#define WFV_TABLES int\n"
                          "#define WFV_DEPTH_MAPPING(v) v.depthMapping\n#define WFV_TILTED true\n"
+                         "#define WFV_LENSED true\n"
                          "#define WFV_FADES true\n";
 
 const char* const Tail = "uniform WfvView wfvView;\n"
@@ -52,9 +53,12 @@ void SetView(vtkShaderProgram* program, const WfvView& v)
   set2("wfvView.radii", v.radii);
   program->SetUniformi("wfvView.depthMapping", v.depthMapping);
   const float lens[4] = { float(v.lens.x), float(v.lens.y), float(v.lens.z), float(v.lens.w) };
+  const float high[4] = { float(v.lensHigh.x), float(v.lensHigh.y), float(v.lensHigh.z),
+    float(v.lensHigh.w) };
   if (program->IsUniformUsed("wfvView.lens"))
   {
     program->SetUniform4f("wfvView.lens", lens);
+    program->SetUniform4f("wfvView.lensHigh", high);
   }
   for (const auto& f :
     { std::make_pair("wfvView.lens5", v.lens5), std::make_pair("wfvView.maxAngle", v.maxAngle) })

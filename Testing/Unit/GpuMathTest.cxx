@@ -204,13 +204,14 @@ std::vector<NamedView> Views()
       o.VerticalFov = std::clamp(fov / 2, p.MinVerticalFov, p.MaxVerticalFov);
       o.Aspect = p.Axis == Family::Azimuthal ? 1 : 2;
       views.push_back(MakeView(p, o));
-      for (const auto& lens : Lenses(fov))
+      if (fov == 170) // lenses: narrow and widest
       {
-        if (p.HasLens)
-        {
-          o.Lens = lens;
-          views.push_back(MakeView(p, o));
-        }
+        continue;
+      }
+      for (const auto& lens : Lenses(p, fov))
+      {
+        o.Lens = lens;
+        views.push_back(MakeView(p, o));
       }
     }
   }

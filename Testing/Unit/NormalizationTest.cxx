@@ -114,14 +114,18 @@ TEST(Normalization, LensIsThePolynomial)
   ViewOptions o;
   o.HorizontalFov = 180;
   o.Aspect = 1;
-  for (const auto& c : Lenses(180))
+  const Projection& fisheye = *FindProjection("azimuthal-equidistant");
+  for (const auto& c : Lenses(fisheye, 180))
   {
     o.Lens = c;
-    const View view(*FindProjection("azimuthal-equidistant"), o);
+    const View view(fisheye, o);
     for (double t = 0; t <= 0.5 * WFV_PI; t += 0.01)
     {
-      const double r = c[0] * t + c[1] * t * t + c[2] * std::pow(t, 3) + c[3] * std::pow(t, 4) +
-        c[4] * std::pow(t, 5);
+      double r = 0;
+      for (std::size_t i = 0; i < c.size(); i++)
+      {
+        r += c[i] * std::pow(t, i + 1.0);
+      }
       EXPECT_NEAR(view.Forward(wfvAzimuthalDirection(vec2(0.0, t))).Ndc.x, r, CornerRounding);
     }
   }

@@ -61,7 +61,7 @@ TEST(Options, RegistryIsConsistent)
   for (const char* name : { "equirectangular", "cylindrical-equal-area", "miller", "mercator",
          "central-cylindrical", "mollweide", "sinusoidal", "eckert-iv", "winkel-tripel", "aitoff",
          "hammer", "panini", "azimuthal-equidistant", "azimuthal-equal-area", "stereographic",
-         "orthographic", "gnomonic", "equi-angular-cubemap", "perspective" })
+         "orthographic", "gnomonic", "brown-conrady", "equi-angular-cubemap", "perspective" })
   {
     EXPECT_EQ(names.count(name), 1u) << name;
   }
@@ -147,10 +147,10 @@ TEST(Options, TiltAndRadii)
 TEST(Options, Lens)
 {
   ViewOptions o = Small();
-  o.HorizontalFov = 180;
-  o.Lens = Lenses(180)[0];
+  o.Lens = Lenses(*FindProjection("azimuthal-equidistant"), 180)[0];
   for (const Projection& p : Projections())
   {
+    o.HorizontalFov = std::min(180.0, p.MaxHorizontalFov);
     if (p.HasLens)
     {
       EXPECT_EQ(CheckOptions(p, o), "") << p.Name;
@@ -160,9 +160,10 @@ TEST(Options, Lens)
       ExpectRefused(p, o, { p.Name, "lens" });
     }
   }
+  o.HorizontalFov = 180;
   const Projection& fisheye = *FindProjection("azimuthal-equidistant");
   // c1 0: the slope is 0 on the axis; sin turns round at 90 degrees; falling at once
-  const std::array<double, 5> bad[] = { { { 0, 1, 0, 0, 0 } }, { { 1, 0, -0.3, 0, 0 } },
+  const LensCoefficients bad[] = { { { 0, 1, 0, 0, 0 } }, { { 1, 0, -0.3, 0, 0 } },
     { { -1, 0, 0, 0, 0 } }, { { NaN, 0, 0, 0, 0 } }, { { 1, Infinite, 0, 0, 0 } } };
   for (const auto& lens : bad)
   {
@@ -174,7 +175,7 @@ TEST(Options, Lens)
 TEST(Lens, MonotoneIsDecidedUpToTheRim)
 {
   // r = t - t^3 / 3 has its top at t = 1
-  const std::array<double, 5> lens{ { 1, 0, -1.0 / 3, 0, 0 } };
+  const LensCoefficients lens{ { 1, 0, -1.0 / 3, 0, 0 } };
   EXPECT_TRUE(LensIsMonotone(lens, 0.99));
   EXPECT_FALSE(LensIsMonotone(lens, 1.01));
   EXPECT_TRUE(LensIsMonotone({ { 1, 0, 0, 0, 0 } }, WFV_PI));
@@ -189,9 +190,9 @@ TEST(Lens, NarrowDipsAreFound)
   {
     for (double w : { 0.1, 0.01, 0.001 })
     {
-      const std::array<double, 5> lens{ { m * m - w * w, -m, 1.0 / 3, 0, 0 } };
+      const LensCoefficients lens{ { m * m - w * w, -m, 1.0 / 3, 0, 0 } };
       EXPECT_FALSE(LensIsMonotone(lens, WFV_PI)) << "dip at " << m << " of width " << w;
-      const std::array<double, 5> lifted{ { m * m + w * w, -m, 1.0 / 3, 0, 0 } };
+      const LensCoefficients lifted{ { m * m + w * w, -m, 1.0 / 3, 0, 0 } };
       EXPECT_TRUE(LensIsMonotone(lifted, WFV_PI)) << "lifted dip at " << m;
     }
   }

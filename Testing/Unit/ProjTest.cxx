@@ -60,6 +60,7 @@ const Counterpart Counterparts[] = {
   { "stereographic", "+proj=stere", "+proj=stere", 320, false },
   { "orthographic", "+proj=ortho", "+proj=ortho", 180, false },
   { "gnomonic", "+proj=gnom", "+proj=gnom", 160, false },
+  { "brown-conrady", "+proj=gnom", "+proj=gnom", 160, false }, // without a lens
   { "hammer", "+proj=hammer", "+proj=hammer", 360, false },
   // a flattening below double's epsilon makes PROJ solve for geodesics: its formula for the
   // sphere goes through acos and loses half the digits near the axis and the antipode

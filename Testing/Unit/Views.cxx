@@ -2,6 +2,7 @@
 #include "Views.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <random>
 
@@ -11,20 +12,18 @@ namespace test
 {
 namespace
 {
+// An ideal radius from which on float32 has too few digits for terms of a lens that nearly cancel:
+// more than that of any fisheye, less than the tangent of 80 degrees.
+constexpr double LargestFlat = 4;
+
 // The smallest distance from a border, radians, that a round trip is asked to survive,
 // and larger ones on the way to the open sphere.
 constexpr double Offsets[] = { 1e-9, 1e-7, 1e-5, 1e-3, 0.1 };
 
-std::vector<std::array<double, 5>> LensesAndNone(const Projection& p, double fov)
+std::vector<LensCoefficients> LensesAndNone(const Projection& p, double fov)
 {
-  std::vector<std::array<double, 5>> lenses{ { { 0, 0, 0, 0, 0 } } };
-  if (p.HasLens)
-  {
-    for (const auto& lens : Lenses(fov))
-    {
-      lenses.push_back(lens);
-    }
-  }
+  std::vector<LensCoefficients> lenses = Lenses(p, fov);
+  lenses.insert(lenses.begin(), LensCoefficients());
   return lenses;
 }
 
@@ -57,7 +56,7 @@ NamedView MakeView(const Projection& p, const ViewOptions& o)
   std::snprintf(text, sizeof text, "%s hfov %g vfov %g tilt %g aspect %g lens %g %g %g %g %g",
     p.Name.c_str(), o.HorizontalFov, o.VerticalFov, o.Tilt, o.Aspect, o.Lens[0], o.Lens[1],
     o.Lens[2], o.Lens[3], o.Lens[4]);
-  const bool lens = o.Lens != std::array<double, 5>{ { 0, 0, 0, 0, 0 } };
+  const bool lens = o.Lens != LensCoefficients{ { 0, 0, 0, 0, 0 } };
   return { text, o, View(p, o), lens };
 }
 
@@ -78,14 +77,25 @@ std::vector<NamedView> AllViews()
   return views;
 }
 
-std::vector<std::array<double, 5>> Lenses(double fov)
+std::vector<LensCoefficients> Lenses(const Projection& p, double fov)
 {
-  const double h = 0.5 * fov * Degree;
-  return { { { 0.8 / h, 0, 0.2 / (h * h * h), 0, 0 } },
+  if (!p.HasLens)
+  {
+    return {};
+  }
+  const double h = RadiusAt(p, ViewOptions(), 0.5 * fov * Degree); // of the ideal lens
+  std::vector<LensCoefficients> lenses{ { { 0.8 / h, 0, 0.2 / (h * h * h), 0, 0 } },
     { { 1.2 / h, -0.1 / (h * h), 0, -0.1 / (h * h * h * h), 0 } },
     { { 1.1 / h, 0, 0, 0, -0.1 / (h * h * h * h * h) } },
+    // as OpenCV's fisheyes are
+    { { 1 / h, 0, -0.06 / std::pow(h, 3), 0, 0.1 / std::pow(h, 5), 0, -0.07 / std::pow(h, 7), 0,
+      0.03 / std::pow(h, 9) } } };
+  if (h < LargestFlat)
+  {
     // flat in the middle: a quarter of the mean slope
-    { { 2.5 / h, -4.5 / (h * h), 3 / (h * h * h), 0, 0 } } };
+    lenses.push_back({ { 2.5 / h, -4.5 / (h * h), 3 / (h * h * h), 0, 0 } });
+  }
+  return lenses;
 }
 
 std::vector<vec3> SpecialDirections(double offset)

@@ -35,8 +35,9 @@ NamedView MakeView(const Projection& projection, const ViewOptions& options);
 // x tilts x (where it takes one) lenses.
 std::vector<NamedView> AllViews();
 
-// Lenses that grow everywhere up to half the field of view (degrees) and have r = 1 there.
-std::vector<std::array<double, 5>> Lenses(double fov);
+// Lenses of a projection that grow everywhere up to half the field of view (degrees) and have r = 1
+// there; none where it takes none.
+std::vector<LensCoefficients> Lenses(const Projection& projection, double fov);
 
 // Directions in the frame of the map: the axes and the diagonals of the cube, and points
 // `offset` radians from the axis, the poles, the antipode, the seam and the equator.

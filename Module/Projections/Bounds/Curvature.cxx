@@ -114,7 +114,7 @@ std::vector<vec3> BorderDirections(const Projection& p, const WfvView& v)
     const double t = -1 + 2 * (i / 4) / (Border / 4.0);
     const vec2 ndc =
       side < 2 ? vec2(side ? -t : t, side ? 1 : -1) : vec2(side == 2 ? 1 : -1, side == 2 ? t : -t);
-    const WfvRay ray = p.Unproject(ndc, v);
+    const WfvRay ray = p.Unproject(ndc - v.center, v);
     if (ray.inside)
     {
       directions.push_back(ray.direction);
@@ -134,7 +134,8 @@ vec3 Compute(const Projection& p, const WfvView& v)
   {
     for (int j = 0; j <= Inner; j++)
     {
-      const WfvRay ray = p.Unproject(vec2(-1 + 2.0 * i / Inner, -1 + 2.0 * j / Inner), v);
+      const vec2 ndc(-1 + 2.0 * i / Inner, -1 + 2.0 * j / Inner);
+      const WfvRay ray = p.Unproject(ndc - v.center, v);
       curvature = ray.inside ? glm::max(curvature, CurvatureAt(p, v, ray.direction)) : curvature;
     }
   }
@@ -163,7 +164,7 @@ struct Kept
   {
     const WfvView& w = this->View;
     return this->Map == &p && w.halfFov == v.halfFov && w.scale == v.scale && w.lens == v.lens &&
-      w.lens5 == v.lens5;
+      w.lens5 == v.lens5 && w.lensHigh == v.lensHigh && w.center == v.center;
   }
 };
 }

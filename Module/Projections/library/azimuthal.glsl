@@ -10,7 +10,8 @@
 WFV_FN vec2 wfvMap(vec2 angles, WfvView v)
 {
   float r = wfvRadius(angles.y, v);
-  return vec2(r * cos(angles.x) * v.scale.x, r * sin(angles.x) * v.scale.y);
+  vec2 sc = wfvSinCos(angles.x);
+  return vec2(r * sc.y * v.scale.x, r * sc.x * v.scale.y);
 }
 
 WFV_FN vec2 wfvProject(vec3 p, WfvView v)
@@ -43,15 +44,16 @@ WFV_FN vec4 wfvBounds(vec4 a, WfvView v)
   vec4 b = vec4(outer, outer, -outer, -outer);
   for (int i = 0; i < 2; i++)
   {
-    float u = i == 0 ? a.x : a.z;
-    b = vec4(min(b.x, cos(u) * (cos(u) < 0.0 ? outer : inner)), min(b.y, sin(u) * (sin(u) < 0.0 ? outer : inner)),
-      max(b.z, cos(u) * (cos(u) > 0.0 ? outer : inner)), max(b.w, sin(u) * (sin(u) > 0.0 ? outer : inner)));
+    vec2 sc = wfvSinCos(i == 0 ? a.x : a.z);
+    b = vec4(min(b.x, sc.y * (sc.y < 0.0 ? outer : inner)), min(b.y, sc.x * (sc.x < 0.0 ? outer : inner)),
+      max(b.z, sc.y * (sc.y > 0.0 ? outer : inner)), max(b.w, sc.x * (sc.x > 0.0 ? outer : inner)));
   }
   // the four axes of the circle, wherever the sector reaches them
   float quarter = 0.5 * WFV_PI;
   for (float k = ceil(a.x / quarter); k * quarter <= a.z; k += 1.0)
   {
-    vec2 p = vec2(outer * cos(k * quarter), outer * sin(k * quarter));
+    vec2 sc = wfvSinCos(k * quarter);
+    vec2 p = vec2(outer * sc.y, outer * sc.x);
     b = vec4(min(b.x, p.x), min(b.y, p.y), max(b.z, p.x), max(b.w, p.y));
   }
   return vec4(b.x * v.scale.x, b.y * v.scale.y, b.z * v.scale.x, b.w * v.scale.y);

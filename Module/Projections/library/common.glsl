@@ -34,8 +34,10 @@ struct WfvView
   vec2 scale;    // NDC per unit of the raw map
   vec2 tilt;     // cosine and sine of the tilt about x
   vec2 radii;    // radii of the near and far clip spheres, scene units
-  vec4 lens;     // c1 .. c4 of r = c1 t + .. + c5 t^5 (t in radians); all 0: the ideal lens
+  vec4 lens;     // c1 .. c4 of r = c1 t + .. + c9 t^9 (lens.glsl); all 0: the ideal lens
   float lens5;   // c5
+  vec4 lensHigh; // c6 .. c9
+  vec2 center;   // NDC of the axis of a round map, whose own coordinates begin there
   float maxAngle; // round maps: angle at the rim of the domain, radians
   int depthMapping; // WFV_DEPTH_LINEAR, ... (depth.glsl)
   float curvature; // how far chords are from their edges: see Curvature.h

@@ -7,8 +7,9 @@
 // Map of (lambda, phi) in radians.
 WFV_FN vec2 wfvMap(vec2 angles, WfvView v)
 {
-  float half_ = 0.5 * angles.x;
-  vec2 m = wfvFlat(vec2(cos(half_), sin(half_)), vec2(max(0.0, cos(angles.y)), sin(angles.y)));
+  vec2 lambda = wfvSinCos(0.5 * angles.x);
+  vec2 phi = wfvSinCos(angles.y);
+  vec2 m = wfvFlat(vec2(lambda.y, lambda.x), vec2(max(0.0, phi.y), phi.x));
   return vec2(m.x * v.scale.x, m.y * v.scale.y);
 }
 

@@ -10,7 +10,8 @@
 // Map of (lambda, phi) in radians.
 WFV_FN vec2 wfvMap(vec2 angles, WfvView v)
 {
-  vec2 row = wfvParallel(vec2(max(0.0, cos(angles.y)), sin(angles.y)), angles.y);
+  vec2 phi = wfvSinCos(angles.y);
+  vec2 row = wfvParallel(vec2(max(0.0, phi.y), phi.x), angles.y);
   return vec2(angles.x * row.x * v.scale.x, row.y * v.scale.y);
 }
 

@@ -23,16 +23,6 @@ dvec2 wfvFp64SinCos(double x)
   return (quarters & 1) != 0 ? dvec2(sign_ * c, -sign_ * s) : dvec2(sign_ * s, sign_ * c);
 }
 
-double wfvFp64Sin(double x)
-{
-  return wfvFp64SinCos(x).x;
-}
-
-double wfvFp64Cos(double x)
-{
-  return wfvFp64SinCos(x).y;
-}
-
 // What float32 says, turned by what is left.
 double wfvFp64Atan2(double y, double x)
 {

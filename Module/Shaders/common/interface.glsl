@@ -3,11 +3,13 @@
 
 uniform WfvView wfvView;
 uniform vec4 wfvViewport;  // x, y, width, height of the viewport, pixels
-uniform vec4 wfvTile;      // NDC of the tile = NDC of the picture * xy + zw
+// NDC is the map's own: that of the picture, but for a round map whose axis is not in the middle
+// (wfvView.center).
+uniform vec4 wfvTile;      // NDC of the tile = NDC * xy + zw
 
-uniform vec4 wfvPicture;   // pixels: of the picture's corner, in the window; its size
+uniform vec4 wfvPicture;   // pixels: of NDC -1, -1, in the window; size of the picture
 
-// NDC of the picture at a place in pixels of the window. Rounded once: at a rim where a map is
+// NDC at a place in pixels of the window. Rounded once: at a rim where a map is
 // flat these digits are all there is, and they are the same in a tile as in the whole picture.
 vec2 wfvNdcOfPixel(vec2 at)
 {

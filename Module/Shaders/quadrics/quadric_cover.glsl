@@ -64,7 +64,7 @@ void wfvEmitCorner(vec2 ndc)
 void wfvEmitBox(vec4 r, bool front)
 {
   vec2 pad = 2.0 * WFV_PAD / (wfvViewport.zw * wfvTile.xy);
-  r = vec4(max(r.xy - pad, vec2(-1.0)), min(r.zw + pad, vec2(1.0)));
+  r = vec4(max(r.xy - pad, -1.0 - wfvView.center), min(r.zw + pad, 1.0 - wfvView.center));
   if (r.x >= r.z || r.y >= r.w)
   {
     return;
@@ -78,7 +78,7 @@ void wfvEmitBox(vec4 r, bool front)
 
 void wfvEmitWindow(bool front)
 {
-  wfvEmitBox(vec4(-1.0, -1.0, 1.0, 1.0), front);
+  wfvEmitBox(vec4(-1.0 - wfvView.center, 1.0 - wfvView.center), front);
 }
 
 #if WFV_ANGULAR

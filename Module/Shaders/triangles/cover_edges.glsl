@@ -37,6 +37,7 @@ WfvFp64Ray wfvFp64RayAt()
   v.scale = dvec2(wfvView.scale);
   v.lens = dvec4(wfvView.lens);
   v.lens5 = double(wfvView.lens5);
+  v.lensHigh = dvec4(wfvView.lensHigh);
   v.maxAngle = double(wfvView.maxAngle);
 #if WFV_SAMPLED
   v.tables = dvec4(wfvView.tables);

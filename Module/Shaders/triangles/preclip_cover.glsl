@@ -97,7 +97,7 @@ vec4 wfvPadded(vec4 angles)
 {
   vec2 pad = 2.0 * WFV_PAD / (wfvViewport.zw * wfvTile.xy);
   vec4 r = wfvBounds(angles, wfvView);
-  return vec4(max(r.xy - pad, vec2(-1.0)), min(r.zw + pad, vec2(1.0)));
+  return vec4(max(r.xy - pad, -1.0 - wfvView.center), min(r.zw + pad, 1.0 - wfvView.center));
 }
 
 void wfvEmitRectangle(vec4 r, bool front)
