@@ -22,7 +22,7 @@ constexpr std::uintmax_t LargestFile = 1 << 20;
 // The centre of the first pixel, in OpenCV's pixels, is 0, 0.
 constexpr double HalfPixel = 0.5;
 
-using Numbers = std::vector<double>;
+using LensNumbers = std::vector<double>;
 
 // All or nothing of a file that ought to be small.
 std::string ReadText(const std::string& path)
@@ -92,9 +92,9 @@ const ColmapModel& FindModel(
   FailUsage(path + ": camera " + id + " has the model " + name + "; there are " + known);
 }
 
-CalibratedLens FromNumbers(const ColmapModel& model, const Numbers& n)
+CalibratedLens FromNumbers(const ColmapModel& model, const LensNumbers& n)
 {
-  const Numbers p(n.begin() + 2, n.end());
+  const LensNumbers p(n.begin() + 2, n.end());
   const std::size_t axis = model.OneFocal ? 1 : 2;
   CalibratedLens lens;
   lens.Model = model.Model;
@@ -114,7 +114,7 @@ CalibratedLens FromColmap(const std::string& path, const std::string& line)
   std::istringstream words(line);
   std::string id;
   std::string name;
-  Numbers n;
+  LensNumbers n;
   words >> id >> name;
   for (std::string word; words >> word;)
   {
@@ -190,7 +190,7 @@ YAML::Node FindKey(const YAML::Node& root, const std::vector<std::string>& keys)
 }
 
 // A matrix as OpenCV and ROS write it, or rows in rows.
-void AddNumbers(const YAML::Node& node, Numbers& numbers)
+void AddNumbers(const YAML::Node& node, LensNumbers& numbers)
 {
   if (node.IsMap())
   {
@@ -209,7 +209,7 @@ void AddNumbers(const YAML::Node& node, Numbers& numbers)
   }
 }
 
-Numbers NumbersOf(
+LensNumbers NumbersOf(
   const std::string& path, const YAML::Node& root, const std::vector<std::string>& keys)
 {
   const YAML::Node node = FindKey(root, keys);
@@ -217,7 +217,7 @@ Numbers NumbersOf(
   {
     Refuse(path, "it has no " + keys.front());
   }
-  Numbers numbers;
+  LensNumbers numbers;
   AddNumbers(node, numbers);
   return numbers;
 }
@@ -227,15 +227,15 @@ wfv::vec2 SizeOf(const std::string& path, const YAML::Node& root)
   const std::vector<std::string> both{ "image_size", "imageSize", "resolution" };
   if (FindKey(root, both))
   {
-    const Numbers size = NumbersOf(path, root, both);
+    const LensNumbers size = NumbersOf(path, root, both);
     if (size.size() != 2)
     {
       Refuse(path, "the size of its picture is not two numbers");
     }
     return wfv::vec2(size[0], size[1]);
   }
-  const Numbers width = NumbersOf(path, root, { "image_width", "image_Width", "width" });
-  const Numbers height = NumbersOf(path, root, { "image_height", "image_Height", "height" });
+  const LensNumbers width = NumbersOf(path, root, { "image_width", "image_Width", "width" });
+  const LensNumbers height = NumbersOf(path, root, { "image_height", "image_Height", "height" });
   if (width.size() != 1 || height.size() != 1)
   {
     Refuse(path, "the size of its picture is not two numbers");
@@ -279,7 +279,7 @@ CalibratedLens FromYaml(const std::string& path, const YAML::Node& root)
   CalibratedLens lens;
   lens.Model = ModelOf(path, root);
   lens.Size = SizeOf(path, root);
-  const Numbers k =
+  const LensNumbers k =
     NumbersOf(path, root, { "camera_matrix", "Camera_Matrix", "cameraMatrix", "K" });
   if (k.size() != 9 || k[1] != 0 || k[3] != 0 || k[6] != 0 || k[7] != 0 || k[8] != 1)
   {
@@ -287,7 +287,7 @@ CalibratedLens FromYaml(const std::string& path, const YAML::Node& root)
   }
   lens.Focal = wfv::vec2(k[0], k[4]);
   lens.Axis = wfv::vec2(k[2], k[5]) + HalfPixel;
-  const Numbers d = NumbersOf(path, root,
+  const LensNumbers d = NumbersOf(path, root,
     { "distortion_coefficients", "Distortion_Coefficients", "distCoeffs", "dist_coeffs", "D" });
   const std::size_t most = lens.Coefficients.size();
   if (std::any_of(d.begin() + std::min(most, d.size()), d.end(), [](double v) { return v != 0; }))

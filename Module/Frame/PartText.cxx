@@ -67,7 +67,7 @@ private:
     }
     int drawn = 0;
     const FrameInDrawing none(renderer, nullptr);
-    ShowBillboard(this, renderer, camera, stages->Plain->GetTile(), [&] {
+    ShowBillboard(this, renderer, camera, stages->Projected->GetTile(), [&] {
       // the whole's keys, which it has been given, have the whole's stage
       const vtkSmartPointer<vtkInformation> before = this->PropertyKeys;
       this->Keys->Copy(before);
