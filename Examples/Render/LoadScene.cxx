@@ -3,7 +3,6 @@
 
 #include "MessageCatcher.h"
 #include "Messages.h"
-#include "Normals.h"
 #include "Pipeline.h"
 #include "Progress.h"
 #include "Readers.h"
@@ -11,12 +10,6 @@
 
 namespace widefov
 {
-namespace
-{
-// Pixels: in smaller pictures nobody reads the numbers of a bar.
-constexpr std::array<int, 2> RoomForBar{ { 200, 100 } };
-}
-
 Scene LoadScene(const Options& options)
 {
   Scene scene;
@@ -30,17 +23,7 @@ Scene LoadScene(const Options& options)
     scene = ReadScene(options.Files);
   }
   const Progress progress("preparing the data");
-  Look look = options.Look;
-  // what stock VTK's pass and the float channels do not show
-  look.UsualVolume =
-    look.UsualVolume && options.Technique != Technique::CubeMap && options.Aov.empty();
-  look.UsualBar =
-    look.UsualBar && options.Size[0] >= RoomForBar[0] && options.Size[1] >= RoomForBar[1];
-  ApplyLook(scene, look);
-  if (scene.FromFiles && options.Look.Smooth)
-  {
-    SmoothNormals(scene);
-  }
+  ApplyLook(scene, options.Look);
   const std::string error = MessageCatcher::TakeFirstError();
   if (!error.empty())
   {

@@ -4,8 +4,6 @@
 #include "DirectionMapFile.h"
 #include "DryRun.h"
 #include "EyeDistance.h"
-#include "FirstView.h"
-#include "Info.h"
 #include "Listing.h"
 #include "LoadScene.h"
 #include "Messages.h"
@@ -130,10 +128,10 @@ int Run(int argc, char** argv)
   {
     return *done;
   }
-  const std::string told = ListingText(options) + InfoText(options);
-  if (!told.empty())
+  const std::string listing = ListingText(options);
+  if (!listing.empty())
   {
-    Print(told);
+    Print(listing);
     return ExitDone;
   }
   if (!options.DryRun)
@@ -146,7 +144,6 @@ int Run(int argc, char** argv)
   const Stopwatch watch;
   const StandardInput input(options.Files);
   const Scene scene = LoadScene(options);
-  ChooseView(options, scene);
   const double reading = watch.GetMilliseconds();
   MakePose(scene, options); // complains before a window is opened
   FitEyes(options, scene);

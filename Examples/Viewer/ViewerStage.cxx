@@ -10,7 +10,6 @@
 #include "StereoChoice.h"
 #include "StereoLayout.h"
 #include "StereoOptions.h"
-#include "Volume.h"
 
 #include <vtkPanoramicProjectionPass.h>
 #include <vtkRenderWindow.h>
@@ -65,14 +64,9 @@ ViewerStage::ViewerStage(
     this->Actors.push_back(MakeActor(prop, o.Look));
     this->Renderer->AddActor(this->Actors.back());
   }
-  for (vtkVolume* const volume : MakeVolumes(scene))
+  if (const vtkSmartPointer<vtkScalarBarActor> bar = MakeScalarBar(scene))
   {
-    this->Renderer->AddVolume(volume);
-  }
-  this->Bar = MakeScalarBar(scene);
-  if (this->Bar)
-  {
-    this->Renderer->AddViewProp(this->Bar);
+    this->Renderer->AddViewProp(bar);
   }
   this->Renderer->AddObserver(vtkCommand::EndEvent, this, &ViewerStage::AfterScene);
   this->Window->AddRenderer(this->Renderer);
@@ -198,10 +192,6 @@ FrameCost ViewerStage::Draw(const Options& o, const std::array<int, 2>& size,
   this->Aiming = o.Technique != Technique::CubeMap ? aim : nullptr;
   this->Aimed = false;
   this->Apply(o, size);
-  if (this->Bar)
-  {
-    this->Bar->SetVisibility(this->HasRoom());
-  }
   this->Texts.SetHelp(this->HasRoom() ? help : "", size[0], size[1]);
   this->Start = std::chrono::steady_clock::now();
   if (this->InTurn)

@@ -113,7 +113,6 @@ private:
   vtkNew<vtkWideFoVPass> WidePass;
   vtkSmartPointer<vtkPanoramicProjectionPass> CubeMapPass;
   std::vector<vtkSmartPointer<vtkActor>> Actors;
-  vtkSmartPointer<vtkScalarBarActor> Bar;
   Crosshair Cross;
   Overlay Texts;
   std::array<int, 2> Limits{ { 0, 0 } };
