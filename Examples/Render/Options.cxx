@@ -37,15 +37,20 @@ void DeclareLens(Group& group, Options& o)
     });
 }
 
-void DeclareView(CLI::App& app, Options& o, FieldsOfView& fov)
+void DeclareProjection(Group& group, Options& o)
 {
-  Group group(app, "View");
   group.Add("--projection", "NAME", o.Projection, "the map; --list-projections prints them",
     [&o](const std::string& option, const std::string& value) {
       o.Projection = Choose(option, value, ProjectionNames(), ProjectionAliases());
       o.HasProjection = true;
     });
   Completions()["--projection"] = ProjectionNames();
+}
+
+void DeclareView(CLI::App& app, Options& o, FieldsOfView& fov)
+{
+  Group group(app, "View");
+  DeclareProjection(group, o);
   const auto angle = [](std::optional<double>& target) {
     return [&target](const std::string& option, const std::string& value) {
       target = ParseNumber(option, value, FieldOfView);

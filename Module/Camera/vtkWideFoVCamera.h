@@ -115,12 +115,10 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Lens polynomial: r = c1 t + c2 t^2 + .. + c9 t^9, r = 1 at the rim of the picture (but see
-   * SetMeasuredPicture); t is the angle from the axis, radians, or with "brown-conrady" its
-   * tangent. What does not grow up to half the field of view is refused with an error, and the old
-   * one stays. ClearLens() (the default): the ideal lens, r = t / (fov/2) of a fisheye.
-   */
+  /// Lens polynomial: r = c1 t + c2 t^2 + .. + c9 t^9, r = 1 at the rim of the picture (but see
+  /// SetMeasuredPicture); t is the angle from the axis, radians, or with "brown-conrady" its
+  /// tangent. What does not grow up to half the field of view is refused with an error, and the old
+  /// one stays. ClearLens() (the default): the ideal lens, r = t / (fov/2) of a fisheye.
   virtual bool SetLens(double c1, double c2, double c3, double c4, double c5);
   virtual void ClearLens();
   virtual void GetLens(double coefficients[5]);
@@ -129,11 +127,9 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Where a round projection lies in a picture, as cameras are calibrated: its size, the place of
-   * the axis and the focal lengths (of the radius 1 of the lens), pixels from the upper left. A
-   * window shows it as large as it fits. By default the rim touches the borders of the window.
-   */
+  /// Where a round projection lies in a picture, as cameras are calibrated: its size, the place of
+  /// the axis and the focal lengths (of the radius 1 of the lens), pixels from the upper left. A
+  /// window shows it as large as it fits. By default the rim touches the borders of the window.
   virtual bool SetMeasuredPicture(const double size[2], const double at[2], const double focal[2]);
   virtual void ClearMeasuredPicture();
   virtual void GetMeasuredPicture(double size[2], double at[2], double focal[2]);

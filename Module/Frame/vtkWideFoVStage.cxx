@@ -267,10 +267,8 @@ wfv::ShaderBuilder::Request vtkWideFoVStage::MakeRequest(
   // only our own mapper draws patches; the pieces' edges must not show as the cell's
   const bool patches = wfv::HasTrait(mapper, wfv::OwnMesh) &&
     request.Kind == wfv::ShaderBuilder::Primitive::Triangles && !request.Edges;
-  if (request.Stage == Variant::Tessellate && !patches)
-  {
-    request.Stage = Variant::PreClip;
-  }
+  request.Stage =
+    request.Stage == Variant::Tessellate && !patches ? Variant::PreClip : request.Stage;
   return request;
 }
 
