@@ -336,7 +336,7 @@ VIEWER = [
     failed("good.vtk --log {out}", "--log"),
     failed("good.vtk --log /dev/full", "/dev/full"),
     failed("good.vtk --monitor 9 --full-screen", "no monitor 9"),
-    Case(EYES + "--layout frame-sequential", DONE, "in turn by software"),
+    Case(EYES + "--ipd auto --layout frame-sequential", DONE, "in turn by software"),
     usage(EYES + "--layout vr180 --hfov 180 --vfov 180", "--layout vr180 is for files"),
     usage(EYES + "--layout multi-view", "--layout multi-view is for files"),
     failed("good.vtk --wall 9x1 --full-screen", "no monitor"),
