@@ -2,6 +2,7 @@
 #include "OptionCheck.h"
 
 #include "Angles.h"
+#include "Film/FilmOptions.h"
 #include "ImageOutput.h"
 #include "Messages.h"
 #include "OptionValues.h"
@@ -179,8 +180,11 @@ std::vector<std::string> AllOutputs(const Options& o)
   std::vector<std::string> all;
   for (const std::string& output : o.Outputs)
   {
-    CheckPictureName(output);
-    const std::vector<std::string> files = FilesOf(o, output);
+    if (!HasFilm(o))
+    {
+      CheckPictureName(output);
+    }
+    const std::vector<std::string> files = HasFilm(o) ? FilesOfFilm(o, output) : FilesOf(o, output);
     all.insert(all.end(), files.begin(), files.end());
   }
   if (!o.Aov.empty())
@@ -303,6 +307,7 @@ void CheckTogether(Options& o, const FieldsOfView& fov)
   if (!OnlyLists(o))
   {
     CheckFiles(o);
+    CheckFilm(o);
     CheckOutput(o);
   }
 }

@@ -3,6 +3,7 @@
 #include "Options.h"
 
 #include "ColorMaps.h"
+#include "Film/FilmOptions.h"
 #include "Messages.h"
 #include "OptionCheck.h"
 #include "OptionGroup.h"
@@ -160,11 +161,13 @@ std::optional<int> ParseOptions(int argc, char** argv, Options& options)
   FieldsOfView fov;
   DeclareScene(app, options, fov);
   DeclareOutput(app, options);
+  DeclareFilm(app, options);
   if (const std::optional<int> done = ParseCommandLine(app, argc, argv))
   {
     return done;
   }
   options.HasSize = app.count("--size") > 0;
+  options.Film.Command = FilmCommand(argc, argv);
   CheckTogether(options, fov);
   return std::nullopt;
 }

@@ -3,6 +3,7 @@
 #ifndef WideFoVOptions_h
 #define WideFoVOptions_h
 
+#include "Film/Film.h"
 #include "HeadPose.h"
 #include "Look.h"
 #include "Projections/Projection.h"
@@ -93,6 +94,8 @@ struct Options
   std::string Stats;
   std::string DumpShaders; // a folder; empty: none
   int Frames = 0;          // 0: one frame, no warm-up
+
+  FilmOptions Film;
 
   bool ListProjections = false;
   bool ListScenes = false;

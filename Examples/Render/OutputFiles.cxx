@@ -31,9 +31,9 @@ std::string TargetOf(const std::string& path)
   Fail(path + " cannot be written: " + std::strerror(error) +
     "; nothing was changed, so make room or choose another place");
 }
+}
 
-// All bytes; 0 or the error.
-int WriteAll(int file, const char* bytes, std::size_t count)
+int WriteAllBytes(int file, const char* bytes, std::size_t count)
 {
   while (count > 0)
   {
@@ -50,7 +50,6 @@ int WriteAll(int file, const char* bytes, std::size_t count)
     count -= static_cast<std::size_t>(n);
   }
   return 0;
-}
 }
 
 void CheckWritable(const std::string& path)
@@ -168,7 +167,7 @@ void OutputFiles::Close(int file, const std::string& path, int error)
 void OutputFiles::Write(const std::string& path, const void* bytes, std::size_t count)
 {
   const int file = this->Open(path);
-  this->Close(file, path, WriteAll(file, static_cast<const char*>(bytes), count));
+  this->Close(file, path, WriteAllBytes(file, static_cast<const char*>(bytes), count));
 }
 
 void OutputFiles::Commit()

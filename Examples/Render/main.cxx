@@ -2,6 +2,8 @@
 // widefov-render: pictures of VTK data in wide and non-planar projections.
 #include "CameraSetup.h"
 #include "DirectionMapFile.h"
+#include "Film/FilmJob.h"
+#include "Film/FilmOptions.h"
 #include "Listing.h"
 #include "LoadScene.h"
 #include "Messages.h"
@@ -96,6 +98,11 @@ int Run(int argc, char** argv)
   {
     std::cout << listing << std::flush;
     CheckStandardOutput();
+    return ExitDone;
+  }
+  if (HasFilm(options))
+  {
+    MakeFilm(options);
     return ExitDone;
   }
   CheckOutputs(options);
