@@ -6,6 +6,7 @@
 #include "Fields.h"
 #include "Keys.h"
 #include "Navigator.h"
+#include "Panel.h"
 #include "Room.h"
 #include "Scene.h"
 #include "StateLog.h"
@@ -13,16 +14,21 @@
 #include "Wall.h"
 
 #include <chrono>
+#include <map>
+#include <memory>
 #include <set>
+#include <string>
+#include <vector>
 
 namespace widefov
 {
 class Viewer
 {
 public:
-  // All of them must outlive this.
-  Viewer(
-    const ViewerOptions& options, const Scene& scene, Room& room, Wall& windows, StateLog& log);
+  // Without a scene the data are read first, beside the window; then this throws what LoadScene
+  // throws. The room, the windows and the log must outlive this.
+  Viewer(const ViewerOptions& options, std::optional<Scene> scene, Room& room, Wall& windows,
+    StateLog& log);
 
   // Until the window is closed, or so many frames are drawn. Throws a Failure with
   // ExitFailed.
@@ -44,8 +50,34 @@ private:
   void Play();
   void Advance();
   bool Fit();
+  void Show();
   void DrawFrame();
   bool IsDone() const;
+
+  // Data.
+  Scene Read(const Options& options);
+  void AttendWhileReading();
+  void SetScene(Scene scene);
+  bool Change(const Options& options);
+  void Open(const std::vector<std::string>& files);
+  void AddPose();
+
+  // The panel.
+  void TogglePanel();
+  bool LayOut(bool happened);
+  bool IsForPanel(const WindowEvent& event) const;
+  void Widgets();
+  void ChooseView();
+  void ChooseAngles();
+  void ChooseEyes();
+  bool ChooseNumbers(wfv::StereoOptions& stereo);
+  void ChooseLook();
+  void ChooseRest();
+  bool Choose(const std::string& what, std::string& value, const std::vector<std::string>& from);
+  bool Slide(const std::string& what, double& value, double least, double most);
+  void Press(const char* label, Action action);
+  void Check(const char* label, bool on, Action action);
+  void Locate(const std::string& widget);
 
   // What happens.
   void Handle(const WindowEvent& event);
@@ -58,6 +90,7 @@ private:
   bool StepEyes(Action action);
   bool StepScreens(Action action);
   void Zoom(double notches);
+  void ZoomBy(double factor);
   void ZoomRoom(double factor);
   void ToggleCrosshair();
   void TogglePause();
@@ -78,8 +111,8 @@ private:
   std::string TextFor(const FrameCost& cost) const;
   void Log(const std::string& event);
 
-  const ViewerOptions& Given;
-  const Scene& What;
+  ViewerOptions Given;
+  Scene What;
   Room& Around;
   Wall& Windows;
   StateLog& Lines;
@@ -95,7 +128,13 @@ private:
   FrameCost Cost;
   std::string Message;
   bool ShowsText = true;
+  bool ShowsNumbers = false; // what a frame took
   bool ShowsHelp = false;
+  std::unique_ptr<Panel> Shown;                        // widgets
+  int Unsettled = 0;                                   // layouts until it shows what happened
+  std::map<std::string, std::array<double, 4>> Places; // of widgets: left, top, right, bottom
+  std::vector<Action> Pressed;                         // on the panel
+  std::optional<Options> Wanted;                       // that the data are to be read for
 
   Drag Dragging = Drag::None;
   Place At; // the pointer

@@ -27,6 +27,12 @@ void Viewer::Do(Action action)
     case Action::Screenshot:
       this->TakeScreenshot();
       break;
+    case Action::AddPose:
+      this->AddPose();
+      break;
+    case Action::TogglePanel:
+      this->TogglePanel();
+      break;
     case Action::PrintCommand:
       std::cout << CommandText(this->Given.Picture, this->ForFiles()) << std::endl;
       this->Say("the command is on standard output");
@@ -48,6 +54,9 @@ void Viewer::Do(Action action)
       break;
     case Action::Leave:
       this->Leave();
+      break;
+    case Action::Quit:
+      this->Windows.Close();
       break;
     default:
       break;
@@ -84,6 +93,9 @@ bool Viewer::DoView(Action action)
       return true;
     case Action::ToggleText:
       this->ShowsText = !this->ShowsText;
+      return true;
+    case Action::ToggleNumbers:
+      this->ShowsNumbers = !this->ShowsNumbers;
       return true;
     case Action::ToggleHelp:
       this->ShowsHelp = !this->ShowsHelp;
@@ -159,6 +171,10 @@ void Viewer::Leave()
   {
     this->ShowsHelp = false;
     this->Changed();
+  }
+  else if (this->Shown)
+  {
+    this->TogglePanel();
   }
   else if (this->Windows.IsFullScreen())
   {

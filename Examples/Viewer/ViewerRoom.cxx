@@ -112,6 +112,11 @@ void Viewer::Zoom(double notches)
     this->ZoomRoom(factor);
     return;
   }
+  this->ZoomBy(factor);
+}
+
+void Viewer::ZoomBy(double factor)
+{
   if (!this->Angles.Zoom(this->Now, factor))
   {
     this->Say("this projection always shows the same field of view");

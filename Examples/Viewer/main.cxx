@@ -6,6 +6,7 @@
 #include "Display.h"
 #include "Listing.h"
 #include "LoadScene.h"
+#include "Loader.h"
 #include "Messages.h"
 #include "Program.h"
 #include "Room.h"
@@ -16,19 +17,23 @@
 #include "Wall.h"
 
 #include <iostream>
+#include <optional>
+#include <utility>
 
 namespace
 {
 using namespace widefov;
 
-std::string TitleOf(const Options& options)
+// At once where that is quick, so that what is wrong is said before a window opens.
+std::optional<Scene> LoadQuickly(const Options& options)
 {
-  std::string what = options.Scene;
-  for (const std::string& file : options.Files)
+  if (TakesLong(options))
   {
-    what += (what.empty() ? "" : " ") + file;
+    return std::nullopt;
   }
-  return "widefov-viewer: " + what;
+  std::optional<Scene> scene = LoadScene(options);
+  MakePose(*scene, options); // complains
+  return scene;
 }
 
 int Run(int argc, char** argv)
@@ -49,18 +54,17 @@ int Run(int argc, char** argv)
   LoadSky(options.Picture);
   Room room(options);
   options.Picture = room.GetGiven();
-  const Scene scene = LoadScene(options.Picture);
-  MakePose(scene, options.Picture); // complains before a window is opened
+  std::optional<Scene> scene = LoadQuickly(options.Picture);
   const DisplayConnection display;
   StateLog log(options.Log);
   const QuietStandardError quiet;
-  Wall windows(options, room.See(options.Picture), scene, TitleOf(options.Picture));
+  Wall windows(options, room.See(options.Picture));
   if (ShowsEyesInTurn(options.Picture) && !windows.HasBuffersForBoth())
   {
     Say("warning: there is no window with a buffer for each eye here; their pictures are shown in "
         "turn by software, which shutter glasses may not keep in step with");
   }
-  Viewer(options, scene, room, windows, log).Run();
+  Viewer(options, std::move(scene), room, windows, log).Run();
   return ExitDone;
 }
 }
