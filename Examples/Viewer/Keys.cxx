@@ -41,6 +41,7 @@ const std::vector<Binding>& Bindings()
     { GLFW_KEY_K, false, Action::AddPose },
     { GLFW_KEY_C, false, Action::PrintCommand },
     { GLFW_KEY_X, false, Action::ToggleCrosshair },
+    { GLFW_KEY_B, false, Action::ToggleDome },
     { GLFW_KEY_SPACE, false, Action::TogglePause },
     { GLFW_KEY_I, false, Action::ToggleText },
     { GLFW_KEY_N, false, Action::ToggleNumbers },
@@ -75,6 +76,7 @@ constexpr HelpLine Lines[] = {
   { "O", "next stereo model (Shift: back)" },
   { "L", "next stereo layout (Shift: back)" },
   { "X", "3D crosshair on and off" },
+  { "B", "on a dome, seen from a seat" },
   { "Space", "stop and play the head poses" },
   { "F2", "screenshot, a file in this folder" },
   { "K", "add this pose to the list" },
@@ -85,7 +87,7 @@ constexpr HelpLine Lines[] = {
   { "M", "full screen on the next monitor" },
   { "F1", "this help" },
   { "Tab", "panel on and off" },
-  { "Escape", "leave help, panel, full screen, program" },
+  { "Escape", "leave help, panel, full screen, all" },
   { "Q", "quit" },
 };
 constexpr std::size_t KeysWidth = 12; // letters

@@ -31,6 +31,7 @@ enum class Action
   AddPose,
   PrintCommand,
   ToggleCrosshair,
+  ToggleDome,
   TogglePause,
   ToggleText,
   ToggleNumbers, // what a frame took

@@ -7,6 +7,7 @@
 #include <backends/imgui_impl_opengl3.h>
 
 #include <algorithm>
+#include <string>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -17,6 +18,7 @@ namespace
 {
 constexpr float LetterSize = 13; // of ImGui's own font, points
 constexpr float Opacity = 0.85F;
+constexpr int ShadingLanguage = 150; // of OpenGL 3.2
 
 // Letters and widgets as large as the monitor asks for.
 void SetLook(GLFWwindow* window)
@@ -43,7 +45,7 @@ Panel::Panel(GLFWwindow* window)
   io.ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange;
   SetLook(window);
   ImGui_ImplGlfw_InitForOpenGL(window, true);
-  ImGui_ImplOpenGL3_Init("#version 150");
+  ImGui_ImplOpenGL3_Init(("#version " + std::to_string(ShadingLanguage)).c_str());
 }
 
 Panel::~Panel()

@@ -36,6 +36,7 @@ Navigator Viewer::StartOf(const Scene& scene, const Options& o)
 Viewer::Viewer(const ViewerOptions& options, std::optional<Scene> scene, Room& room, Wall& windows,
   StateLog& log)
   : Given(options)
+  , Opened(options.Log.empty() && options.Frames == 0 ? Recent::UsualFile() : "") // no script's
   , Around(room)
   , Windows(windows)
   , Lines(log)
@@ -46,6 +47,7 @@ Viewer::Viewer(const ViewerOptions& options, std::optional<Scene> scene, Room& r
 {
   this->At = windows.GetCursor();
   this->SetScene(scene ? std::move(*scene) : this->Read(options.Picture));
+  this->Opened.Add(options.Picture.Files);
   this->Head = StartOf(this->What, options.Picture);
   this->TakePose();
   if (options.Panel)
@@ -79,6 +81,10 @@ void Viewer::Run()
     {
       this->Change(*std::exchange(this->Wanted, std::nullopt));
     }
+    if (!this->WantedFiles.empty())
+    {
+      this->Open(std::exchange(this->WantedFiles, {}));
+    }
     this->Play();
     this->Advance();
     this->Dirty = this->Windows.TakeDamage() || this->Dirty || this->Given.Frames > 0;
@@ -110,6 +116,7 @@ void Viewer::Show()
   {
     this->Windows.ShowAgain(*this->Shown);
   }
+  this->Windows.RefreshDome();
 }
 
 // One eye after the other, in windows that do not do it themselves.

@@ -7,6 +7,7 @@
 #include "Keys.h"
 #include "Navigator.h"
 #include "Panel.h"
+#include "Recent.h"
 #include "Room.h"
 #include "Scene.h"
 #include "StateLog.h"
@@ -72,6 +73,7 @@ private:
   void ChooseEyes();
   bool ChooseNumbers(wfv::StereoOptions& stereo);
   void ChooseLook();
+  void ChooseFile();
   void ChooseRest();
   bool Choose(const std::string& what, std::string& value, const std::vector<std::string>& from);
   bool Slide(const std::string& what, double& value, double least, double most);
@@ -85,6 +87,8 @@ private:
   void HandleButton(const WindowEvent& event);
   void HandleCursor(const Place& at);
   void Do(Action action);
+  void DoWindow(Action action);
+  bool DoText(Action action);
   bool DoView(Action action);
   bool DoHead(Action action);
   bool StepEyes(Action action);
@@ -93,6 +97,7 @@ private:
   void ZoomBy(double factor);
   void ZoomRoom(double factor);
   void ToggleCrosshair();
+  void ToggleDome();
   void TogglePause();
   void Leave();
   void TakeScreenshot();
@@ -113,6 +118,8 @@ private:
 
   ViewerOptions Given;
   Scene What;
+  Recent Opened;                     // files
+  std::vector<std::string> Recently; // when the panel was shown
   Room& Around;
   Wall& Windows;
   StateLog& Lines;
@@ -135,6 +142,7 @@ private:
   std::map<std::string, std::array<double, 4>> Places; // of widgets: left, top, right, bottom
   std::vector<Action> Pressed;                         // on the panel
   std::optional<Options> Wanted;                       // that the data are to be read for
+  std::vector<std::string> WantedFiles;                // that are to be opened
 
   Drag Dragging = Drag::None;
   Place At; // the pointer

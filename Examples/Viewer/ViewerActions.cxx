@@ -17,7 +17,7 @@ constexpr double TurnStep = 5; // degrees, an arrow key
 
 void Viewer::Do(Action action)
 {
-  if (this->StepScreens(action) || this->DoView(action))
+  if (this->StepScreens(action) || this->DoView(action) || this->DoText(action))
   {
     this->Changed();
     return;
@@ -30,13 +30,27 @@ void Viewer::Do(Action action)
     case Action::AddPose:
       this->AddPose();
       break;
-    case Action::TogglePanel:
-      this->TogglePanel();
-      break;
     case Action::PrintCommand:
       std::cout << CommandText(this->Given.Picture, this->ForFiles()) << std::endl;
       this->Say("the command is on standard output");
       break;
+    case Action::ToggleCrosshair:
+      this->ToggleCrosshair();
+      break;
+    case Action::TogglePause:
+      this->TogglePause();
+      break;
+    default:
+      this->DoWindow(action);
+      break;
+  }
+}
+
+// Those of windows.
+void Viewer::DoWindow(Action action)
+{
+  switch (action)
+  {
     case Action::ToggleFullScreen:
       if (!this->Windows.SetFullScreen(!this->Windows.IsFullScreen()))
       {
@@ -46,11 +60,11 @@ void Viewer::Do(Action action)
     case Action::NextMonitor:
       this->Windows.NextMonitor();
       break;
-    case Action::ToggleCrosshair:
-      this->ToggleCrosshair();
+    case Action::ToggleDome:
+      this->ToggleDome();
       break;
-    case Action::TogglePause:
-      this->TogglePause();
+    case Action::TogglePanel:
+      this->TogglePanel();
       break;
     case Action::Leave:
       this->Leave();
@@ -60,6 +74,25 @@ void Viewer::Do(Action action)
       break;
     default:
       break;
+  }
+}
+
+// Text on the picture. False where it is none of it.
+bool Viewer::DoText(Action action)
+{
+  switch (action)
+  {
+    case Action::ToggleText:
+      this->ShowsText = !this->ShowsText;
+      return true;
+    case Action::ToggleNumbers:
+      this->ShowsNumbers = !this->ShowsNumbers;
+      return true;
+    case Action::ToggleHelp:
+      this->ShowsHelp = !this->ShowsHelp;
+      return true;
+    default:
+      return false;
   }
 }
 
@@ -90,15 +123,6 @@ bool Viewer::DoView(Action action)
     case Action::ZoomIn:
     case Action::ZoomOut:
       this->Zoom(action == Action::ZoomIn ? 1 : -1);
-      return true;
-    case Action::ToggleText:
-      this->ShowsText = !this->ShowsText;
-      return true;
-    case Action::ToggleNumbers:
-      this->ShowsNumbers = !this->ShowsNumbers;
-      return true;
-    case Action::ToggleHelp:
-      this->ShowsHelp = !this->ShowsHelp;
       return true;
     default:
       return this->StepEyes(action) || this->DoHead(action);

@@ -157,6 +157,7 @@ void Viewer::Open(const std::vector<std::string>& files)
   next.HasClip = false;
   if (this->Change(next))
   {
+    this->Opened.Add(files);
     this->Say("opened: " + NameOf(next));
   }
 }

@@ -19,7 +19,7 @@ namespace widefov
 {
 namespace
 {
-constexpr int LayoutsToSettle = 3; // of the panel, for what follows from an event
+constexpr int LayoutsToSettle = 6; // of the panel, for what follows from an event
 constexpr float Border = 8;        // between the panel and the window
 constexpr float ItemWidth = 12;    // letters' sizes
 constexpr float LeastAngle = 1;    // degrees
@@ -78,6 +78,7 @@ void Viewer::TogglePanel()
   else
   {
     this->Shown = this->Windows.MakePanel();
+    this->Recently = this->Opened.Get();
     this->Unsettled = LayoutsToSettle;
   }
   this->Changed();
@@ -131,6 +132,7 @@ void Viewer::Widgets()
     this->ChooseView();
     this->ChooseEyes();
     this->ChooseLook();
+    this->ChooseFile();
     this->ChooseRest();
     ImGui::PopItemWidth();
   }
@@ -322,6 +324,16 @@ void Viewer::ChooseLook()
   this->Locate("background");
 }
 
+// The last ones first.
+void Viewer::ChooseFile()
+{
+  std::string file;
+  if (!this->Recently.empty() && this->Choose("open again", file, this->Recently))
+  {
+    this->WantedFiles = { file };
+  }
+}
+
 void Viewer::ChooseRest()
 {
   ImGui::Separator();
@@ -330,6 +342,7 @@ void Viewer::ChooseRest()
   this->Check("numbers", this->ShowsNumbers, Action::ToggleNumbers);
   ImGui::SameLine();
   this->Check("crosshair", this->ShowsCrosshair, Action::ToggleCrosshair);
+  this->Check("dome from a seat", this->Windows.HasDome(), Action::ToggleDome);
   this->Press("screenshot", Action::Screenshot);
   ImGui::SameLine();
   this->Press("add pose", Action::AddPose);

@@ -104,6 +104,15 @@ void Viewer::ToggleCrosshair()
   this->Changed();
 }
 
+void Viewer::ToggleDome()
+{
+  if (!this->Windows.ToggleDome())
+  {
+    this->Say("the dome is of one window");
+  }
+  this->Changed();
+}
+
 void Viewer::Zoom(double notches)
 {
   const double factor = std::pow(ZoomStep, -notches);

@@ -6,6 +6,7 @@
 #include "vtkWideFoVAbi.h"
 
 #include "Crosshair.h"
+#include "Frame.h"
 #include "GlfwRenderWindow.h"
 #include "ImageOutput.h"
 #include "Options.h"
@@ -102,6 +103,9 @@ public:
 
   // What draws over the picture that is in the window and not shown yet.
   void DrawOver(const std::function<void()>& draw) { this->Window->DrawOver(draw); }
+
+  // What the last frame shows.
+  Picture GetFrame() { return ReadPicture(this->Window); }
 
   // The same part, without text, not shown.
   Picture Take(const Options& options, const std::array<int, 2>& size);

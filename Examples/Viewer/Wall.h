@@ -4,6 +4,7 @@
 #ifndef WideFoVWall_h
 #define WideFoVWall_h
 
+#include "DomeWindow.h"
 #include "GlfwWindow.h"
 #include "Panel.h"
 #include "Scene.h"
@@ -87,6 +88,14 @@ public:
   // Shows the first window's last frame once more, with these widgets over it.
   void ShowAgain(Panel& over);
 
+  // A window beside the only one, with its picture on a dome, comes or goes. False, and nothing
+  // changes, where there are several.
+  bool ToggleDome();
+  bool HasDome() const { return this->Dome != nullptr; }
+
+  // Draws the dome where it was turned.
+  void RefreshDome();
+
   // Shows the other eye, where a layout shows one after the other and the windows do not do it
   // themselves; false where there is nothing to flip.
   bool Flip(Panel* over);
@@ -111,6 +120,7 @@ private:
   void AddPane(const ViewerOptions& options, const Options& part);
   FrameCost DrawPane(std::size_t i, const Options& part, const Extras& extras, const Place& under);
   void DrawOver(Panel* over) const;
+  void DrawDome(const Options& options);
   FrameCost SumOfCosts() const;
   std::vector<std::size_t> OrderFrom(std::size_t first) const;
 
@@ -121,7 +131,8 @@ private:
 
   int Columns;
   int Rows;
-  std::vector<Pane> Panes; // a wall's row by row, from the upper left
+  std::vector<Pane> Panes;          // a wall's row by row, from the upper left
+  std::unique_ptr<DomeWindow> Dome; // goes first
 };
 }
 
