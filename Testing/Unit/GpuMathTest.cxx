@@ -204,10 +204,6 @@ std::vector<NamedView> Views()
       o.VerticalFov = std::clamp(fov / 2, p.MinVerticalFov, p.MaxVerticalFov);
       o.Aspect = p.Axis == Family::Azimuthal ? 1 : 2;
       views.push_back(MakeView(p, o));
-      if (fov == 170) // lenses: narrow and widest
-      {
-        continue;
-      }
       for (const auto& lens : Lenses(p, fov))
       {
         o.Lens = lens;
