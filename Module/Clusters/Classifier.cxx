@@ -140,27 +140,31 @@ bool Classifier::SphereMayTear(const vec3& c, double radius, double angle) const
   }
 }
 
-// Whether the distance of an edge from the axis of the circle is little beside its length.
-bool Classifier::IsNearAxis(const vec3& p, double edge2) const
+// The squared distance of a point from the axis of the circle that rays begin on.
+double Classifier::AxisDistance2(const vec3& p) const
 {
   const WfvView& v = this->V.View;
   const double height = glm::dot(p, vec3(0, v.tilt.x, -v.tilt.y));
-  return !(glm::dot(p, p) - height * height - edge2 > LeastEdges * LeastEdges * edge2);
+  return std::max(0.0, glm::dot(p, p) - height * height);
+}
+
+// Whether the distance of an edge from that axis is little beside its length.
+bool Classifier::IsNearAxis(const vec3& p, double edge2) const
+{
+  return !(this->AxisDistance2(p) - edge2 > LeastEdges * LeastEdges * edge2);
 }
 
 // Seen by rays that begin on a circle an edge is no great circle: from each place another ray
 // looks, by as much as the circle turns between them. True where that moves it by too much.
 bool Classifier::CurvesFromEye(const vec3& p, const vec3& q) const
 {
-  const WfvView& v = this->V.View;
   const vec3 way = q - p;
   const double edge2 = glm::dot(way, way);
   if (this->IsNearAxis(p, edge2))
   {
     return true;
   }
-  const double height = glm::dot(p, vec3(0, v.tilt.x, -v.tilt.y));
-  const double level2 = glm::dot(p, p) - height * height - edge2;
+  const double level2 = this->AxisDistance2(p) - edge2;
   const double off = this->V.EyeRadius * edge2 / level2 / glm::length(p);
   return !(off * this->V.Limits->StretchAt(p) <= EyeShare * this->V.Tolerance);
 }
@@ -173,15 +177,12 @@ double Classifier::LimitAt(const vec3& p) const
   {
     return this->V.Limits->At(p);
   }
-  const WfvView& v = this->V.View;
-  const double height = glm::dot(p, vec3(0, v.tilt.x, -v.tilt.y));
-  const double away2 = glm::dot(p, p);
-  const double level = std::sqrt(std::max(0.0, away2 - height * height));
+  const double level = std::sqrt(this->AxisDistance2(p));
   if (!(level > LeastRadii * this->V.EyeRadius))
   {
     return 0;
   }
-  const double sine = AsideSafety * this->V.EyeRadius / std::sqrt(away2);
+  const double sine = AsideSafety * this->V.EyeRadius / glm::length(p);
   const double larger = 1 + AsideSafety * this->V.EyeRadius / level;
   return this->V.Limits->LeastAround(p, sine) / (larger * larger);
 }

@@ -74,6 +74,7 @@ private:
   bool MayTear(const vec3 p[3], double farthest, double angle) const;
   bool SphereMayTear(const vec3& centre, double radius, double angle) const;
   bool IsOnOneFace(const vec3 p[3], double beside) const;
+  double AxisDistance2(const vec3& p) const;
   bool IsNearAxis(const vec3& p, double edge2) const;
   bool CurvesFromEye(const vec3& p, const vec3& q) const;
   bool HasChordFromEyes(const vec3& p, const vec3& q, double limit2) const;

@@ -38,13 +38,18 @@ bool wfvNcNothing()
   return !(max(abs(wfvT.x), max(abs(wfvT.y), abs(wfvT.z))) > 0.0);
 }
 
+// The distance of the triangle from the axis of the circle, at the most.
+float wfvNcFarthest()
+{
+  vec3 up = wfvUpright(wfvView);
+  return max(length(cross(wfvP[0], up)),
+    max(length(cross(wfvP[1], up)), length(cross(wfvP[2], up))));
+}
+
 // True where all of the triangle is nearer to the axis than the circle: no ray passes there.
 bool wfvNcUnseen()
 {
-  vec3 up = wfvUpright(wfvView);
-  float far = max(length(cross(wfvP[0], up)),
-    max(length(cross(wfvP[1], up)), length(cross(wfvP[2], up))));
-  return !WFV_FADES && far < 0.999 * abs(wfvToRight(wfvView)) / wfvScale();
+  return !WFV_FADES && wfvNcFarthest() < 0.999 * abs(wfvToRight(wfvView)) / wfvScale();
 }
 
 // The triangle's least distance from the origin: that of its plane, or what its corners and
@@ -119,17 +124,14 @@ vec2 wfvNcBand = vec2(0.0);
 // meets.
 vec2 wfvNcLevels()
 {
-  vec3 up = wfvUpright(wfvView);
   float near = min(wfvNcAxisSquared(wfvP[0], wfvP[1]),
     min(wfvNcAxisSquared(wfvP[1], wfvP[2]), wfvNcAxisSquared(wfvP[2], wfvP[0])));
-  float far = max(length(cross(wfvP[0], up)),
-    max(length(cross(wfvP[1], up)), length(cross(wfvP[2], up))));
-  return vec2(sqrt(near) * (1.0 - WFV_NC_SLACK), far * (1.0 + WFV_NC_SLACK));
+  return vec2(sqrt(near) * (1.0 - WFV_NC_SLACK), wfvNcFarthest() * (1.0 + WFV_NC_SLACK));
 }
 
 // Sets these two, of angles as seen from the origin, whose pole is the circle's axis where the map is
 // not tilted: then a place at the distance d from the axis is turned by asin(r / d), away from where
-// the eye is, and its level way from the circle is sqrt(d * d - r * r).
+// the eye is, and its horizontal distance from the circle is sqrt(d * d - r * r).
 void wfvNcSet(vec4 a, bool pole)
 {
   float turn = wfvGrowAzimuth(0.5 * WFV_PI - max(abs(a.y), abs(a.w)));

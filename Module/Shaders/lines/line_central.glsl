@@ -41,14 +41,7 @@ void wfvEmitHard()
   wfvModeOut = 2;
   wfvFrameTop();
   wfvArcCut = wfvArcJump ? wfvArcCut : wfvSeamAngle();
-  float a0 = wfvArcRange.x;
-  float a1 = wfvArcRange.y;
-  if (wfvArcCut < WFV_NO_CUT)
-  {
-    wfvEmitParts(a0, wfvArcCut, wfvArcRef(a0, wfvArcCut));
-    a0 = wfvArcCut;
-  }
-  wfvEmitParts(a0, a1, wfvArcRef(a0, a1));
+  wfvEmitRange();
 }
 
 // A line through the eye: nothing between its two ends can be seen.

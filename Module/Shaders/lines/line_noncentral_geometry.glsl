@@ -101,14 +101,7 @@ void wfvEmitHard()
     wfvEmitAnywhere();
     return;
   }
-  float a0 = wfvArcRange.x;
-  float a1 = wfvArcRange.y;
-  if (wfvArcCut < WFV_NO_CUT)
-  {
-    wfvEmitParts(a0, wfvArcCut, wfvArcRef(a0, wfvArcCut));
-    a0 = wfvArcCut;
-  }
-  wfvEmitParts(a0, a1, wfvArcRef(a0, a1));
+  wfvEmitRange();
 }
 
 #if WFV_FLAT_RIM

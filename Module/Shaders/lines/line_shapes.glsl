@@ -128,6 +128,19 @@ void wfvEmitParts(float from, float to, float ref)
   }
 }
 
+// All of the range, in two where the map is cut.
+void wfvEmitRange()
+{
+  float a0 = wfvArcRange.x;
+  float a1 = wfvArcRange.y;
+  if (wfvArcCut < WFV_NO_CUT)
+  {
+    wfvEmitParts(a0, wfvArcCut, wfvArcRef(a0, wfvArcCut));
+    a0 = wfvArcCut;
+  }
+  wfvEmitParts(a0, a1, wfvArcRef(a0, a1));
+}
+
 // The mode of a stretch whose chord, grown, holds it; 2 where neither of the first two will do.
 int wfvModeOf(WfvStretch s)
 {
