@@ -309,8 +309,8 @@ CalibratedLens ParseYaml(const std::string& path, const std::string& text)
   }
   catch (const YAML::Exception& e)
   {
-    Refuse(
-      path, "it is no calibration (line " + std::to_string(e.mark.line + 1) + ": " + e.msg + ")");
+    // its own words quote what may be no text
+    Refuse(path, "it is no calibration: line " + std::to_string(e.mark.line + 1) + " is not YAML");
   }
 }
 }

@@ -126,6 +126,10 @@ void TakeCircle(Options& o, const wfv::Projection& p)
   {
     FailUsage("--circle is for round projections, not for " + p.Name + "; leave it out");
   }
+  if (!(o.Circle[2] > 0))
+  {
+    FailUsage("--circle: the radius must be above 0 pixels, not " + Text(o.Circle[2]));
+  }
   const bool lens = o.View.Lens != wfv::ViewOptions().Lens;
   const double rim = lens ? 1 : wfv::RadiusAt(p, o.View, 0.5 * o.View.HorizontalFov * Degree);
   o.View.Measured.Size = wfv::vec2(o.Size[0], o.Size[1]);
