@@ -26,7 +26,8 @@ bool IsRightAnswer(const Caster& caster, vec2 ndc, vtkIdType cell)
       return false;
     }
   }
-  return FindWitness(*soup, request, cell).has_value();
+  return FindWitness(*soup, request, cell).has_value() ||
+    (cell >= 0 && IsBehindEdges(*soup, request, cell));
 }
 }
 }

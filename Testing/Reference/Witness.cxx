@@ -80,6 +80,11 @@ bool HasArea(const Outline& o)
   return area != 0;
 }
 
+Outline Square() // of all directions
+{
+  return { { { -1, -1 } }, { { 1, -1 } }, { { 1, 1 } }, { { -1, 1 } } };
+}
+
 Place Middle(const Outline& outline)
 {
   Place sum{ { 0, 0 } };
@@ -95,6 +100,7 @@ class Search
 public:
   Search(const TriangleSoup& soup, const WitnessRequest& ray);
   std::optional<RationalVector> Run(vtkIdType cell);
+  bool IsBehindEdges(vtkIdType cell);
   bool IsWellInside(std::size_t triangle) const;
 
 private:
@@ -104,10 +110,12 @@ private:
   double RoomOf(const vec3& a, const vec3& b) const;
   bool MayBeNear(const Corners& w) const;
   void Add(std::size_t triangle);
+  void AddAllNear();
   Line LineOf(const RationalVector& plane) const;
   RationalVector DirectionOf(const Place& p) const;
   bool IsShown(const SeenTriangle& triangle, const Place& p) const;
-  bool HasTriangleNear(vtkIdType cell) const;
+  std::vector<std::size_t> TrianglesNear(vtkIdType cell) const;
+  bool IsPassed(const SeenTriangle& own) const;
   const SeenTriangle* Hider(const Place& p, const SeenTriangle* own) const;
   std::optional<Place> Look(Outline outline, const SeenTriangle* own) const;
 
@@ -223,6 +231,17 @@ void Search::Add(std::size_t triangle)
   this->Seen.push_back(seen);
 }
 
+void Search::AddAllNear()
+{
+  for (std::size_t t = 0; t < this->Soup.Triangles.size(); ++t)
+  {
+    if (this->MayBeNear(this->CornersOf(t)))
+    {
+      this->Add(t);
+    }
+  }
+}
+
 // Inside, and between the clip spheres.
 bool Search::IsShown(const SeenTriangle& triangle, const Place& p) const
 {
@@ -246,18 +265,25 @@ bool Search::IsShown(const SeenTriangle& triangle, const Place& p) const
   return square >= least * least && square <= most * most;
 }
 
-bool Search::HasTriangleNear(vtkIdType cell) const
+std::vector<std::size_t> Search::TrianglesNear(vtkIdType cell) const
 {
   const std::vector<vtkIdType>& ids = this->Soup.CellIds;
   const auto range = std::equal_range(ids.begin(), ids.end(), cell);
+  std::vector<std::size_t> near;
   for (auto id = range.first; id != range.second; ++id)
   {
-    if (this->MayBeNear(this->CornersOf(std::size_t(id - ids.begin()))))
+    const std::size_t triangle = std::size_t(id - ids.begin());
+    if (this->MayBeNear(this->CornersOf(triangle)))
     {
-      return true;
+      near.push_back(triangle);
     }
   }
-  return false;
+  return near;
+}
+
+bool IsBefore(const SeenTriangle& one, const SeenTriangle& other, const Place& p)
+{
+  return one.Volume * other.Sum.Of(p) < other.Volume * one.Sum.Of(p);
 }
 
 // The nearest of the triangles before the cell's own, or nullptr.
@@ -266,7 +292,7 @@ const SeenTriangle* Search::Hider(const Place& p, const SeenTriangle* own) const
   const SeenTriangle* nearest = own;
   for (const SeenTriangle& t : this->Seen)
   {
-    const bool before = !nearest || t.Volume * nearest->Sum.Of(p) < nearest->Volume * t.Sum.Of(p);
+    const bool before = !nearest || IsBefore(t, *nearest, p);
     if ((!own || t.Cell != own->Cell) && this->IsShown(t, p) && before)
     {
       nearest = &t;
@@ -313,18 +339,12 @@ std::optional<Place> Search::Look(Outline outline, const SeenTriangle* own) cons
 
 std::optional<RationalVector> Search::Run(vtkIdType cell)
 {
-  if (cell >= 0 && !this->HasTriangleNear(cell))
+  if (cell >= 0 && this->TrianglesNear(cell).empty())
   {
     return std::nullopt; // the usual case of what is simply wrong
   }
-  for (std::size_t t = 0; t < this->Soup.Triangles.size(); ++t)
-  {
-    if (this->MayBeNear(this->CornersOf(t)))
-    {
-      this->Add(t);
-    }
-  }
-  const Outline square{ { { -1, -1 } }, { { 1, -1 } }, { { 1, 1 } }, { { -1, 1 } } };
+  this->AddAllNear();
+  const Outline square = Square();
   if (cell < 0)
   {
     const std::optional<Place> p = this->Look(square, nullptr);
@@ -343,6 +363,36 @@ std::optional<RationalVector> Search::Run(vtkIdType cell)
   }
   return std::nullopt;
 }
+
+// Whether some direction meets nothing that is before the cell's triangle.
+bool Search::IsPassed(const SeenTriangle& own) const
+{
+  const Place ray{ { 0, 0 } };
+  const auto isNot = [&](const SeenTriangle& t) {
+    return t.Cell == own.Cell || !IsBefore(t, own, ray);
+  };
+  Search before = *this;
+  before.Seen.erase(
+    std::remove_if(before.Seen.begin(), before.Seen.end(), isNot), before.Seen.end());
+  return before.Look(Square(), nullptr).has_value();
+}
+
+bool Search::IsBehindEdges(vtkIdType cell)
+{
+  const std::vector<std::size_t> near = this->TrianglesNear(cell);
+  if (std::any_of(near.begin(), near.end(), [this](std::size_t t) { return this->IsWellInside(t); }))
+  {
+    return false;
+  }
+  this->AddAllNear();
+  return std::any_of(this->Seen.begin(), this->Seen.end(),
+    [&](const SeenTriangle& t) { return t.Cell == cell && this->IsPassed(t); });
+}
+}
+
+bool IsBehindEdges(const TriangleSoup& soup, const WitnessRequest& ray, vtkIdType cell)
+{
+  return Search(soup, ray).IsBehindEdges(cell);
 }
 
 bool IsWellInside(const TriangleSoup& soup, const WitnessRequest& ray, std::size_t triangle)

@@ -25,6 +25,11 @@ struct WitnessRequest
 std::optional<RationalVector> FindWitness(
   const TriangleSoup& soup, const WitnessRequest& ray, vtkIdType cell);
 
+// Whether the cell ends at the ray, and what is before it leaves a way past there: of edges in one
+// plane each triangle's is decided by itself, on whichever side the others are. Where triangles
+// that share an edge are before it, there is no way.
+bool IsBehindEdges(const TriangleSoup& soup, const WitnessRequest& ray, vtkIdType cell);
+
 // Whether all these directions meet the triangle, by far.
 bool IsWellInside(const TriangleSoup& soup, const WitnessRequest& ray, std::size_t triangle);
 }

@@ -138,6 +138,26 @@ TEST(RightAnswers, OfANeedle)
   }
 }
 
+// Each edge is decided by itself: what is behind may show where the one before it is not drawn,
+// though beside the ray it is hidden or is not there.
+TEST(RightAnswers, OfEdgesInOnePlane)
+{
+  const auto isAnswer = [](const TriangleSoup& soup, vtkIdType cell, double y = 0) {
+    const vec3 d = glm::normalize(vec3(0.3, y, -2));
+    return IsBehindEdges(soup, { vec3(0), d, AllDistances }, cell);
+  };
+  TriangleSoup soup;
+  Add(soup, vec3(-1, 0, -2), vec3(1, 0, -2), vec3(0, -2, -2));
+  Add(soup, vec3(-3, 0, -4), vec3(3, 0, -4), vec3(0, -1, -4));
+  Add(soup, vec3(-90, -90, -8), vec3(90, -90, -8), vec3(0, 90, -8));
+  ExpectAnswers(soup, vec3(0.3, 0, -2), { 0, 2 });
+  EXPECT_TRUE(isAnswer(soup, 1));
+  EXPECT_FALSE(isAnswer(soup, 1, -1e-10)); // its edge is not at the ray
+  Add(soup, vec3(1, 0, -2), vec3(-1, 0, -2), vec3(0, 2, -2)); // shares the edge of the nearest
+  EXPECT_FALSE(isAnswer(soup, 1));
+  EXPECT_FALSE(isAnswer(soup, 2));
+}
+
 // Where two triangles run through one another, one is before the other on either side.
 TEST(RightAnswers, OfTwoThatCross)
 {
