@@ -31,6 +31,8 @@ constexpr double AsideSafety = 1.4;
 // places of it are looked at.
 constexpr double MostTimesLonger2 = 8 * 8;
 
+constexpr double Longer2 = ChordLimits::MostLonger * ChordLimits::MostLonger;
+
 // Radians, that a triangle of several chords is long at the most.
 constexpr double LongestSplit = 1;
 
@@ -217,21 +219,26 @@ bool Classifier::HasChordFromEyes(const vec3& p, const vec3& q, double limit2) c
   return near;
 }
 
-// Seen from the eye no part of an edge looks longer than it would at its nearer end.
-bool Classifier::FitChords(const vec3& p, const vec3& q, int chords) const
+// Seen from the eye no part of an edge looks longer than it would at its nearer end. sampled: parts
+// that are longer than the bound for all directions says are looked at.
+bool Classifier::FitChords(const vec3& p, const vec3& q, int chords, bool sampled) const
 {
   const vec3 step = (q - p) / double(chords);
   const double step2 = glm::dot(step, step);
   double before = this->LimitAt(p) * glm::dot(p, p);
+  vec3 last = p;
   for (int i = 1; i <= chords; i++)
   {
     const vec3 at = i < chords ? p + double(i) * step : q;
     const double here = this->LimitAt(at) * glm::dot(at, at);
-    if (!(step2 <= std::min(before, here)))
+    const double limit2 = std::min(before, here);
+    const bool asked = sampled && step2 <= Longer2 * limit2;
+    if (!(step2 <= limit2) && !(asked && this->V.Limits->IsNearChord(last, at)))
     {
       return false;
     }
     before = here;
+    last = at;
   }
   return true;
 }
@@ -246,7 +253,7 @@ int Classifier::ChordsOf(const vec3& p, const vec3& q, double limit2) const
   {
     return 1;
   }
-  if (!(length2 <= MostChords * MostChords * limit2))
+  if (!(length2 <= MostChords * MostChords * Longer2 * limit2))
   {
     return 0;
   }
@@ -259,17 +266,24 @@ int Classifier::ChordsOf(const vec3& p, const vec3& q, double limit2) const
     // where each pixel's ray begins elsewhere, the fragment stage does not find one of several
     return this->HasChordFromEyes(from, to, limit2) ? 1 : 0;
   }
-  constexpr double longer = ChordLimits::MostLonger * ChordLimits::MostLonger;
-  if (length2 <= longer * limit2 && this->V.Limits->IsNearChord(from, to))
+  if (length2 <= Longer2 * limit2 && this->V.Limits->IsNearChord(from, to))
   {
     return 1;
   }
-  int chords = std::max(1, static_cast<int>(std::ceil(std::sqrt(length2 / limit2))));
-  while (chords <= MostChords && !this->FitChords(from, to, chords))
+  const int least = std::max(1, static_cast<int>(std::ceil(std::sqrt(length2 / limit2))));
+  const int few = std::clamp((least + 1) / 2, 2, MostChords); // enough of most edges
+  if (this->FitChords(from, to, few, true))
   {
-    chords++;
+    return few;
   }
-  return chords <= MostChords ? chords : 0;
+  for (int chords = least; chords <= MostChords; chords++)
+  {
+    if (this->FitChords(from, to, chords, false))
+    {
+      return chords;
+    }
+  }
+  return this->FitChords(from, to, MostChords, true) ? MostChords : 0;
 }
 
 // Whether nothing speaks against it but how long the edges are.

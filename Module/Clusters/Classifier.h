@@ -68,7 +68,7 @@ public:
 private:
   int ChordsOf(const vec3& p, const vec3& q, double limit2) const;
   double LimitAt(const vec3& p) const;
-  bool FitChords(const vec3& p, const vec3& q, int chords) const;
+  bool FitChords(const vec3& p, const vec3& q, int chords, bool sampled) const;
   bool MayProject(const vec3 p[3]) const;
   void LeaveDiscontinuousEdges(const vec3 p[3], Triangle& t) const;
   bool MayTear(const vec3 p[3], double farthest, double angle) const;

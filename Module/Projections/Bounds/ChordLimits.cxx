@@ -26,6 +26,10 @@ constexpr double BesidePoleOff = 16;
 // Over the distance of an edge's middle from the chord: the farthest place is beside the middle.
 constexpr double MiddleSafety = 1.25;
 
+// Tolerances, that the middle of an edge is drawn from its place along the chord at the most: by as
+// much colours and textures move.
+constexpr double Along = 4;
+
 // Pixels, and tolerances besides, for a chord decides within two of them: so near a rim, a seam or
 // a border of faces nothing is projected.
 constexpr double RimPixels = 3;
@@ -182,7 +186,8 @@ bool ChordLimits::IsNearChord(const vec3& p, const vec3& q) const
   const vec2 chord = this->PlaceOf(q) - from;
   const vec2 middle = this->PlaceOf(0.5 * (p + q)) - from;
   const double off = std::abs(chord.x * middle.y - chord.y * middle.x);
-  return MiddleSafety * off <= this->Tolerance * glm::length(chord);
+  return MiddleSafety * off <= this->Tolerance * glm::length(chord) &&
+    MiddleSafety * glm::length(middle - 0.5 * chord) <= Along * this->Tolerance;
 }
 
 bool ChordLimits::AreNearChord(const std::array<vec3, 5>& places) const
