@@ -33,6 +33,19 @@ std::string GPanoXmp(int width, int height, const PanoramaInfo& info)
   return wfvxmp::PanoramaXmp(PanoramaOf(width, height, info));
 }
 
+std::string CroppedFields(int width, int height, const PanoramaInfo& info, const FieldText& write)
+{
+  std::string text;
+  for (const wfvxmp::Field& field : GPanoFields(width, height, info))
+  {
+    if (field.Name.rfind("Cropped", 0) == 0 || field.Name.rfind("FullPano", 0) == 0)
+    {
+      text += write(field.Name, field.Value);
+    }
+  }
+  return text;
+}
+
 std::string SphericalXmp(int width, int height, const PanoramaInfo& info)
 {
   const bool beside = info.StereoMode == "left-right";
@@ -42,15 +55,10 @@ std::string SphericalXmp(int width, int height, const PanoramaInfo& info)
                      "\n GSpherical:ProjectionType=\"equirectangular\""
                      "\n GSpherical:StereoMode=\"" +
     info.StereoMode + "\"";
-  for (const wfvxmp::Field& field :
-    GPanoFields(beside ? width / 2 : width, beside ? height : height / 2, info))
-  {
-    // those that both name spaces have
-    if (field.Name.rfind("Cropped", 0) == 0 || field.Name.rfind("FullPano", 0) == 0)
-    {
-      text += "\n GSpherical:" + field.Name + "=\"" + field.Value + "\"";
-    }
-  }
+  const auto attribute = [](const std::string& name, const std::string& value) {
+    return "\n GSpherical:" + name + "=\"" + value + "\"";
+  };
+  text += CroppedFields(beside ? width / 2 : width, beside ? height : height / 2, info, attribute);
   return wfvxmp::XmpPacket(text);
 }
 

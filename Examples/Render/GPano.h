@@ -8,6 +8,7 @@
 #include "PanoramaXmp.h"
 #include "XmpInFiles.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,11 @@ std::string GPanoXmp(int width, int height, const PanoramaInfo& info);
 // Inserts a chunk, where it is not empty, into the bytes of a PNG file, behind the header. Throws
 // a Failure with ExitFailed where these are no PNG.
 void InsertInPng(std::vector<unsigned char>& png, const std::vector<unsigned char>& chunk);
+
+// Those of the fields that spherical video has as well, for one eye of that many pixels: which part
+// of the whole sphere is shown. `write` makes text of each.
+using FieldText = std::function<std::string(const std::string& name, const std::string& value)>;
+std::string CroppedFields(int width, int height, const PanoramaInfo& info, const FieldText& write);
 
 // The metadata of spherical video (version 1, http://ns.google.com/videos/1.0/spherical/) as an
 // XMP packet, for a picture of two eyes: of that many pixels, both together.

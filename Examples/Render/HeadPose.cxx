@@ -2,12 +2,10 @@
 #include "HeadPose.h"
 
 #include "Messages.h"
+#include "NumberLines.h"
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 
 namespace widefov
 {
@@ -16,32 +14,6 @@ namespace
 // Lengths of a quaternion: beyond them it is no turn that somebody measured.
 constexpr double LeastTurn = 1e-3;
 constexpr double MostTurn = 1e3;
-
-std::vector<double> Numbers(const std::string& where, const std::string& line)
-{
-  std::istringstream words(line);
-  std::string word;
-  std::vector<double> numbers;
-  while (words >> word)
-  {
-    std::size_t read = 0;
-    double number = 0;
-    try
-    {
-      number = std::stod(word, &read);
-    }
-    catch (const std::exception&)
-    {
-      read = 0;
-    }
-    if (read != word.size() || !std::isfinite(number))
-    {
-      Fail(where + ": '" + OneLine(word).substr(0, 40) + "' is no finite number; correct it");
-    }
-    numbers.push_back(number);
-  }
-  return numbers;
-}
 
 HeadPose ToPose(const std::string& where, const std::vector<double>& v)
 {
@@ -71,30 +43,13 @@ HeadPose ToPose(const std::string& where, const std::vector<double>& v)
 
 RecordedHead::RecordedHead(const std::string& path)
 {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error))
+  for (const NumberLine& line : ReadNumberLines(path, "recorded head poses"))
   {
-    Fail(path + " is not there, or no file; give recorded head poses as text");
-  }
-  std::ifstream file(path);
-  std::string line;
-  for (int number = 1; std::getline(file, line); number++)
-  {
-    const std::size_t first = line.find_first_not_of(" \t\r");
-    if (first == std::string::npos || line[first] == '#')
-    {
-      continue;
-    }
-    const std::string where = path + ", line " + std::to_string(number);
-    this->Poses.push_back(ToPose(where, Numbers(where, line)));
+    this->Poses.push_back(ToPose(line.Where, line.Numbers));
     if (this->Poses.back().HasPosition != this->Poses.front().HasPosition)
     {
-      Fail(where + ": poses with and without a position are mixed; give one kind");
+      Fail(line.Where + ": poses with and without a position are mixed; give one kind");
     }
-  }
-  if (file.bad() || !file.eof())
-  {
-    Fail(path + " cannot be read; check its permissions");
   }
   if (this->Poses.empty())
   {

@@ -132,7 +132,12 @@ std::string Text(double value)
 }
 
 QuietStandardError::QuietStandardError()
+  : Outermost(QuietedDescriptor < 0)
 {
+  if (!this->Outermost)
+  {
+    return;
+  }
   std::fflush(stderr);
   const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
   const int saved = fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
@@ -153,7 +158,7 @@ QuietStandardError::QuietStandardError()
 
 QuietStandardError::~QuietStandardError()
 {
-  if (QuietedDescriptor >= 0)
+  if (this->Outermost && QuietedDescriptor >= 0)
   {
     std::fflush(stderr);
     dup2(QuietedDescriptor, STDERR_FILENO);

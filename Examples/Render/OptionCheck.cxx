@@ -3,6 +3,7 @@
 
 #include "Angles.h"
 #include "Displays.h"
+#include "Film/FilmOptions.h"
 #include "ImageOutput.h"
 #include "LensView.h"
 #include "Messages.h"
@@ -182,8 +183,11 @@ std::vector<std::string> AllOutputs(const Options& o)
   std::vector<std::string> all;
   for (const std::string& output : o.Outputs)
   {
-    CheckPictureName(output);
-    const std::vector<std::string> files = FilesOf(o, output);
+    if (!HasFilm(o))
+    {
+      CheckPictureName(output);
+    }
+    const std::vector<std::string> files = HasFilm(o) ? FilesOfFilm(o, output) : FilesOf(o, output);
     all.insert(all.end(), files.begin(), files.end());
   }
   if (!o.Aov.empty())
@@ -315,6 +319,7 @@ void CheckTogether(Options& o, const FieldsOfView& fov)
   if (!OnlyLists(o))
   {
     CheckFiles(o);
+    CheckFilm(o);
     CheckOutput(o);
   }
 }

@@ -5,6 +5,7 @@
 #include "ColorMaps.h"
 #include "ColorValue.h"
 #include "Displays.h"
+#include "Film/FilmOptions.h"
 #include "Messages.h"
 #include "OptionCheck.h"
 #include "OptionGroup.h"
@@ -186,11 +187,13 @@ std::optional<int> ParseOptions(int argc, char** argv, Options& options)
   FieldsOfView fov;
   DeclareScene(app, options, fov);
   DeclareOutput(app, options);
+  DeclareFilm(app, options);
   if (const std::optional<int> done = ParseCommandLine(app, argc, argv))
   {
     return done;
   }
   CompleteFromPreset(app, options, Target::File);
+  CompleteFilm(options, argc, argv);
   CheckTogether(options, fov);
   return std::nullopt;
 }

@@ -4,6 +4,7 @@
 #define WideFoVOptions_h
 
 #include "Frame/Technique.h"
+#include "Film/Film.h"
 #include "HeadPose.h"
 #include "LensFile.h"
 #include "Look.h"
@@ -107,6 +108,8 @@ struct Options
   std::string Stats;
   std::string DumpShaders; // a folder; empty: none
   int Frames = 0;          // 0: one frame, no warm-up
+
+  FilmOptions Film;
 
   bool ListProjections = false;
   bool ListScenes = false;

@@ -11,6 +11,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <mutex>
+#include <set>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -42,6 +44,44 @@ std::string TargetOf(const std::string& path)
     "no temporary folder can be made: " + why + "; set TMPDIR to a folder that can be written to");
 }
 
+// What goes when the process does, finished or not: files, and folders with all that is in them.
+// Never destroyed: threads may end after it would be.
+struct UnfinishedPaths
+{
+  std::mutex Mutex;
+  std::set<std::string> Paths;
+};
+
+UnfinishedPaths& Unfinished()
+{
+  static auto* const paths = new UnfinishedPaths;
+  return *paths;
+}
+
+// A new file, open; below 0 and errno where there can be none.
+int CreateUnfinished(const std::string& path)
+{
+  const std::lock_guard<std::mutex> lock(Unfinished().Mutex);
+  const int file = open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (file >= 0)
+  {
+    Unfinished().Paths.insert(path);
+  }
+  return file;
+}
+
+void NoteUnfinished(const std::string& folder)
+{
+  const std::lock_guard<std::mutex> lock(Unfinished().Mutex);
+  Unfinished().Paths.insert(folder);
+}
+
+void ForgetUnfinished(const std::string& path)
+{
+  const std::lock_guard<std::mutex> lock(Unfinished().Mutex);
+  Unfinished().Paths.erase(path);
+}
+
 std::string TemporaryPlace()
 {
   std::error_code error;
@@ -52,9 +92,9 @@ std::string TemporaryPlace()
   }
   return place.string();
 }
+}
 
-// All bytes; 0 or the error.
-int WriteAll(int file, const char* bytes, std::size_t count)
+int WriteAllBytes(int file, const char* bytes, std::size_t count)
 {
   while (count > 0)
   {
@@ -71,7 +111,6 @@ int WriteAll(int file, const char* bytes, std::size_t count)
     count -= static_cast<std::size_t>(n);
   }
   return 0;
-}
 }
 
 void CheckWritable(const std::string& path)
@@ -127,12 +166,24 @@ TemporaryFolder::TemporaryFolder()
   {
     FailTemporary(std::strerror(errno));
   }
+  NoteUnfinished(this->Path);
 }
 
 TemporaryFolder::~TemporaryFolder()
 {
   std::error_code error;
   std::filesystem::remove_all(this->Path, error);
+  ForgetUnfinished(this->Path);
+}
+
+void RemoveUnfinished()
+{
+  Unfinished().Mutex.lock(); // for good
+  for (const std::string& path : Unfinished().Paths)
+  {
+    std::error_code error;
+    std::filesystem::remove_all(path, error);
+  }
 }
 
 std::vector<unsigned char> ReadBytes(const std::string& path)
@@ -152,6 +203,7 @@ OutputFiles::~OutputFiles()
   for (const Pending& file : this->Files)
   {
     unlink(file.Beside.c_str());
+    ForgetUnfinished(file.Beside);
   }
 }
 
@@ -160,7 +212,7 @@ int OutputFiles::Open(const std::string& path)
   const std::string target = TargetOf(path);
   const std::string beside = (path == StandardStream ? TemporaryPlace() + "/widefov" : target) +
     ".part-" + std::to_string(getpid()) + "-" + std::to_string(this->Files.size());
-  const int file = open(beside.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  const int file = CreateUnfinished(beside);
   if (file < 0)
   {
     FailWriting(path, errno);
@@ -193,7 +245,7 @@ void OutputFiles::Close(int file, const std::string& path, int error)
 void OutputFiles::Write(const std::string& path, const void* bytes, std::size_t count)
 {
   const int file = this->Open(path);
-  this->Close(file, path, WriteAll(file, static_cast<const char*>(bytes), count));
+  this->Close(file, path, WriteAllBytes(file, static_cast<const char*>(bytes), count));
 }
 
 void OutputFiles::Commit()
@@ -211,6 +263,7 @@ void OutputFiles::Commit()
     {
       FailWriting(file.Target, errno);
     }
+    ForgetUnfinished(file.Beside);
     this->Files.erase(this->Files.begin());
   }
 }

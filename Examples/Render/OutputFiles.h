@@ -3,6 +3,7 @@
 #ifndef WideFoVOutputFiles_h
 #define WideFoVOutputFiles_h
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,13 @@ private:
 
 // All bytes of a file that this program wrote. Throws a Failure with ExitFailed.
 std::vector<unsigned char> ReadBytes(const std::string& path);
+
+// Into an open file; 0, or the errno of what went wrong.
+int WriteAllBytes(int file, const char* bytes, std::size_t count);
+
+// Whatever this process has written and not finished goes, and nothing more of it is begun: the
+// process ends, and no destructor will do it.
+void RemoveUnfinished();
 
 // Several files that appear together. Each is written under a name of its own beside
 // its target; Commit renames them. Without Commit nothing on disk changes. What goes to standard

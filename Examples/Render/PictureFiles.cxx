@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PictureFiles.h"
 
+#include "StereoChoice.h"
 #include "StereoLayout.h"
 #include "StereoOptions.h"
 
@@ -29,5 +30,19 @@ std::vector<std::pair<std::string, std::vector<unsigned char>>> EncodeFiles(
     files.emplace_back(names[i], EncodePicture(pictures[i], names[i], info));
   }
   return files;
+}
+
+std::array<int, 2> SizeOfFile(const Options& o)
+{
+  std::array<int, 2> size = o.Size;
+  if (HasTwoEyes(o))
+  {
+    const StereoLayout& layout = FindStereoLayout(o.Layout);
+    const auto times = [&layout](int pixels, int eyes) {
+      return eyes * (layout.Half && eyes == 2 ? (pixels + 1) / 2 : pixels);
+    };
+    size = { { times(size[0], layout.Columns), times(size[1], layout.Rows) } };
+  }
+  return size;
 }
 }

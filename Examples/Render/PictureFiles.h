@@ -6,6 +6,7 @@
 #include "ImageOutput.h"
 #include "Options.h"
 
+#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +17,9 @@ namespace widefov
 // of each eye; none where there are none.
 std::vector<std::pair<std::string, std::vector<unsigned char>>> EncodeFiles(
   const Options& options, const std::string& output, const std::vector<Picture>& drawn);
+
+// Width and height of the picture in a file, as the layout of stereo arranges it.
+std::array<int, 2> SizeOfFile(const Options& options);
 }
 
 #endif

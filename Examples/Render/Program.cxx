@@ -3,6 +3,8 @@
 
 #include "MessageCatcher.h"
 #include "Messages.h"
+#include "OutputFiles.h"
+#include "Signals.h"
 
 #include <csignal>
 #include <new>
@@ -14,6 +16,7 @@ int RunProgram(const std::string& name, const std::function<int()>& work)
   // a full disk or a closed pipe is an error to report, not a reason to die
   std::signal(SIGXFSZ, SIG_IGN);
   std::signal(SIGPIPE, SIG_IGN);
+  const SignalWatch watch(RemoveUnfinished);
   SetProgramName(name);
   MessageCatcher::Install();
   try

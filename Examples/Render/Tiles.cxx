@@ -157,18 +157,4 @@ void DrawTiles(const TileGrid& grid, const Options& o, vtkRenderWindow* window, 
     }
   }
 }
-
-std::array<int, 2> SizeOfFile(const Options& o)
-{
-  std::array<int, 2> size = o.Size;
-  if (HasTwoEyes(o))
-  {
-    const StereoLayout& layout = FindStereoLayout(o.Layout);
-    const auto times = [&layout](int pixels, int eyes) {
-      return eyes * (layout.Half && eyes == 2 ? (pixels + 1) / 2 : pixels);
-    };
-    size = { { times(size[0], layout.Columns), times(size[1], layout.Rows) } };
-  }
-  return size;
-}
 }

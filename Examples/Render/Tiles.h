@@ -57,9 +57,6 @@ using DrawEye = std::function<void(std::size_t i)>;
 using TakeRows = std::function<void(std::size_t i, const Picture& rows)>;
 void DrawTiles(const TileGrid& grid, const Options& options, vtkRenderWindow* window,
   std::size_t eyes, const DrawEye& draw, const TakeRows& take);
-
-// Width and height of the picture in a file, as the layout of stereo arranges it.
-std::array<int, 2> SizeOfFile(const Options& options);
 }
 
 #endif

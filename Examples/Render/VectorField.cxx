@@ -161,23 +161,29 @@ vtkSmartPointer<vtkPolyData> MakeArrows(
   return glyph->GetOutput();
 }
 
-vtkSmartPointer<vtkPolyData> MakeStreamTubes(
-  vtkDataObject* data, const std::string& array, const TubeSettings& settings)
+vtkSmartPointer<vtkPolyData> MakeStreamLines(
+  vtkDataObject* data, const std::string& array, const TubeSettings& settings, bool forward)
 {
   vtkSmartPointer<vtkPolyData> points = AllThinnedPoints(data, array, settings.Most);
-  const double diagonal = Diagonal(points);
   vtkNew<vtkStreamTracer> tracer;
   tracer->SetInputData(PointVectors(data, array));
   tracer->SetSourceData(settings.Seeds ? settings.Seeds : points);
   tracer->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, array.c_str());
   tracer->SetIntegratorTypeToRungeKutta4();
-  tracer->SetIntegrationDirectionToBoth();
+  tracer->SetIntegrationDirection(forward ? vtkStreamTracer::FORWARD : vtkStreamTracer::BOTH);
   tracer->SetIntegrationStepUnit(vtkStreamTracer::CELL_LENGTH_UNIT);
   tracer->SetInitialIntegrationStep(settings.Step);
-  tracer->SetMaximumPropagation(settings.Length > 0 ? settings.Length : 2 * diagonal);
+  tracer->SetMaximumPropagation(settings.Length > 0 ? settings.Length : 2 * Diagonal(points));
   tracer->SetComputeVorticity(false);
   tracer->Update();
-  vtkSmartPointer<vtkPolyData> lines = tracer->GetOutput();
+  return tracer->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> MakeStreamTubes(
+  vtkDataObject* data, const std::string& array, const TubeSettings& settings)
+{
+  vtkSmartPointer<vtkPolyData> lines = MakeStreamLines(data, array, settings, false);
+  const double diagonal = Diagonal(AllThinnedPoints(data, array, settings.Most));
   if (settings.AvoidRadius > 0)
   {
     lines = WithoutCentre(lines, settings.AvoidRadius);

@@ -38,6 +38,10 @@ struct TubeSettings
   vtkSmartPointer<vtkPolyData> Seeds;
 };
 
+// Stream lines through `data`, both ways from the seeds or forward alone.
+vtkSmartPointer<vtkPolyData> MakeStreamLines(
+  vtkDataObject* data, const std::string& array, const TubeSettings& settings, bool forward);
+
 // Stream tubes through `data`, a dataset or a composite of datasets.
 vtkSmartPointer<vtkPolyData> MakeStreamTubes(
   vtkDataObject* data, const std::string& array, const TubeSettings& settings);

@@ -4,6 +4,8 @@
 #include "DirectionMapFile.h"
 #include "DryRun.h"
 #include "EyeDistance.h"
+#include "Film/FilmJob.h"
+#include "Film/FilmOptions.h"
 #include "Listing.h"
 #include "LoadScene.h"
 #include "Messages.h"
@@ -132,6 +134,11 @@ int Run(int argc, char** argv)
   if (!listing.empty())
   {
     Print(listing);
+    return ExitDone;
+  }
+  if (HasFilm(options))
+  {
+    MakeFilm(options);
     return ExitDone;
   }
   if (!options.DryRun)

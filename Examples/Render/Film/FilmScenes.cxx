@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FilmScenes.h"
+
+#include "Datasets.h"
+#include "LoadScene.h"
+#include "MessageCatcher.h"
+#include "Messages.h"
+#include "Pipeline.h"
+#include "Progress.h"
+#include "Readers.h"
+
+#include <vtkExodusIIReader.h>
+#include <vtkNew.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace widefov
+{
+namespace
+{
+// Step number `index` of a file whose first step was read well.
+void ReadExodusStep(SceneProp& prop, const std::string& path, int index)
+{
+  vtkNew<vtkExodusIIReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->UpdateInformation();
+  reader->SetAllArrayStatus(vtkExodusIIReader::NODAL, 1);
+  reader->SetAllArrayStatus(vtkExodusIIReader::ELEM_BLOCK, 1);
+  reader->SetTimeStep(index);
+  reader->Update();
+  const std::string error = MessageCatcher::TakeFirstError();
+  if (!error.empty())
+  {
+    Fail(path + " cannot be read: " + error + "; check that the file is complete");
+  }
+  prop.Source = reader->GetOutputDataObject(0);
+  prop.Surface = SurfaceOf(prop.Source);
+}
+
+// The range of the colours, where all props that have some share one array.
+bool AddRange(const Scene& scene, std::array<double, 2>& range)
+{
+  std::string array;
+  for (const SceneProp& prop : scene.Props)
+  {
+    if (prop.Array.empty() || prop.Direct || !prop.ColorMap)
+    {
+      continue;
+    }
+    if (!array.empty() && array != prop.Array)
+    {
+      return false;
+    }
+    array = prop.Array;
+    const double* const own = prop.ColorMap->GetRange();
+    range = { { std::min(range[0], own[0]), std::max(range[1], own[1]) } };
+  }
+  return !array.empty();
+}
+}
+
+FilmScenes::FilmScenes(const Options& o)
+  : Look(o.Look)
+  , Strict(o.Film.Strict)
+{
+  this->FindFiles(o);
+  if (!this->Series)
+  {
+    this->Shown = LoadScene(o);
+    this->ShownStep = 0;
+  }
+  else if (!this->Look.Range)
+  {
+    this->FindRange();
+  }
+}
+
+void FilmScenes::FindFiles(const Options& o)
+{
+  std::vector<std::string> fixed;
+  for (const std::string& path : o.Files)
+  {
+    std::optional<DataSeries> series = DataSeries::Find(path);
+    if (!series)
+    {
+      fixed.push_back(path);
+      continue;
+    }
+    if (this->Series)
+    {
+      Fail(path + " and " + this->Series->GetName() +
+        " both change with time; give one of them, or join them in a .pvd file");
+    }
+    this->Series = series;
+  }
+  if (!this->Series && o.Film.Kind == "time" && fixed.size() > 1)
+  {
+    this->Series = DataSeries::OfFiles(fixed);
+    fixed.clear();
+  }
+  if (!this->Series && o.Film.Kind == "time")
+  {
+    FailUsage(
+      "--film time needs data that change with time: a .pvd or .series file, several files, "
+      "numbered files such as flow_%04d.vtp, or an .ex2 file with several steps");
+  }
+  if (this->Series)
+  {
+    this->Fixed = ReadScene(fixed);
+  }
+}
+
+Scene FilmScenes::ReadStep(std::size_t number) const
+{
+  const TimeStep& step = this->Series->GetSteps()[number];
+  Scene moving = ReadScene(step.Files);
+  if (step.Index > 0)
+  {
+    ReadExodusStep(moving.Props.front(), step.Files.front(), step.Index);
+  }
+  Scene scene = this->Fixed;
+  for (SceneProp& prop : moving.Props)
+  {
+    prop.Index += static_cast<int>(this->Fixed.Props.size());
+    scene.Props.push_back(prop);
+  }
+  ApplyLook(scene, this->Look);
+  const std::string error = MessageCatcher::TakeFirstError();
+  if (!error.empty())
+  {
+    Fail("the data cannot be prepared: " + error + "; check them");
+  }
+  return scene;
+}
+
+bool FilmScenes::TryStep(std::size_t step)
+{
+  if (this->ShownStep == step)
+  {
+    return true;
+  }
+  if (this->Broken.count(step) > 0)
+  {
+    return false;
+  }
+  try
+  {
+    this->Shown = this->ReadStep(step);
+    this->ShownStep = step;
+    return true;
+  }
+  catch (const Failure& failure)
+  {
+    if (this->Strict)
+    {
+      throw;
+    }
+    this->FirstComplaint = this->Broken.empty() ? failure.what() : this->FirstComplaint;
+    this->Broken.insert(step);
+    Say("time step " + std::to_string(step) +
+      " is left out, and its frames show another: " + failure.what());
+    return false;
+  }
+}
+
+void FilmScenes::FindRange()
+{
+  Progress progress("finding the range of the colours in all time steps; --range A,B saves it");
+  std::array<double, 2> range{ { HUGE_VAL, -HUGE_VAL } };
+  const std::size_t count = this->GetNumberOfSteps();
+  for (std::size_t i = 0; i < count; i++)
+  {
+    if (this->TryStep(i) && !AddRange(this->Shown, range))
+    {
+      return; // each has its own colours, or none has
+    }
+    progress.Update(static_cast<double>(i + 1) / static_cast<double>(count));
+  }
+  if (range[0] < range[1])
+  {
+    this->Look.Range = range;
+    this->ShownStep.reset(); // it was drawn in its own range
+  }
+}
+
+const Scene& FilmScenes::GetScene(std::size_t step)
+{
+  for (std::size_t i = step + 1; i-- > 0;)
+  {
+    if (this->TryStep(i))
+    {
+      return this->Shown;
+    }
+  }
+  for (std::size_t i = step + 1; i < this->GetNumberOfSteps(); i++)
+  {
+    if (this->TryStep(i))
+    {
+      return this->Shown;
+    }
+  }
+  Fail("no time step can be read; the first complaint: " + this->FirstComplaint);
+}
+}

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a film shows at each time: the scene, step after step.
+#ifndef WideFoVFilmScenes_h
+#define WideFoVFilmScenes_h
+
+#include "Film/DataSeries.h"
+#include "Options.h"
+#include "Scene.h"
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace widefov
+{
+class FilmScenes
+{
+public:
+  // Reads what does not change, and of a series, unless --range is given, every step once for the
+  // range of its colours. A step that cannot be read is said in a line. Throws a Failure with
+  // ExitFailed where no step can be read, or one cannot and --strict is given.
+  explicit FilmScenes(const Options& options);
+
+  // 1 where the data do not change.
+  std::size_t GetNumberOfSteps() const
+  {
+    return this->Series ? this->Series->GetSteps().size() : 1;
+  }
+
+  // The step that is seen when that share of the film, from 0 to below 1, is over.
+  std::size_t StepAt(double share) const { return this->Series ? this->Series->StepAt(share) : 0; }
+
+  // The scene of a step; of one that cannot be read that of the last before it that can, or else
+  // of the first after it. It lasts until another one is asked for.
+  const Scene& GetScene(std::size_t step);
+
+private:
+  void FindFiles(const Options& options);
+  void FindRange();
+  bool TryStep(std::size_t step);
+  Scene ReadStep(std::size_t step) const;
+
+  widefov::Look Look;
+  bool Strict;
+  std::optional<DataSeries> Series;
+  Scene Fixed; // what does not change, before it gets its look; all of it where nothing changes
+  std::set<std::size_t> Broken;
+  std::string FirstComplaint;
+  Scene Shown;
+  std::optional<std::size_t> ShownStep;
+};
+}
+
+#endif

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The metadata by which players recognise films of all directions: Spherical Video, version 1 (XML)
+// and version 2 (boxes), https://github.com/google/spatial-media/tree/master/docs.
+#ifndef WideFoVSphericalTags_h
+#define WideFoVSphericalTags_h
+
+#include "Film/Mp4Boxes.h"
+#include "Options.h"
+
+#include <string>
+
+namespace widefov
+{
+struct SphericalInfo
+{
+  bool Equirectangular = false;
+  std::string StereoMode; // "left-right", "top-bottom": two eyes in a frame; empty: one
+  int Width = 0;          // of a frame, with both eyes
+  int Height = 0;
+  double HorizontalFov = 360; // degrees, around the middle
+  double VerticalFov = 180;
+
+  // Players are told something.
+  bool HasTags() const { return this->Equirectangular || !this->StereoMode.empty(); }
+};
+
+// Of a film with these options. Eyes that are squeezed into one picture count: of an
+// equirectangular map every shape is known.
+SphericalInfo DescribeFilm(const Options& options);
+
+// Version 1; empty where the film is not equirectangular.
+std::string SphericalXml(const SphericalInfo& info);
+
+// The layout of the eyes as Matroska calls it; empty for one.
+std::string MatroskaStereoMode(const SphericalInfo& info);
+
+// Adds both versions to the movie box. Throws a Failure with ExitFailed where it has no video.
+void TagMovie(Mp4Box& movie, const SphericalInfo& info);
+}
+
+#endif

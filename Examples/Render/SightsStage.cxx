@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SightsStage.h"
+
+#include "CameraSetup.h"
+#include "Frame.h"
+#include "Passes.h"
+#include "SkyPicture.h"
+#include "StereoChoice.h"
+#include "StereoLayout.h"
+#include "StereoOptions.h"
+
+namespace widefov
+{
+std::size_t CountEyes(const Options& o)
+{
+  return !HasTwoEyes(o) ? 1 : FindStereoLayout(o.Layout).Types.size();
+}
+
+SightsStage::SightsStage(const Scene& scene, const Options& o)
+{
+  OpenWindow(this->Window);
+  this->Limits = QueryLimits(this->Window);
+  this->Window->SetMultiSamples(UsableSamples(o.Samples, this->Limits));
+  SetUpWidePass(this->Pass, o);
+  this->Renderer->SetPass(this->Pass);
+  SetBackground(this->Renderer, o);
+  this->SetScene(scene, o);
+  AddOverlay(this->Renderer, this->Pass, o, false);
+  AddStereoWindow(this->Renderer, o);
+  this->Window->AddRenderer(this->Renderer);
+}
+
+void SightsStage::SetScene(const Scene& scene, const Options& o)
+{
+  for (const auto& actor : this->Actors)
+  {
+    this->Renderer->RemoveActor(actor);
+  }
+  this->Actors.clear();
+  for (const SceneProp& prop : scene.Props)
+  {
+    this->Actors.push_back(MakeActor(prop, o.Look));
+    this->Renderer->AddActor(this->Actors.back());
+  }
+  this->Renderer->RemoveViewProp(this->Bar);
+  this->Bar = MakeScalarBar(scene);
+  if (this->Bar)
+  {
+    this->Renderer->AddViewProp(this->Bar);
+  }
+  this->What = &scene;
+}
+
+void SightsStage::Draw(const Options& sight, std::size_t type)
+{
+  CheckSize(sight, this->Limits);
+  this->Window->SetSize(sight.Size[0], sight.Size[1]);
+  SetCamera(this->Renderer, *this->What, sight);
+  if (HasTwoEyes(sight))
+  {
+    this->Window->SetStereoType(FindStereoLayout(sight.Layout).Types[type]);
+    SetAnaglyph(this->Window, sight);
+    this->Window->StereoRenderOn();
+  }
+  this->Window->Render();
+  CheckMessages();
+}
+
+std::vector<Picture> SightsStage::Take(const Options& sight)
+{
+  std::vector<Picture> pictures;
+  for (std::size_t i = 0; i < CountEyes(sight); i++)
+  {
+    this->Draw(sight, i);
+    pictures.push_back(ReadPicture(this->Window));
+  }
+  return pictures;
+}
+}

@@ -1,0 +1,124 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The files of films: encoded, drawn in parts, interrupted and gone on with.
+
+    test_files.py WIDEFOV-RENDER
+"""
+
+import os
+import signal
+import subprocess
+import time
+
+from films import FilmTest, main, probe, words_of
+
+TURN = ["--film", "turn"]
+
+
+class Files(FilmTest):
+    def test_codecs(self):
+        words = [*TURN, "--seconds", "0.2", "--fps", "30"]
+        self.film(*words, "-o", "a.mp4", "-o", "c.webm", "-o", "d.mov", "-o", "e.mkv")
+        self.film(*words, "--codec", "x265", "--quality", "30", "-o", "b.mp4")
+        for name, codec in (("a.mp4", "h264"), ("b.mp4", "hevc"), ("c.webm", "vp9"),
+                            ("d.mov", "prores"), ("e.mkv", "h264")):
+            found = probe(self.path(name))
+            self.assertEqual(found["codec_name"], codec)
+            self.assertEqual(found["nb_read_packets"], "6")
+            self.assertEqual(found["r_frame_rate"], "30/1")
+            self.assertEqual((found["width"], found["height"]), (64, 32))
+        self.assertEqual(len(os.listdir(self.folder)), 5)
+
+    def test_players_may_begin_at_once(self):
+        self.film(*TURN, "--seconds", "0.2", "-o", "film.mp4")
+        with open(self.path("film.mp4"), "rb") as stream:
+            data = stream.read()
+        self.assertLess(data.index(b"moov"), data.index(b"mdat"))
+        # every frame is where the tables say
+        subprocess.run(["ffmpeg", "-v", "error", "-xerror", "-i", self.path("film.mp4"), "-f", "null", "-"],
+                       check=True, stderr=subprocess.PIPE)
+
+    def test_sound(self):
+        words = ["ffmpeg", "-v", "error", "-f", "lavfi", "-i", "sine=duration=3", self.path("tone.wav")]
+        subprocess.run(words, check=True)
+        for name, codec in (("film.mp4", "aac"), ("film.webm", "opus")):
+            self.film(*TURN, "--seconds", "0.4", "--audio", "tone.wav", "-o", name)
+            text = subprocess.check_output(["ffprobe", "-v", "error", "-select_streams", "a", "-show_entries",
+                                            "stream=codec_name:format=duration", "-of", "csv=p=0",
+                                            self.path(name)], text=True)
+            self.assertIn(codec, text)
+            self.assertLess(float(text.split()[-1]), 0.7)
+
+    def test_several_outputs_and_eyes(self):
+        self.film(*TURN, "--seconds", "0.08", "--stereo", "omnidirectional", "--ipd", "0.3", "--layout",
+                  "separate", "-o", "film.mp4", "-o", "frames/%d.png")
+        self.assertEqual(sorted(os.listdir(self.folder)), ["film-left.mp4", "film-right.mp4", "frames"])
+        self.assertEqual(sorted(os.listdir(self.path("frames/right"))), ["1.png", "2.png"])
+
+    def test_parts(self):
+        words = [*TURN, "--seconds", "0.4", "-o", "film.mp4"]
+        self.assertIn("5 of 10", self.film(*words, "--part", "2/2"))
+        self.assertEqual(os.listdir(self.folder), ["film.mp4.parts"])
+        self.assertEqual(self.film(*words, "--part", "1/2"), "")
+        self.assertEqual(os.listdir(self.folder), ["film.mp4"])
+        self.assertEqual(probe(self.path("film.mp4"))["nb_read_packets"], "10")
+
+
+class Resuming(FilmTest):
+    def test_frames_that_are_there_stay(self):
+        words = [*TURN, "--seconds", "0.16", "-o", "frames/%05d.png"]
+        self.film(*words)
+        os.remove(self.path("frames/00003.png"))
+        before = {name: os.stat(self.path("frames/" + name)).st_mtime_ns
+                  for name in os.listdir(self.path("frames"))}
+        self.film(*words, "--resume")
+        after = {name: os.stat(self.path("frames/" + name)).st_mtime_ns
+                 for name in os.listdir(self.path("frames"))}
+        self.assertIn("00003.png", after)
+        self.assertEqual({name: after[name] for name in before}, before)
+
+    def runs(self):
+        parts = self.path("film.mp4.parts")
+        return sum(name[0] == "0" for name in os.listdir(parts)) if os.path.isdir(parts) else 0
+
+    def interrupt(self, words, number):
+        """Sends the signal as soon as one more run of frames is whole; what the program says."""
+        before = self.runs()
+        program = subprocess.Popen(self.command(*words), cwd=self.folder, stderr=subprocess.PIPE, text=True)
+        with program:
+            while program.poll() is None:
+                if self.runs() > before:
+                    program.send_signal(number)
+                    break
+                time.sleep(0.01)
+            said = program.communicate(timeout=60)[1]
+        self.assertEqual(program.returncode, 1, said)
+        return said
+
+    def test_interrupted(self):
+        words = [*TURN, "--seconds", "400", "--fps", "2", "-o", "film.mp4"]
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            said = self.interrupt(words + ["--resume"] * (number != signal.SIGINT), number)
+            lines = words_of(said).splitlines()
+            self.assertEqual(len(lines), 1, said)
+            self.assertIn("interrupted", lines[0])
+            self.assertIn("--resume", lines[0])
+            self.assertEqual(os.listdir(self.folder), ["film.mp4.parts"])
+            left = os.listdir(self.path("film.mp4.parts"))
+            self.assertTrue(all(name[0] == "0" or name == "film.txt" for name in left), left)
+        self.assertIn("--resume", self.run_film(*words).stderr)
+        self.film(*words, "--resume")
+        self.assertEqual(os.listdir(self.folder), ["film.mp4"])
+        self.assertEqual(probe(self.path("film.mp4"))["nb_read_packets"], "800")
+        self.assertIn("whole", self.film(*words, "--resume"))
+
+    def test_other_options_are_another_film(self):
+        words = [*TURN, "--seconds", "0.4", "-o", "film.mp4"]
+        self.film(*words, "--part", "1/2")
+        other = self.run_film(*words, "--part", "2/2", "--tilt", "10")
+        self.assertEqual(other.returncode, 1)
+        self.assertIn("another film", other.stderr)
+
+
+if __name__ == "__main__":
+    main()
