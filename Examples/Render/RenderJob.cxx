@@ -13,6 +13,7 @@
 #include "StereoOptions.h"
 #include "StripFile.h"
 #include "Tiles.h"
+#include "Volume.h"
 
 #include <vtkNew.h>
 #include <vtkPanoramicProjectionPass.h>
@@ -42,12 +43,27 @@ struct Stage
   vtkSmartPointer<vtkRenderer> Renderer;
   vtkNew<vtkWideFoVPass> WidePass;
   std::vector<vtkSmartPointer<vtkActor>> Actors; // one a prop of the scene
-  std::vector<int> StereoTypes;                  // one a traversal of a frame; none: mono
+  std::vector<vtkSmartPointer<vtkVolume>> Volumes;
+  std::vector<int> StereoTypes; // one a traversal of a frame; none: mono
   vtkSmartPointer<vtkScalarBarActor> Bar;
   vtkSmartPointer<vtkProp> Overlay;
   std::optional<TileGrid> Tiles;
   int ProgramsAtFirst = 0; // made before frames were timed
 };
+
+void AddScene(Stage& stage, const Scene& scene, const Options& o)
+{
+  for (const SceneProp& prop : scene.Props)
+  {
+    stage.Actors.push_back(MakeActor(prop, o.Look));
+    stage.Renderer->AddActor(stage.Actors.back());
+  }
+  stage.Volumes = MakeVolumes(scene);
+  for (vtkVolume* const volume : stage.Volumes)
+  {
+    stage.Renderer->AddVolume(volume);
+  }
+}
 
 void Fill(Stage& stage, const Scene& scene, const Options& o)
 {
@@ -63,11 +79,7 @@ void Fill(Stage& stage, const Scene& scene, const Options& o)
     stage.Renderer->SetPass(stage.WidePass);
   }
   SetBackground(stage.Renderer, o);
-  for (const SceneProp& prop : scene.Props)
-  {
-    stage.Actors.push_back(MakeActor(prop, o.Look));
-    stage.Renderer->AddActor(stage.Actors.back());
-  }
+  AddScene(stage, scene, o);
   stage.Bar = MakeScalarBar(scene);
   if (stage.Bar)
   {
@@ -197,6 +209,10 @@ void SetUpAov(Stage& stage, vtkWideFoVDataPass* pass)
   {
     // every actor has cells of its own; NumberByFile makes one of those of one file
     pass->SetPropIndex(stage.Actors[i], static_cast<int>(i));
+  }
+  for (vtkVolume* const volume : stage.Volumes)
+  {
+    volume->VisibilityOff(); // nor has it one
   }
   for (vtkProp* const prop : { static_cast<vtkProp*>(stage.Bar), stage.Overlay.Get() })
   {

@@ -8,6 +8,7 @@
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkTexture.h>
 
 namespace widefov
 {
@@ -114,6 +115,35 @@ void SetRepresentation(vtkProperty* property, const std::string& name)
 }
 }
 
+namespace
+{
+// VTK's name of the texture that gives the colour.
+const char* const BaseColor = "albedoTex";
+
+// With textures of its own: one belongs to one window. Colours by an array are in the place of
+// those of the material, not times them.
+void CopyMaterial(vtkProperty* material, bool itsColors, vtkProperty* property)
+{
+  property->DeepCopy(material);
+  property->RemoveAllTextures();
+  for (const auto& [name, texture] : material->GetAllTextures())
+  {
+    vtkNew<vtkTexture> own;
+    own->SetInputData(texture->GetInput());
+    own->SetUseSRGBColorSpace(texture->GetUseSRGBColorSpace());
+    own->SetInterpolate(texture->GetInterpolate());
+    own->SetMipmap(texture->GetMipmap());
+    own->SetWrap(texture->GetWrap());
+    property->SetTexture(name.c_str(), own);
+  }
+  if (!itsColors)
+  {
+    property->RemoveTexture(BaseColor);
+    property->SetColor(1, 1, 1);
+  }
+}
+}
+
 vtkSmartPointer<vtkActor> MakeActor(const SceneProp& prop, const Look& look)
 {
   const vtkSmartPointer<vtkPolyDataMapper> mapper = MakeMapper(prop);
@@ -122,13 +152,22 @@ vtkSmartPointer<vtkActor> MakeActor(const SceneProp& prop, const Look& look)
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   vtkProperty* const property = actor->GetProperty();
-  property->SetColor(prop.Color[0], prop.Color[1], prop.Color[2]);
-  property->SetAmbient(prop.Ambient);
-  property->SetDiffuse(prop.Diffuse);
+  if (prop.Material)
+  {
+    CopyMaterial(prop.Material->GetProperty(), prop.Array.empty() || prop.Direct, property);
+    actor->SetForceTranslucent(prop.Material->GetForceTranslucent());
+  }
+  else
+  {
+    property->SetColor(prop.Color[0], prop.Color[1], prop.Color[2]);
+    property->SetAmbient(prop.Ambient);
+    property->SetDiffuse(prop.Diffuse);
+  }
   property->SetLineWidth(static_cast<float>(look.LineWidth));
   property->SetPointSize(static_cast<float>(look.PointSize));
   property->SetRenderLinesAsTubes(look.LinesAsTubes);
   property->SetRenderPointsAsSpheres(look.PointsAsSpheres);
+  property->SetFrontfaceCulling(prop.Inner);
   SetRepresentation(property, look.Representation);
   return actor;
 }

@@ -4,6 +4,8 @@
 #include "DirectionMapFile.h"
 #include "DryRun.h"
 #include "EyeDistance.h"
+#include "FirstView.h"
+#include "Info.h"
 #include "Listing.h"
 #include "LoadScene.h"
 #include "Messages.h"
@@ -128,10 +130,10 @@ int Run(int argc, char** argv)
   {
     return *done;
   }
-  const std::string listing = ListingText(options);
-  if (!listing.empty())
+  const std::string told = ListingText(options) + InfoText(options);
+  if (!told.empty())
   {
-    Print(listing);
+    Print(told);
     return ExitDone;
   }
   if (!options.DryRun)
@@ -144,6 +146,7 @@ int Run(int argc, char** argv)
   const Stopwatch watch;
   const StandardInput input(options.Files);
   const Scene scene = LoadScene(options);
+  ChooseView(options, scene);
   const double reading = watch.GetMilliseconds();
   MakePose(scene, options); // complains before a window is opened
   FitEyes(options, scene);

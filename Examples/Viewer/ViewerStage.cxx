@@ -10,6 +10,7 @@
 #include "StereoChoice.h"
 #include "StereoLayout.h"
 #include "StereoOptions.h"
+#include "Volume.h"
 
 #include <vtkPanoramicProjectionPass.h>
 #include <vtkRenderWindow.h>
@@ -64,9 +65,14 @@ ViewerStage::ViewerStage(
     this->Actors.push_back(MakeActor(prop, o.Look));
     this->Renderer->AddActor(this->Actors.back());
   }
-  if (const vtkSmartPointer<vtkScalarBarActor> bar = MakeScalarBar(scene))
+  for (vtkVolume* const volume : MakeVolumes(scene))
   {
-    this->Renderer->AddViewProp(bar);
+    this->Renderer->AddVolume(volume);
+  }
+  this->Bar = MakeScalarBar(scene);
+  if (this->Bar)
+  {
+    this->Renderer->AddViewProp(this->Bar);
   }
   this->Renderer->AddObserver(vtkCommand::EndEvent, this, &ViewerStage::AfterScene);
   this->Window->AddRenderer(this->Renderer);
@@ -192,6 +198,10 @@ FrameCost ViewerStage::Draw(const Options& o, const std::array<int, 2>& size,
   this->Aiming = o.Technique != Technique::CubeMap ? aim : nullptr;
   this->Aimed = false;
   this->Apply(o, size);
+  if (this->Bar)
+  {
+    this->Bar->SetVisibility(this->HasRoom());
+  }
   this->Texts.SetHelp(this->HasRoom() ? help : "", size[0], size[1]);
   this->Start = std::chrono::steady_clock::now();
   if (this->InTurn)

@@ -113,6 +113,7 @@ private:
   vtkNew<vtkWideFoVPass> WidePass;
   vtkSmartPointer<vtkPanoramicProjectionPass> CubeMapPass;
   std::vector<vtkSmartPointer<vtkActor>> Actors;
+  vtkSmartPointer<vtkScalarBarActor> Bar;
   Crosshair Cross;
   Overlay Texts;
   std::array<int, 2> Limits{ { 0, 0 } };
