@@ -104,22 +104,20 @@ vtkSmartPointer<vtkCellArray> UsableCells(vtkCellArray* cells, const std::vector
 
 namespace
 {
-bool IsGrid(vtkDataSet* data)
+template <class Grid>
+bool HasLayers(vtkDataObject* data)
 {
   int dimensions[3] = { 1, 1, 1 };
-  if (auto* const image = vtkImageData::SafeDownCast(data))
-  {
-    image->GetDimensions(dimensions);
-  }
-  else if (auto* const grid = vtkStructuredGrid::SafeDownCast(data))
+  if (auto* const grid = Grid::SafeDownCast(data))
   {
     grid->GetDimensions(dimensions);
   }
-  else if (auto* const rectilinear = vtkRectilinearGrid::SafeDownCast(data))
-  {
-    rectilinear->GetDimensions(dimensions);
-  }
   return dimensions[0] > 1 && dimensions[1] > 1 && dimensions[2] > 1;
+}
+
+bool IsGrid(vtkDataSet* data)
+{
+  return HasLayers<vtkStructuredGrid>(data) || HasLayers<vtkRectilinearGrid>(data);
 }
 
 bool HasBodies(vtkDataSet* data)
@@ -162,6 +160,11 @@ std::vector<vtkSmartPointer<vtkDataSet>> Leaves(vtkDataObject* data)
   return leaves;
 }
 
+bool IsSpatialImage(vtkDataObject* data)
+{
+  return HasLayers<vtkImageData>(data);
+}
+
 bool IsSpatialGrid(vtkDataObject* data)
 {
   const std::vector<vtkSmartPointer<vtkDataSet>> leaves = Leaves(data);
@@ -172,7 +175,8 @@ bool FillsSpace(vtkDataObject* data)
 {
   const std::vector<vtkSmartPointer<vtkDataSet>> leaves = Leaves(data);
   return std::any_of(leaves.begin(), leaves.end(), [](vtkDataSet* leaf) {
-    return IsGrid(leaf) || (vtkPolyData::SafeDownCast(leaf) == nullptr && HasBodies(leaf));
+    return IsGrid(leaf) || IsSpatialImage(leaf) ||
+      (vtkPolyData::SafeDownCast(leaf) == nullptr && HasBodies(leaf));
   });
 }
 

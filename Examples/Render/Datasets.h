@@ -16,7 +16,9 @@ namespace widefov
 // The dataset itself, or every dataset of a composite that is not empty.
 std::vector<vtkSmartPointer<vtkDataSet>> Leaves(vtkDataObject* data);
 
-// An image or a grid of rows, columns and layers, each more than one; of a composite any part.
+// An image, or a grid with places of its own, of rows, columns and layers, each more than one; of a
+// composite any part is a grid.
+bool IsSpatialImage(vtkDataObject* data);
 bool IsSpatialGrid(vtkDataObject* data);
 
 // Cells with an inside, any.

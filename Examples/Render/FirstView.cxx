@@ -36,11 +36,15 @@ constexpr double Flat = 0.1;
 
 // From the front, so many degrees to the right and above: three sides of a box are seen.
 constexpr double ToTheRight = 30;
-constexpr double Above = 20;
+constexpr double Above = 25;
 constexpr double AboveFlat = 50; // of what lies flat
 
 constexpr int MostPoints = 20000; // that are fitted into the picture
 constexpr int FitSteps = 14;      // halvings: a field of view to a thousandth
+constexpr int CenterSteps = 3;    // each leaves a small share of what is off the middle
+
+// Coordinates of a place are round numbers, to this share of the scene's size: they can be typed.
+constexpr double Round = 1e-3;
 
 // Right, up and back of a view, unit lengths.
 struct Frame
@@ -151,24 +155,37 @@ Vector3 DirectionTo(const Cloud& cloud, const Vector3& up)
       std::cos(elevation) * (std::sin(azimuth) * f.Right + std::cos(azimuth) * f.Back));
 }
 
-// The place in front of the middle of what is seen that way.
-Vector3 EyeBefore(const Cloud& cloud, const Frame& f, double angle)
+// How far beside the view's axis the middle of what is seen lies, at the distance of the cloud's.
+Vector3 OffAxis(const Cloud& cloud, const Frame& f, const Vector3& eye)
 {
-  Vector3 low{ { 0, 0, 0 } };
-  Vector3 high = low;
+  const Vector3 to = cloud.Middle - eye;
+  Vector3 low{ { HUGE_VAL, HUGE_VAL, 0 } };
+  Vector3 high = -1 * low;
   for (const Vector3& p : cloud.Points)
   {
-    const Vector3 arm = p - cloud.Middle;
-    const Vector3 seen{ { Dot(arm, f.Right), Dot(arm, f.Up), 0 } };
+    const Vector3 arm = p - eye;
+    const double depth = -Dot(arm, f.Back);
+    const Vector3 seen{ { Dot(arm, f.Right) / depth, Dot(arm, f.Up) / depth, 0 } };
     for (std::size_t i = 0; i < 2; i++)
     {
       low[i] = std::min(low[i], seen[i]);
       high[i] = std::max(high[i], seen[i]);
     }
   }
+  const double half = -0.5 * Dot(to, f.Back);
+  return half * (low[0] + high[0]) * f.Right + half * (low[1] + high[1]) * f.Up;
+}
+
+// The place in front of the middle of what is seen that way.
+Vector3 EyeBefore(const Cloud& cloud, const Frame& f, double angle)
+{
   const double radius = cloud.Radius > 0 ? cloud.Radius : 1;
-  return cloud.Middle + 0.5 * (low[0] + high[0]) * f.Right + 0.5 * (low[1] + high[1]) * f.Up +
-    radius / std::sin(0.5 * angle * Degree) * f.Back;
+  Vector3 eye = cloud.Middle + radius / std::sin(0.5 * angle * Degree) * f.Back;
+  for (int i = 0; i < CenterSteps && !cloud.Points.empty(); i++)
+  {
+    eye = eye + OffAxis(cloud, f, eye);
+  }
+  return eye;
 }
 
 const wfv::Projection& ProjectionOf(const Options& o)
@@ -234,6 +251,22 @@ void Fit(Options& o, const Cloud& cloud, const Vector3& eye, const Frame& f, dou
   o = best;
 }
 
+// Near the place.
+Vector3 Rounded(Vector3 place, const Scene& scene)
+{
+  double b[6];
+  if (SceneBounds(scene, b))
+  {
+    const double size = std::max({ b[1] - b[0], b[3] - b[2], b[5] - b[4] });
+    const double step = std::pow(10, std::floor(std::log10(size > 0 ? Round * size : Round)));
+    for (double& x : place)
+    {
+      x = std::round(x / step) * step + 0.; // no -0
+    }
+  }
+  return place;
+}
+
 void StandOutside(Options& o, const Scene& scene)
 {
   const Cloud cloud = CloudOf(scene);
@@ -241,7 +274,7 @@ void StandOutside(Options& o, const Scene& scene)
   const bool fits = CanFit(o);
   o.Direction = o.Direction.value_or(DirectionTo(cloud, up));
   const Frame f = FrameOf(*o.Direction, up);
-  o.Eye = EyeBefore(cloud, f, AngleOf(o, fits));
+  o.Eye = Rounded(EyeBefore(cloud, f, AngleOf(o, fits)), scene);
   if (fits)
   {
     Fit(o, cloud, *o.Eye, f, scene.BarMap ? ReachAboveBar : Reach);
@@ -303,7 +336,7 @@ void ChooseView(Options& o, const Scene& scene)
   }
   if (inside)
   {
-    o.Eye = inside;
+    o.Eye = Rounded(*inside, scene);
   }
   else
   {

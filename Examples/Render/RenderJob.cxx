@@ -8,12 +8,12 @@
 #include "Passes.h"
 #include "Progress.h"
 #include "SkyPicture.h"
+#include "ShownScene.h"
 #include "StereoChoice.h"
 #include "StereoLayout.h"
 #include "StereoOptions.h"
 #include "StripFile.h"
 #include "Tiles.h"
-#include "Volume.h"
 
 #include <vtkNew.h>
 #include <vtkPanoramicProjectionPass.h>
@@ -42,28 +42,13 @@ struct Stage
   vtkNew<vtkRenderWindow> Window;
   vtkSmartPointer<vtkRenderer> Renderer;
   vtkNew<vtkWideFoVPass> WidePass;
-  std::vector<vtkSmartPointer<vtkActor>> Actors; // one a prop of the scene
-  std::vector<vtkSmartPointer<vtkVolume>> Volumes;
+  ShownScene Shown;
   std::vector<int> StereoTypes; // one a traversal of a frame; none: mono
   vtkSmartPointer<vtkScalarBarActor> Bar;
   vtkSmartPointer<vtkProp> Overlay;
   std::optional<TileGrid> Tiles;
   int ProgramsAtFirst = 0; // made before frames were timed
 };
-
-void AddScene(Stage& stage, const Scene& scene, const Options& o)
-{
-  for (const SceneProp& prop : scene.Props)
-  {
-    stage.Actors.push_back(MakeActor(prop, o.Look));
-    stage.Renderer->AddActor(stage.Actors.back());
-  }
-  stage.Volumes = MakeVolumes(scene);
-  for (vtkVolume* const volume : stage.Volumes)
-  {
-    stage.Renderer->AddVolume(volume);
-  }
-}
 
 void Fill(Stage& stage, const Scene& scene, const Options& o)
 {
@@ -79,7 +64,7 @@ void Fill(Stage& stage, const Scene& scene, const Options& o)
     stage.Renderer->SetPass(stage.WidePass);
   }
   SetBackground(stage.Renderer, o);
-  AddScene(stage, scene, o);
+  stage.Shown = ShowScene(stage.Renderer, scene, o.Look);
   stage.Bar = MakeScalarBar(scene);
   if (stage.Bar)
   {
@@ -205,12 +190,12 @@ std::vector<Picture> ReadPictures(Stage& stage)
 void SetUpAov(Stage& stage, vtkWideFoVDataPass* pass)
 {
   pass->SetDelegatePass(stage.WidePass);
-  for (std::size_t i = 0; i < stage.Actors.size(); i++)
+  for (std::size_t i = 0; i < stage.Shown.Actors.size(); i++)
   {
     // every actor has cells of its own; NumberByFile makes one of those of one file
-    pass->SetPropIndex(stage.Actors[i], static_cast<int>(i));
+    pass->SetPropIndex(stage.Shown.Actors[i], static_cast<int>(i));
   }
-  for (vtkVolume* const volume : stage.Volumes)
+  for (vtkVolume* const volume : stage.Shown.Volumes)
   {
     volume->VisibilityOff(); // nor has it one
   }
@@ -248,7 +233,7 @@ bool IsWide(Stage& stage)
 void Count(Stage& stage, const Options& o, RenderStats& stats)
 {
   stats.Gl = QueryStrings(stage.Window);
-  stats.PropsTotal = static_cast<int>(stage.Actors.size());
+  stats.PropsTotal = static_cast<int>(stage.Shown.Actors.size());
   if (IsWide(stage)) // otherwise stock VTK draws, and does not count
   {
     const int others =
@@ -265,7 +250,7 @@ void CountTiles(Stage& stage, RenderStats& stats)
   stats = RenderStats();
   stats.Gl = QueryStrings(stage.Window);
   stats.Milliseconds = all.Milliseconds;
-  stats.PropsTotal = static_cast<int>(stage.Actors.size());
+  stats.PropsTotal = static_cast<int>(stage.Shown.Actors.size());
   stats.Tiles = { { stage.Tiles->Count(0), stage.Tiles->Count(1) } };
   stats.Shaders = all.Shaders;
   if (IsWide(stage))

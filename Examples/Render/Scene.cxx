@@ -10,6 +10,8 @@
 #include <vtkProperty.h>
 #include <vtkTexture.h>
 
+#include <map>
+
 namespace widefov
 {
 bool SceneBounds(const Scene& scene, double bounds[6])
@@ -120,21 +122,33 @@ namespace
 // VTK's name of the texture that gives the colour.
 const char* const BaseColor = "albedoTex";
 
+vtkSmartPointer<vtkTexture> CopyOf(vtkTexture* texture)
+{
+  auto copy = vtkSmartPointer<vtkTexture>::New();
+  copy->SetInputData(texture->GetInput());
+  copy->SetUseSRGBColorSpace(texture->GetUseSRGBColorSpace());
+  copy->SetInterpolate(texture->GetInterpolate());
+  copy->SetMipmap(texture->GetMipmap());
+  copy->SetWrap(texture->GetWrap());
+  return copy;
+}
+
 // With textures of its own: one belongs to one window. Colours by an array are in the place of
 // those of the material, not times them.
 void CopyMaterial(vtkProperty* material, bool itsColors, vtkProperty* property)
 {
-  property->DeepCopy(material);
-  property->RemoveAllTextures();
+  std::map<std::string, vtkSmartPointer<vtkTexture>> textures;
   for (const auto& [name, texture] : material->GetAllTextures())
   {
-    vtkNew<vtkTexture> own;
-    own->SetInputData(texture->GetInput());
-    own->SetUseSRGBColorSpace(texture->GetUseSRGBColorSpace());
-    own->SetInterpolate(texture->GetInterpolate());
-    own->SetMipmap(texture->GetMipmap());
-    own->SetWrap(texture->GetWrap());
-    property->SetTexture(name.c_str(), own);
+    textures[name] = texture;
+  }
+  material->RemoveAllTextures(); // VTK 9.1 copies the pointers without counting them
+  property->DeepCopy(material);
+  property->SetEmissiveFactor(material->GetEmissiveFactor()); // which it forgets
+  for (const auto& [name, texture] : textures)
+  {
+    material->SetTexture(name.c_str(), texture);
+    property->SetTexture(name.c_str(), CopyOf(texture));
   }
   if (!itsColors)
   {
@@ -168,6 +182,9 @@ vtkSmartPointer<vtkActor> MakeActor(const SceneProp& prop, const Look& look)
   property->SetRenderLinesAsTubes(look.LinesAsTubes);
   property->SetRenderPointsAsSpheres(look.PointsAsSpheres);
   property->SetFrontfaceCulling(prop.Inner);
+  // else the rays of the volume end at pixels that the lines cover in part
+  actor->SetForceTranslucent(
+    prop.Kind == SceneProp::Shape::Outline || actor->GetForceTranslucent());
   SetRepresentation(property, look.Representation);
   return actor;
 }

@@ -26,7 +26,8 @@ struct SceneProp
     Mesh,
     Balls, // one a point, by Molecule.h
     Sticks,
-    Volume // of Source, by Volume.h; of what is drawn none is left
+    Volume, // of Source, by Volume.h; of what is drawn none is left
+    Outline // of a volume
   };
 
   vtkSmartPointer<vtkPolyData> Surface;  // what the mapper draws

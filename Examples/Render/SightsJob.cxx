@@ -8,6 +8,7 @@
 #include "PictureFiles.h"
 #include "Progress.h"
 #include "RenderStats.h"
+#include "ShownScene.h"
 #include "SkyPicture.h"
 #include "StereoChoice.h"
 #include "StereoLayout.h"
@@ -65,10 +66,7 @@ SightsStage::SightsStage(const Scene& scene, const Options& o)
   SetUpWidePass(this->Pass, o);
   this->Renderer->SetPass(this->Pass);
   SetBackground(this->Renderer, o);
-  for (const SceneProp& prop : scene.Props)
-  {
-    this->Renderer->AddActor(MakeActor(prop, o.Look));
-  }
+  ShowScene(this->Renderer, scene, o.Look);
   if (const vtkSmartPointer<vtkScalarBarActor> bar = MakeScalarBar(scene))
   {
     this->Renderer->AddViewProp(bar);

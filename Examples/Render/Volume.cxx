@@ -26,11 +26,18 @@ namespace
 // Samples along the longest side of data that are no image.
 constexpr int Samples = 128;
 
-// What of the light a way of a hundredth of the diagonal takes in the densest, and where the ramp
-// of the values begins: what is low stays clear, else the eye in the middle sees nothing far.
-constexpr double Densest = 0.1;
-constexpr double WayShare = 0.01;
+// Where the ramp of the values begins, a share of their range: what is low stays clear.
 constexpr double RampStart = 0.15;
+
+// A way across the whole diagonal takes so much light, on average: optical depth. The densest takes
+// at most so much on a hundredth of it.
+constexpr double DepthAcross = 4;
+constexpr double WayShare = 0.01;
+constexpr double DensestDepth = 1;
+
+// Of the diagonal, the longest way between samples; the spacing of coarse grids would show as
+// rings.
+constexpr double SampleShare = 0.0025;
 
 // The array with its point values finite and of one component: a component or the magnitude, as
 // the map of colours takes it.
@@ -116,8 +123,8 @@ void TakeVolume(SceneProp& prop, Scene& scene)
   outline->SetBounds(b);
   outline->Update();
   prop.Surface = outline->GetOutput();
+  prop.Source = prop.Surface; // which is a thing to look at, as what it is round
   prop.Array.clear();
-  prop.InSpace = true;
 }
 }
 
@@ -128,8 +135,7 @@ void ChooseVolumes(Scene& scene, const Look& look)
   bool any = false;
   for (SceneProp& prop : scene.Props)
   {
-    const bool image = vtkImageData::SafeDownCast(prop.Source) != nullptr;
-    if (look.Volume ? FillsSpace(prop.Source) : usual && image && IsSpatialGrid(prop.Source))
+    if (look.Volume ? FillsSpace(prop.Source) : usual && IsSpatialImage(prop.Source))
     {
       prop.Kind = SceneProp::Shape::Volume;
       any = true;
@@ -147,13 +153,50 @@ void TakeVolumes(Scene& scene)
   {
     if (prop.Kind == SceneProp::Shape::Volume)
     {
-      prop.Kind = SceneProp::Shape::Mesh;
-      if (!prop.Array.empty() && !prop.Direct)
+      const bool taken = !prop.Array.empty() && !prop.Direct;
+      prop.Kind = taken ? SceneProp::Shape::Outline : SceneProp::Shape::Mesh;
+      if (taken)
       {
         TakeVolume(prop, scene);
       }
     }
   }
+}
+
+namespace
+{
+double RampAt(const SceneVolume& v, double value)
+{
+  const auto [low, high] = v.Range;
+  const double start = low + RampStart * (high - low);
+  return high > start ? std::clamp((value - start) / (high - start), 0., 1.) : 0;
+}
+
+// Of the densest, on a way of the unit: what is thin all over gets dense, what is full stays clear.
+double Densest(const SceneVolume& v)
+{
+  vtkDataArray* const values = v.Data->GetPointData()->GetScalars();
+  double sum = 0;
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); i++)
+  {
+    sum += RampAt(v, values->GetComponent(i, 0));
+  }
+  const double depth = WayShare * DepthAcross * static_cast<double>(values->GetNumberOfTuples());
+  return 1 - std::exp(-std::min(DensestDepth, sum > 0 ? depth / sum : DensestDepth));
+}
+
+void SetLook(vtkVolumeProperty* property, const SceneVolume& v)
+{
+  const auto [low, high] = v.Range;
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AddPoint(low, 0);
+  opacity->AddPoint(low + RampStart * (high - low), 0);
+  opacity->AddPoint(high, Densest(v));
+  property->SetColor(vtkColorTransferFunction::SafeDownCast(v.ColorMap));
+  property->SetScalarOpacity(opacity);
+  property->SetScalarOpacityUnitDistance(WayShare * v.Data->GetLength());
+  property->SetInterpolationTypeToLinear();
+}
 }
 
 std::vector<vtkSmartPointer<vtkVolume>> MakeVolumes(const Scene& scene)
@@ -163,18 +206,14 @@ std::vector<vtkSmartPointer<vtkVolume>> MakeVolumes(const Scene& scene)
   {
     vtkNew<vtkGPUVolumeRayCastMapper> mapper;
     mapper->SetInputData(v.Data);
-    const auto [low, high] = v.Range;
-    vtkNew<vtkPiecewiseFunction> opacity;
-    opacity->AddPoint(low, 0);
-    opacity->AddPoint(low + RampStart * (high - low), 0);
-    opacity->AddPoint(high, Densest);
+    mapper->AutoAdjustSampleDistancesOff();
+    const double* const spacing = v.Data->GetSpacing();
+    const double step = 0.5 * std::min({ spacing[0], spacing[1], spacing[2] });
+    mapper->SetSampleDistance(
+      static_cast<float>(std::min(step, SampleShare * v.Data->GetLength())));
     auto volume = vtkSmartPointer<vtkVolume>::New();
     volume->SetMapper(mapper);
-    vtkVolumeProperty* const property = volume->GetProperty();
-    property->SetColor(vtkColorTransferFunction::SafeDownCast(v.ColorMap));
-    property->SetScalarOpacity(opacity);
-    property->SetScalarOpacityUnitDistance(WayShare * v.Data->GetLength());
-    property->SetInterpolationTypeToLinear();
+    SetLook(volume->GetProperty(), v);
     volumes.push_back(volume);
   }
   return volumes;

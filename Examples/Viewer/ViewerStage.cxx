@@ -6,11 +6,11 @@
 #include "Frame.h"
 #include "Messages.h"
 #include "Passes.h"
+#include "ShownScene.h"
 #include "SkyPicture.h"
 #include "StereoChoice.h"
 #include "StereoLayout.h"
 #include "StereoOptions.h"
-#include "Volume.h"
 
 #include <vtkPanoramicProjectionPass.h>
 #include <vtkRenderWindow.h>
@@ -60,15 +60,7 @@ ViewerStage::ViewerStage(
     double(tile.Rows - 1 - tile.Row) / tile.Rows, double(tile.Column + 1) / tile.Columns,
     double(tile.Rows - tile.Row) / tile.Rows);
   SetBackground(this->Renderer, o);
-  for (const SceneProp& prop : scene.Props)
-  {
-    this->Actors.push_back(MakeActor(prop, o.Look));
-    this->Renderer->AddActor(this->Actors.back());
-  }
-  for (vtkVolume* const volume : MakeVolumes(scene))
-  {
-    this->Renderer->AddVolume(volume);
-  }
+  ShowScene(this->Renderer, scene, o.Look);
   this->Bar = MakeScalarBar(scene);
   if (this->Bar)
   {

@@ -112,7 +112,6 @@ private:
   vtkNew<vtkWideFoVRenderer> Renderer;
   vtkNew<vtkWideFoVPass> WidePass;
   vtkSmartPointer<vtkPanoramicProjectionPass> CubeMapPass;
-  std::vector<vtkSmartPointer<vtkActor>> Actors;
   vtkSmartPointer<vtkScalarBarActor> Bar;
   Crosshair Cross;
   Overlay Texts;
