@@ -9,6 +9,7 @@
 #include "OptionGroup.h"
 #include "Progress.h"
 #include "Sights.h"
+#include "StereoChoice.h"
 #include "Surroundings.h"
 
 #include <algorithm>
@@ -156,7 +157,7 @@ Vector3 DirectionTo(const Cloud& cloud, const Vector3& up)
 }
 
 // How far beside the view's axis the middle of what is seen lies, at the distance of the cloud's.
-Vector3 OffAxis(const Cloud& cloud, const Frame& f, const Vector3& eye)
+Vector3 BesideAxis(const Cloud& cloud, const Frame& f, const Vector3& eye)
 {
   const Vector3 to = cloud.Middle - eye;
   Vector3 low{ { HUGE_VAL, HUGE_VAL, 0 } };
@@ -183,7 +184,7 @@ Vector3 EyeBefore(const Cloud& cloud, const Frame& f, double angle)
   Vector3 eye = cloud.Middle + radius / std::sin(0.5 * angle * Degree) * f.Back;
   for (int i = 0; i < CenterSteps && !cloud.Points.empty(); i++)
   {
-    eye = eye + OffAxis(cloud, f, eye);
+    eye = eye + BesideAxis(cloud, f, eye);
   }
   return eye;
 }
@@ -206,12 +207,13 @@ double AngleOf(const Options& o, bool fits)
   return std::min(Filled * field, LargestAngle);
 }
 
-// Whether the field of view is free to be chosen.
+// Whether the field of view is free to be chosen. Of two eyes all round a player wants the sphere.
 bool CanFit(const Options& o)
 {
   const wfv::Projection& p = ProjectionOf(o);
-  return !o.HasFov && o.View.Tilt == 0 && o.Technique != Technique::CubeMap &&
-    p.Axis != wfv::Family::Sampled && p.MinHorizontalFov < p.MaxHorizontalFov;
+  return !o.HasFov && StereoOf(o).Traits.OneCenter && o.View.Tilt == 0 &&
+    o.Technique != Technique::CubeMap && p.Axis != wfv::Family::Sampled &&
+    p.MinHorizontalFov < p.MaxHorizontalFov;
 }
 
 bool Shows(const Options& o, const std::vector<wfv::vec3>& points, double reach)
@@ -342,7 +344,7 @@ void ChooseView(Options& o, const Scene& scene)
   {
     StandOutside(o, scene);
   }
-  if (!asked)
+  if (!asked && !o.DryRun) // which prints the view itself
   {
     Say(inside ? "the eye is inside, at " + Named(*o.Eye) +
           ", for the data are all round it; "

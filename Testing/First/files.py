@@ -85,8 +85,9 @@ def legacy(mesh, **arrays):
     return text + "".join(_array(name, values) for name, values in arrays.items())
 
 
-def grid(count=7, kind="STRUCTURED_POINTS"):
-    """A cube of points from -1 to 1: `height`, its y, and `swirl`, vectors round that axis."""
+def grid(count=7, kind="STRUCTURED_POINTS", layer=False):
+    """A cube of points from -1 to 1: `height`, its y or 1 in a layer in the middle, and `swirl`,
+    vectors round that axis."""
     line = numpy.linspace(-1, 1, count)
     z, y, x = numpy.meshgrid(line, line, line, indexing="ij")
     text = "# vtk DataFile Version 3.0\nfirst\nASCII\nDATASET %s\nDIMENSIONS %d %d %d\n" % (
@@ -96,8 +97,9 @@ def grid(count=7, kind="STRUCTURED_POINTS"):
     else:
         text += "POINTS %d float\n" % x.size
         text += _numbers(numpy.stack([x, y, z], axis=-1))
+    height = y == line[count // 2] if layer else y
     vectors = numpy.stack([z, 0 * y, -x], axis=-1).reshape(-1, 3)
-    return text + "POINT_DATA %d\n" % x.size + _array("height", y.ravel()) + _array("swirl", vectors)
+    return text + "POINT_DATA %d\n" % x.size + _array("height", height.ravel()) + _array("swirl", vectors)
 
 
 def _png(rows):

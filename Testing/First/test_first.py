@@ -188,12 +188,20 @@ class Volumes(Case):
     def test_images_are_volumes(self):
         text = files.grid()
         volume, said = self.draw("image.vtk", text, "--no-scalar-bar")
-        self.assertIn("is inside", said)
+        self.assertIn("is outside", said)
         # the values grow upwards: above it is dense, below clear but for the outline
-        above, below = volume[:16].mean(), volume[-16:].mean()
-        self.assertGreater(above, 5 * below)
+        rows = numpy.nonzero(lit(volume).any(axis=1))[0]
+        quarter = len(rows) // 4
+        above, below = volume[rows[:quarter]].mean(), volume[rows[-quarter:]].mean()
+        self.assertGreater(above, 4 * below)
         faces = self.draw("image.vtk", text, "--no-scalar-bar", "--no-volume")[0]
-        self.assertEqual(lit(faces).mean(), 1)
+        self.assertGreater(lit(faces).mean(), 1.2 * lit(volume).mean())
+        self.assertEqual(lit(self.draw("image.vtk", text, "--inside", "--no-scalar-bar")[0][:32]).mean(), 1)
+
+    def test_what_is_thin_is_made_dense(self):
+        text = files.grid(count=24, layer=True)
+        picture = self.draw("image.vtk", text, "--no-scalar-bar", "--direction", "0,-1,0", "--up", "0,0,1")[0]
+        self.assertGreater(picture[28:36, 60:68].max(axis=2).mean(), 0.5)
 
     def test_other_data_are_sampled(self):
         image = self.draw("image.vtk", files.grid(), "--no-scalar-bar")[0]
