@@ -35,7 +35,7 @@ render_all winds --scene winds
 if [ -f "$office" ]; then
   map_size=1024x512
   # inside the room, between desk and window; up is +z in these data
-  render_all office "$office" --streamlines vectors --vectors vectors --eye 2,2.2,1.4 \
+  render_all office "$office" --streamlines vectors --vectors vectors --no-surface --eye 2,2.2,1.4 \
     --direction 1,0,0 --up 0,0,1 --range 0,0.25 --colormap rainbow --scalar-bar
 fi
 protein=../shared/data/2LYZ.pdb

@@ -7,8 +7,8 @@
 #
 # Always the scene "winds": NOAA relief as a globe seen from its centre, surface winds
 # as arrows and stream tubes inside it. With FILE, any data file widefov-render reads,
-# the same three pictures of it, seen from its centre. Where the data sets of the
-# project lie beside the checkout (../shared/data), also an air flow in an office.
+# the same three pictures of it. Where the data sets of the project lie beside the checkout
+# (../shared/data), also an air flow in an office.
 set -euo pipefail
 exec < /dev/null
 

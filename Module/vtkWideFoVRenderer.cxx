@@ -3,16 +3,19 @@
 
 #include "Camera/Tile.h"
 #include "Compat/Reports.h"
+#include "InsidePlace.h"
 #include "PassChain.h"
 #include "vtkWideFoVCamera.h"
 #include "vtkWideFoVPass.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCommand.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 
+#include <algorithm>
 #include <utility>
 
 vtkStandardNewMacro(vtkWideFoVRenderer);
@@ -174,6 +177,40 @@ bool vtkWideFoVRenderer::DisplayToRay(double x, double y, double origin[3], doub
   return camera->NDCToRay(ndc, wfv::PictureAspect(this), origin, direction);
 }
 
+void vtkWideFoVRenderer::ResetCamera(const double bounds[6])
+{
+  this->Superclass::ResetCamera(bounds);
+  if (this->IsActiveCameraCreated() && vtkMath::AreBoundsInitialized(bounds))
+  {
+    std::copy(bounds, bounds + 6, this->LastReset.Bounds);
+    this->ActiveCamera->GetPosition(this->LastReset.Position);
+    this->LastReset.Asked = false;
+  }
+}
+
+void vtkWideFoVRenderer::ResetCameraInside()
+{
+  double bounds[6];
+  this->ComputeVisiblePropBounds(bounds);
+  if (!vtkMath::AreBoundsInitialized(bounds))
+  {
+    return;
+  }
+  vtkCamera* const camera = this->GetActiveCamera();
+  double place[3];
+  double ahead[3];
+  wfv::FindInsidePlace(this, bounds, place);
+  camera->GetDirectionOfProjection(ahead);
+  // as far as the scene reaches: what VTK measures by the focal distance fits it
+  const double length = vtkBoundingBox(bounds).GetDiagonalLength();
+  vtkMath::MultiplyScalar(ahead, length > 0 ? length : 1);
+  vtkMath::Add(place, ahead, ahead);
+  camera->SetPosition(place);
+  camera->SetFocalPoint(ahead);
+  this->ResetCameraClippingRange(bounds);
+  this->InvokeEvent(vtkCommand::ResetCameraEvent, this);
+}
+
 void vtkWideFoVRenderer::ResetCameraClippingRange(const double bounds[6])
 {
   auto* camera = vtkWideFoVCamera::SafeDownCast(this->ActiveCamera);
@@ -189,6 +226,28 @@ void vtkWideFoVRenderer::ResetCameraClippingRange(const double bounds[6])
 
 namespace
 {
+// Of a picture, what a scene should fill at the least.
+constexpr double LeastShare = 0.1;
+
+// How much of the picture a rectangle round the bounds takes.
+double ShareOfPicture(vtkWideFoVCamera* camera, double aspect, const double b[6])
+{
+  double low[2] = { 1, 1 };
+  double high[2] = { -1, -1 };
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const double world[3] = { b[corner % 2], b[2 + corner / 2 % 2], b[4 + corner / 4] };
+    double ndc[3];
+    camera->WorldToNDC(world, aspect, ndc);
+    for (int i = 0; i < 2; ++i)
+    {
+      low[i] = std::min(low[i], std::max(-1., ndc[i]));
+      high[i] = std::max(high[i], std::min(1., ndc[i]));
+    }
+  }
+  return 0.25 * std::max(0., high[0] - low[0]) * std::max(0., high[1] - low[1]);
+}
+
 void WarnOfFlatCamera(vtkRenderer* renderer)
 {
   if (!vtkWideFoVCamera::SafeDownCast(renderer->GetActiveCamera()) && wfv::IsNews("flat camera"))
@@ -209,6 +268,22 @@ void vtkWideFoVRenderer::ReleaseGraphicsResources(vtkWindow* window)
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
+// Only of what ResetCamera chose: who places the camera wants what it shows.
+void vtkWideFoVRenderer::WarnOfSmallness(vtkWideFoVCamera* camera)
+{
+  Reset& last = this->LastReset;
+  const bool asks =
+    !last.Asked && vtkMath::Distance2BetweenPoints(camera->GetPosition(), last.Position) == 0;
+  last.Asked = true;
+  const double share = asks ? ShareOfPicture(camera, wfv::PictureAspect(this), last.Bounds) : 1;
+  if (share < LeastShare && wfv::IsNews("small scene"))
+  {
+    vtkWarningMacro("the scene fills " << 100 * share << " % of the picture, as ResetCamera shows "
+                                       << "it from outside; ResetCameraInside puts the eye into "
+                                       << "it, smaller fields of view show it larger");
+  }
+}
+
 void vtkWideFoVRenderer::DeviceRender()
 {
   vtkWideFoVCamera* const camera = this->GetWideCamera();
@@ -221,6 +296,7 @@ void vtkWideFoVRenderer::DeviceRender()
     this->Superclass::DeviceRender();
     return;
   }
+  this->WarnOfSmallness(camera);
   wfv::PassChain chain;
   vtkRenderPass* const before = this->Pass;
   this->FrameCamera = camera;

@@ -79,6 +79,24 @@ public:
    */
   void Clear() override;
 
+  ///@{
+  /**
+   * As vtkRenderer's: the bounds (xmin, xmax, .., zmax; world) are seen as a whole, from outside,
+   * as by a perspective of the camera's view angle. Where the frame that is drawn next shows them
+   * on less than a tenth of a wide picture, one warning says so.
+   */
+  void ResetCamera(const double bounds[6]) override;
+  using Superclass::ResetCamera;
+  ///@}
+
+  /**
+   * Puts the eye inside of what there is to see: into the middle of the visible props' bounds, or,
+   * where a surface is near there, to the place in the middle half of the bounds that is farthest
+   * from all surfaces. The direction of view and what is up stay. It does nothing where no prop has
+   * bounds. Works with any camera.
+   */
+  void ResetCameraInside();
+
   /**
    * Sets the clip spheres of a wide camera, the clipping range of any other, for these bounds
    * (xmin, xmax, .., zmax; world).
@@ -127,6 +145,7 @@ protected:
 
   vtkWideFoVCamera* GetWideCamera();
   bool HasFlatEye(); // of a perspective, with a place of its own
+  void WarnOfSmallness(vtkWideFoVCamera* camera);
 
   vtkWideFoVCamera* FrameCamera = nullptr;
   vtkNew<vtkWideFoVPass> OwnPass; // that it is made with
@@ -137,6 +156,15 @@ private:
   void operator=(const vtkWideFoVRenderer&) = delete;
 
   std::function<void()> DrawGradient;
+
+  // What ResetCamera was called for, and where it put the eye; not asked of a frame yet.
+  struct Reset
+  {
+    double Bounds[6];
+    double Position[3];
+    bool Asked = true;
+  };
+  Reset LastReset;
 };
 VTK_ABI_NAMESPACE_END
 

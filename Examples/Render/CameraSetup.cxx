@@ -156,11 +156,18 @@ void MoveWithHead(Pose& pose, const HeadPose& head)
 }
 }
 
+Vector3 UsualDirection(const Vector3& up)
+{
+  const Vector3 ahead{ { 0, 0, -1 } };
+  return Parallel(Unit(up), ahead) ? Vector3{ { 0, 1, 0 } } : ahead;
+}
+
 Pose MakePose(const Scene& scene, const Options& o)
 {
   Pose pose;
   pose.Eye = o.Eye.value_or(SceneEye(scene));
-  Vector3 direction = o.Direction.value_or(Vector3{ { 0, 0, -1 } });
+  const Vector3 up = o.Up.value_or(Vector3{ { 0, 1, 0 } });
+  Vector3 direction = o.Direction.value_or(UsualDirection(up));
   if (o.LookAt)
   {
     direction = *o.LookAt - pose.Eye;
@@ -171,7 +178,7 @@ Pose MakePose(const Scene& scene, const Options& o)
     }
   }
   pose.Direction = Unit(direction);
-  pose.Up = Unit(o.Up.value_or(Vector3{ { 0, 1, 0 } }));
+  pose.Up = Unit(up);
   if (Parallel(pose.Direction, pose.Up))
   {
     if (o.Up)

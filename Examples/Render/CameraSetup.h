@@ -21,6 +21,9 @@ struct Pose
   Vector3 Up;        // unit length, not parallel to Direction
 };
 
+// The direction of view where none is given: -z, or +y where that is not at an angle to up.
+Vector3 UsualDirection(const Vector3& up);
+
 // Throws a Failure with ExitUsage where the directions do not make a camera.
 Pose MakePose(const Scene& scene, const Options& options);
 

@@ -4,13 +4,18 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCellDataToPointData.h>
+#include <vtkCellTypes.h>
 #include <vtkCompositeDataGeometryFilter.h>
 #include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>
 #include <vtkDataSetSurfaceFilter.h>
+#include <vtkGenericCell.h>
+#include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
+#include <vtkRectilinearGrid.h>
+#include <vtkStructuredGrid.h>
 
 #include <algorithm>
 #include <cmath>
@@ -97,6 +102,41 @@ vtkSmartPointer<vtkCellArray> UsableCells(vtkCellArray* cells, const std::vector
 }
 }
 
+namespace
+{
+template <class Grid>
+bool HasLayers(vtkDataObject* data)
+{
+  int dimensions[3] = { 1, 1, 1 };
+  if (auto* const grid = Grid::SafeDownCast(data))
+  {
+    grid->GetDimensions(dimensions);
+  }
+  return dimensions[0] > 1 && dimensions[1] > 1 && dimensions[2] > 1;
+}
+
+bool IsGrid(vtkDataSet* data)
+{
+  return HasLayers<vtkStructuredGrid>(data) || HasLayers<vtkRectilinearGrid>(data);
+}
+
+bool HasBodies(vtkDataSet* data)
+{
+  vtkNew<vtkCellTypes> types;
+  data->GetCellTypes(types);
+  for (vtkIdType i = 0; i < types->GetNumberOfTypes(); i++)
+  {
+    vtkNew<vtkGenericCell> cell;
+    cell->SetCellType(types->GetCellType(i));
+    if (cell->GetCellDimension() == 3)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+}
+
 std::vector<vtkSmartPointer<vtkDataSet>> Leaves(vtkDataObject* data)
 {
   std::vector<vtkSmartPointer<vtkDataSet>> leaves;
@@ -118,6 +158,26 @@ std::vector<vtkSmartPointer<vtkDataSet>> Leaves(vtkDataObject* data)
     }
   }
   return leaves;
+}
+
+bool IsSpatialImage(vtkDataObject* data)
+{
+  return HasLayers<vtkImageData>(data);
+}
+
+bool IsSpatialGrid(vtkDataObject* data)
+{
+  const std::vector<vtkSmartPointer<vtkDataSet>> leaves = Leaves(data);
+  return std::any_of(leaves.begin(), leaves.end(), [](vtkDataSet* leaf) { return IsGrid(leaf); });
+}
+
+bool FillsSpace(vtkDataObject* data)
+{
+  const std::vector<vtkSmartPointer<vtkDataSet>> leaves = Leaves(data);
+  return std::any_of(leaves.begin(), leaves.end(), [](vtkDataSet* leaf) {
+    return IsGrid(leaf) || IsSpatialImage(leaf) ||
+      (vtkPolyData::SafeDownCast(leaf) == nullptr && HasBodies(leaf));
+  });
 }
 
 vtkSmartPointer<vtkPolyData> SurfaceOf(vtkDataObject* data)

@@ -16,6 +16,14 @@ namespace widefov
 // The dataset itself, or every dataset of a composite that is not empty.
 std::vector<vtkSmartPointer<vtkDataSet>> Leaves(vtkDataObject* data);
 
+// An image, or a grid with places of its own, of rows, columns and layers, each more than one; of a
+// composite any part is a grid.
+bool IsSpatialImage(vtkDataObject* data);
+bool IsSpatialGrid(vtkDataObject* data);
+
+// Cells with an inside, any.
+bool FillsSpace(vtkDataObject* data);
+
 // The surface: polydata as it is, the outside of anything else; composites in one
 // piece. Points without any cell become vertices. Point and cell arrays are kept.
 vtkSmartPointer<vtkPolyData> SurfaceOf(vtkDataObject* data);

@@ -3,6 +3,7 @@
 
 #include "MessageCatcher.h"
 #include "Messages.h"
+#include "Normals.h"
 #include "Pipeline.h"
 #include "Progress.h"
 #include "Readers.h"
@@ -10,6 +11,12 @@
 
 namespace widefov
 {
+namespace
+{
+// Pixels: in smaller pictures nobody reads the numbers of a bar.
+constexpr std::array<int, 2> RoomForBar{ { 200, 100 } };
+}
+
 Scene LoadScene(const Options& options)
 {
   Scene scene;
@@ -23,7 +30,17 @@ Scene LoadScene(const Options& options)
     scene = ReadScene(options.Files);
   }
   const Progress progress("preparing the data");
-  ApplyLook(scene, options.Look);
+  Look look = options.Look;
+  // what stock VTK's pass and the float channels do not show
+  look.UsualVolume =
+    look.UsualVolume && options.Technique != Technique::CubeMap && options.Aov.empty();
+  look.UsualBar =
+    look.UsualBar && options.Size[0] >= RoomForBar[0] && options.Size[1] >= RoomForBar[1];
+  ApplyLook(scene, look);
+  if (scene.FromFiles && options.Look.Smooth)
+  {
+    SmoothNormals(scene);
+  }
   const std::string error = MessageCatcher::TakeFirstError();
   if (!error.empty())
   {

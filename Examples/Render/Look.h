@@ -14,6 +14,7 @@ using Vector3 = std::array<double, 3>;
 struct Look
 {
   std::string ColorBy; // NAME or NAME:COMPONENT; empty: the data's own scalars
+  bool Colors = true;  // of files, where ColorBy is empty: of the first scalar array
   std::string ColorMap = "cool-warm";
   std::optional<std::array<double, 2>> Range; // none: that of the data
   std::string Representation = "surface";     // surface-with-edges, wireframe, points
@@ -21,9 +22,14 @@ struct Look
   double PointSize = 3;                       // pixels
   bool LinesAsTubes = false;
   bool PointsAsSpheres = false;
+  bool Smooth = true; // normals for surfaces of files that have none
   bool ScalarBar = false;
-  std::string Vectors;     // array drawn as arrows instead of the surface
-  std::string StreamLines; // array drawn as stream tubes instead of the surface
+  bool UsualBar = true;    // a bar of the colours of files that nobody chose
+  std::string Vectors;     // array drawn as arrows
+  std::string StreamLines; // array drawn as stream tubes
+  bool Surface = true;     // under these
+  bool Volume = false;     // what fills space as a volume
+  bool UsualVolume = true; // images of files as volumes, where nobody says anything
 };
 }
 

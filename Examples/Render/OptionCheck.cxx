@@ -4,6 +4,7 @@
 #include "Angles.h"
 #include "Displays.h"
 #include "Film/FilmOptions.h"
+#include "FirstView.h"
 #include "ImageOutput.h"
 #include "LensView.h"
 #include "Messages.h"
@@ -152,6 +153,10 @@ bool OnlyLists(const Options& o)
 
 void CheckInput(const Options& o)
 {
+  if (o.Info && o.Files.empty())
+  {
+    FailUsage("--info says what files hold; give one or more");
+  }
   if (!o.Scene.empty() && !o.Files.empty())
   {
     FailUsage("--scene and files exclude each other; give one or the other");
@@ -285,6 +290,16 @@ void CheckTechnique(Options& o)
 }
 }
 
+void SetField(Options& o, double across)
+{
+  const wfv::Projection& p = *wfv::FindProjection(o.Projection);
+  const double up = p.Axis == wfv::Family::Planar ? PlanarFov(across, o.Size[0], o.Size[1])
+    : p.Axis == wfv::Family::Azimuthal            ? across
+                                                  : across * o.Size[1] / o.Size[0];
+  o.View.HorizontalFov = across;
+  o.View.VerticalFov = std::min(up, p.MaxVerticalFov);
+}
+
 void CheckTiles(const Options& o)
 {
   if (o.Tile && (o.Technique == Technique::CubeMap || (HasTwoEyes(o) && o.Layout == "split")))
@@ -307,8 +322,10 @@ void CheckScene(Options& o, const FieldsOfView& fov)
   {
     CheckInput(o);
     CompleteRoom(o, fov);
+    o.HasFov = fov.Horizontal || fov.Vertical || fov.Round;
     CompleteView(o, fov);
     CheckCamera(o);
+    CheckFirstView(o);
     CheckDrawn(o);
   }
 }
@@ -316,7 +333,7 @@ void CheckScene(Options& o, const FieldsOfView& fov)
 void CheckTogether(Options& o, const FieldsOfView& fov)
 {
   CheckScene(o, fov);
-  if (!OnlyLists(o))
+  if (!OnlyLists(o) && !o.Info)
   {
     CheckFiles(o);
     CheckFilm(o);

@@ -19,6 +19,10 @@ struct FieldsOfView
   std::vector<double> Lens; // empty: the ideal lens
 };
 
+// Sets the fields of view to so many degrees across and, of projections that are not round, to as
+// much upwards as makes the pixels square in the middle, or as much as there is.
+void SetField(Options& options, double across);
+
 // Completes the options; they are those of DeclareScene. Throws a Failure with ExitUsage.
 void CheckScene(Options& options, const FieldsOfView& fov);
 

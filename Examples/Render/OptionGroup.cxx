@@ -135,6 +135,14 @@ void OptionGroup::Flag(const std::string& name, bool& target, const std::string&
   this->App.add_flag(name, target, text)->group(this->Title);
 }
 
+void OptionGroup::Off(const std::string& name, bool& target, const std::string& text)
+{
+  this->App
+    .add_flag_callback(
+      name, [&target] { target = false; }, text)
+    ->group(this->Title);
+}
+
 void OptionGroup::Size(const std::string& name, std::array<int, 2>& target, const std::string& text)
 {
   this->Add(name, "WxH", std::to_string(target[0]) + "x" + std::to_string(target[1]), text,

@@ -58,6 +58,9 @@ public:
 
   void Flag(const std::string& name, bool& target, const std::string& text);
 
+  // Switches off what is usual.
+  void Off(const std::string& name, bool& target, const std::string& text);
+
 private:
   CLI::App& App;
   std::string Title;

@@ -6,6 +6,7 @@
 #include "ColorValue.h"
 #include "Displays.h"
 #include "Film/FilmOptions.h"
+#include "FirstView.h"
 #include "Messages.h"
 #include "OptionCheck.h"
 #include "OptionGroup.h"
@@ -72,7 +73,7 @@ void DeclareView(CLI::App& app, Options& o, FieldsOfView& fov)
       Join(DisplayNames()));
   group.Number("--tilt", "DEG", o.View.Tilt, { -180, 180 }, "how far the axis is raised");
   group.Size("--size", o.Size, "pixels");
-  group.Vector("--eye", o.Eye, "centre of the scene", "where the camera is");
+  group.Vector("--eye", o.Eye, "as the data lie, see --inside", "where the camera is");
   group.Vector("--look-at", o.LookAt, "", "a point ahead of the camera");
   group.Vector("--direction", o.Direction, "0,0,-1", "the direction of view");
   group.Vector("--up", o.Up, "0,1,0", "what is up in the picture");
@@ -161,7 +162,8 @@ void DeclareListings(CLI::App& app, Options& o)
   group.Flag("--list-projections", o.ListProjections, "print the projections");
   group.Flag("--list-scenes", o.ListScenes, "print the built-in scenes");
   group.Name("--list-arrays", "FILE", o.ListArrays, "print the arrays of a file of data");
-  group.Flag("--json", o.Json, "what is printed as JSON");
+  group.Flag("--info", o.Info, "print what the files hold: bounds, arrays, times, triangles");
+  group.Flag("--json", o.Json, "lists and --info as JSON");
   group.Flag("--version", o.Version, "print the version");
 }
 }
@@ -174,6 +176,8 @@ void DeclareScene(CLI::App& app, Options& options, FieldsOfView& fov)
     ->type_name("");
   DeclareData(app, options);
   DeclareView(app, options, fov);
+  DeclareFirstView(app, options);
+  DeclareFirstLook(app, options.Look);
   DeclareDrawing(app, options);
   DeclareStereo(app, options);
   DeclareRoom(app, options);

@@ -56,6 +56,7 @@ struct Options
 
   std::string Projection = "equirectangular";
   bool HasProjection = false;
+  bool HasFov = false;   // any field of view
   wfv::ViewOptions View; // complete after ParseOptions; Radii only where HasClip
   bool HasClip = false;
   std::string DirectionMap;   // file of the projection of that name
@@ -70,6 +71,8 @@ struct Options
   std::optional<Vector3> LookAt;
   std::optional<Vector3> Direction; // neither: -z
   std::optional<Vector3> Up;        // none: +y
+  bool Inside = false;              // where the eye is; neither: as the data lie (FirstView.h)
+  bool Outside = false;
 
   widefov::Technique Technique = Technique::Auto;
   std::string TechniqueName = "auto";
@@ -114,6 +117,7 @@ struct Options
   bool ListProjections = false;
   bool ListScenes = false;
   bool ListPresets = false;
+  bool Info = false;
   bool Json = false;
   bool Version = false;
   bool Quiet = false;

@@ -9,6 +9,7 @@
 #include "Progress.h"
 #include "Readers.h"
 #include "VectorField.h"
+#include "Volume.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -24,6 +25,9 @@ namespace widefov
 {
 namespace
 {
+// Of a surface under arrows and stream lines: what they stand out from.
+const Vector3 BackdropColor{ { 0.35, 0.35, 0.38 } };
+
 // What --color-by names.
 struct ArrayChoice
 {
@@ -117,12 +121,50 @@ struct ValueRange
   }
 };
 
+vtkSmartPointer<vtkScalarsToColors> MapOf(const Look& look, const ValueRange& range, int component)
+{
+  const double low = look.Range ? (*look.Range)[0] : range.Low;
+  const double high = look.Range ? (*look.Range)[1] : range.High;
+  return MakeColorMap(look.ColorMap, low, high, component);
+}
+
+// Of what is drawn: the surface, or all that a volume is made of.
+void AddRange(
+  const SceneProp& prop, vtkDataArray* shown, const ArrayChoice& choice, ValueRange& range)
+{
+  range.Add(shown, choice.Component);
+  if (prop.Kind != SceneProp::Shape::Volume)
+  {
+    return;
+  }
+  for (const auto& leaf : Leaves(prop.Source))
+  {
+    vtkDataArray* array = leaf->GetPointData()->GetArray(choice.Name.c_str());
+    array = array != nullptr ? array : leaf->GetCellData()->GetArray(choice.Name.c_str());
+    if (array != nullptr)
+    {
+      range.Add(array, choice.Component);
+    }
+  }
+}
+
+// Nobody asked for colours of this one: it is behind what has them, or holds its own.
+bool KeepsColor(const SceneProp& prop, const Look& look)
+{
+  return look.ColorBy.empty() && prop.Kind != SceneProp::Shape::Volume &&
+    (prop.Backdrop || prop.Direct || prop.Material);
+}
+
 // The colours by one array, over all props that have it: the others keep theirs grey.
 void ColorBy(Scene& scene, const Look& look, const ArrayChoice& choice)
 {
   ValueRange range;
   for (SceneProp& prop : scene.Props)
   {
+    if (KeepsColor(prop, look))
+    {
+      continue;
+    }
     vtkDataArray* const array = FindArray(prop.Surface, choice.Name, prop.CellArray);
     prop.Direct = false;
     prop.Array = array != nullptr ? choice.Name : "";
@@ -136,21 +178,20 @@ void ColorBy(Scene& scene, const Look& look, const ArrayChoice& choice)
         std::to_string(array->GetNumberOfComponents()) + " components, counted from 0; component " +
         std::to_string(choice.Component) + " is not one of them");
     }
-    range.Add(array, choice.Component);
+    AddRange(prop, array, choice, range);
   }
   if (!(range.Low <= range.High))
   {
     range.Low = 0; // nothing but NaN: drawn in the map's colour for it
     range.High = 1;
   }
-  const double low = look.Range ? (*look.Range)[0] : range.Low;
-  const double high = look.Range ? (*look.Range)[1] : range.High;
-  const auto map = MakeColorMap(look.ColorMap, low, high, choice.Component);
+  const auto map = MapOf(look, range, choice.Component);
   for (SceneProp& prop : scene.Props)
   {
     prop.ColorMap = map;
   }
-  scene.BarMap = look.ScalarBar ? map : nullptr;
+  const bool usual = scene.FromFiles && look.ColorBy.empty() && look.UsualBar;
+  scene.BarMap = look.ScalarBar || usual ? map : nullptr;
   scene.BarTitle = choice.Name;
 }
 
@@ -183,9 +224,80 @@ void ColorByOwnScalars(SceneProp& prop, const Look& look)
     prop.Array.clear();
     return;
   }
-  const double low = look.Range ? (*look.Range)[0] : range.Low;
-  const double high = look.Range ? (*look.Range)[1] : range.High;
-  prop.ColorMap = MakeColorMap(look.ColorMap, low, high, -1);
+  prop.ColorMap = MapOf(look, range, -1);
+}
+
+// As each prop holds them; props that have colours already keep them.
+void ColorByOwnScalars(Scene& scene, const Look& look)
+{
+  for (SceneProp& prop : scene.Props)
+  {
+    if (prop.Array.empty())
+    {
+      ColorByOwnScalars(prop, look);
+    }
+  }
+}
+
+// Numbers that mean something and are not all the same.
+bool Tells(vtkDataSetAttributes* attributes, vtkDataArray* array)
+{
+  if (array == nullptr || array->GetName() == nullptr || array->GetNumberOfComponents() != 1 ||
+    array == attributes->GetGlobalIds() || array == attributes->GetPedigreeIds() ||
+    std::string(array->GetName()) == vtkDataSetAttributes::GhostArrayName())
+  {
+    return false;
+  }
+  double range[2];
+  array->GetFiniteRange(range, 0);
+  return range[0] < range[1];
+}
+
+// The name of the active scalars, or else of the first array, that tell something.
+std::string FirstScalars(vtkDataSetAttributes* attributes)
+{
+  if (Tells(attributes, attributes->GetScalars()))
+  {
+    return attributes->GetScalars()->GetName();
+  }
+  for (int i = 0; i < attributes->GetNumberOfArrays(); i++)
+  {
+    if (Tells(attributes, attributes->GetArray(i)))
+    {
+      return attributes->GetArrayName(i);
+    }
+  }
+  return "";
+}
+
+// Of files that nobody wants in any colours: one array gives all props theirs, so that one bar
+// says what they mean. Those that hold colours keep them.
+void ColorByFirstScalars(Scene& scene, const Look& look)
+{
+  std::string name;
+  for (SceneProp& prop : scene.Props)
+  {
+    if (prop.Material)
+    {
+      continue;
+    }
+    ColorByOwnScalars(prop, look);
+    if (!prop.Direct)
+    {
+      prop.Array.clear();
+      name = name.empty() ? FirstScalars(prop.Surface->GetPointData()) : name;
+    }
+  }
+  for (const SceneProp& prop : scene.Props)
+  {
+    name = name.empty() && !prop.Direct && !prop.Material
+      ? FirstScalars(prop.Surface->GetCellData())
+      : name;
+  }
+  if (!name.empty())
+  {
+    ColorBy(scene, look, { name, -1 });
+  }
 }
 
 bool HasVectors(vtkDataObject* data, const std::string& name)
@@ -210,10 +322,24 @@ bool HasVectors(vtkDataObject* data, const std::string& name)
   return false;
 }
 
-// The props that have the array, drawn as arrows or tubes instead.
-void ReplaceByVectors(Scene& scene, const Look& look)
+// The surfaces of the props, behind what is drawn of their vectors. Of data that fill space the
+// inner sides alone: the outer ones would hide it all.
+std::vector<SceneProp> Backdrops(const Scene& scene, const Look& look)
 {
-  std::vector<SceneProp> replaced;
+  std::vector<SceneProp> backdrops = look.Surface ? scene.Props : std::vector<SceneProp>();
+  for (SceneProp& prop : backdrops)
+  {
+    prop.Backdrop = true;
+    prop.Inner = FillsSpace(prop.Source);
+    prop.Color = BackdropColor;
+  }
+  return backdrops;
+}
+
+// Arrows and tubes of the props that have the array, and what is to stay of the props.
+void AddVectors(Scene& scene, const Look& look)
+{
+  std::vector<SceneProp> all = Backdrops(scene, look);
   for (const auto& [name, arrows] :
     { std::make_pair(look.Vectors, true), std::make_pair(look.StreamLines, false) })
   {
@@ -228,9 +354,11 @@ void ReplaceByVectors(Scene& scene, const Look& look)
       {
         const Progress progress((arrows ? "arrows of " : "stream lines of ") + prop.Label);
         found = true;
-        replaced.push_back(prop);
-        replaced.back().Surface = arrows ? MakeArrows(prop.Source, name, ArrowSettings())
-                                         : MakeStreamTubes(prop.Source, name, TubeSettings());
+        all.push_back(prop);
+        all.back().Kind = SceneProp::Shape::Mesh;
+        all.back().InSpace = FillsSpace(prop.Source);
+        all.back().Surface = arrows ? MakeArrows(prop.Source, name, ArrowSettings())
+                                    : MakeStreamTubes(prop.Source, name, TubeSettings());
       }
     }
     if (!found)
@@ -238,7 +366,7 @@ void ReplaceByVectors(Scene& scene, const Look& look)
       FailNoArray(scene, arrows ? "--vectors" : "--streamlines", name);
     }
   }
-  scene.Props = replaced;
+  scene.Props = all;
 }
 }
 
@@ -262,18 +390,11 @@ void ReplaceMolecules(Scene& scene, const Look& look)
 }
 }
 
-void ApplyLook(Scene& scene, const Look& look)
+namespace
+{
+void ChooseColors(Scene& scene, const Look& look)
 {
   const bool vectors = !look.Vectors.empty() || !look.StreamLines.empty();
-  if (vectors)
-  {
-    ReplaceByVectors(scene, look);
-  }
-  for (SceneProp& prop : scene.Props)
-  {
-    DropUnusable(prop);
-  }
-  ReplaceMolecules(scene, look);
   std::string name = look.ColorBy;
   if (name.empty() && vectors)
   {
@@ -287,14 +408,31 @@ void ApplyLook(Scene& scene, const Look& look)
       FailNoArray(scene, "--color-by", choice.Name);
     }
     ColorBy(scene, look, choice);
-    return;
+  }
+  else if (!scene.FromFiles)
+  {
+    ColorByOwnScalars(scene, look);
+  }
+  else if (look.Colors)
+  {
+    ColorByFirstScalars(scene, look);
+  }
+}
+}
+
+void ApplyLook(Scene& scene, const Look& look)
+{
+  ChooseVolumes(scene, look);
+  if (!look.Vectors.empty() || !look.StreamLines.empty())
+  {
+    AddVectors(scene, look);
   }
   for (SceneProp& prop : scene.Props)
   {
-    if (prop.Array.empty())
-    {
-      ColorByOwnScalars(prop, look);
-    }
+    DropUnusable(prop);
   }
+  ReplaceMolecules(scene, look);
+  ChooseColors(scene, look);
+  TakeVolumes(scene);
 }
 }

@@ -8,8 +8,8 @@
 
 namespace widefov
 {
-// Applies the look to every prop: replaces surfaces by arrows or tubes, drops unusable
-// cells, chooses the colours. Throws a Failure with ExitFailed where no prop has the
+// Applies the look to every prop: adds arrows and tubes, drops unusable cells, chooses the
+// colours. Throws a Failure with ExitFailed where no prop has the
 // array that is asked for, or where nothing is left to draw.
 void ApplyLook(Scene& scene, const Look& look);
 }

@@ -4,6 +4,7 @@
 #include "CrashGuard.h"
 #include "Damage.h"
 #include "Datasets.h"
+#include "GltfFile.h"
 #include "MessageCatcher.h"
 #include "Messages.h"
 #include "OptionValues.h"
@@ -13,12 +14,14 @@
 #include <vtkExodusIIReader.h>
 #include <vtkGLTFReader.h>
 #include <vtkGenericDataObjectReader.h>
+#include <vtkInformation.h>
 #include <vtkNetCDFCFReader.h>
 #include <vtkNew.h>
 #include <vtkOBJReader.h>
 #include <vtkPDBReader.h>
 #include <vtkPLYReader.h>
 #include <vtkSTLReader.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkXMLImageDataReader.h>
 #include <vtkXMLMultiBlockDataReader.h>
 #include <vtkXMLPolyDataReader.h>
@@ -38,11 +41,40 @@ namespace
 {
 using ReadFunction = vtkSmartPointer<vtkDataObject> (*)(const std::string& path);
 
+// What it read; the times of its steps go along (TimesOf).
+vtkSmartPointer<vtkDataObject> OutputOf(vtkAlgorithm* reader)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkDataObject* const data = reader->GetOutputDataObject(0);
+  vtkInformation* const information = reader->GetOutputInformation(0);
+  if (data != nullptr && information->Has(Pipeline::TIME_STEPS()))
+  {
+    data->GetInformation()->CopyEntry(information, Pipeline::TIME_STEPS());
+  }
+  return data;
+}
+
 template <class Reader>
 vtkSmartPointer<vtkDataObject> ReadPlain(const std::string& path)
 {
   vtkNew<Reader> reader;
   reader->SetFileName(path.c_str());
+  reader->Update();
+  return OutputOf(reader);
+}
+
+// Legacy files may hold several arrays of each kind; VTK reads one where nothing is said.
+vtkSmartPointer<vtkDataObject> ReadLegacy(const std::string& path)
+{
+  vtkNew<vtkGenericDataObjectReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->ReadAllScalarsOn();
+  reader->ReadAllVectorsOn();
+  reader->ReadAllNormalsOn();
+  reader->ReadAllTensorsOn();
+  reader->ReadAllColorScalarsOn();
+  reader->ReadAllTCoordsOn();
+  reader->ReadAllFieldsOn();
   reader->Update();
   return reader->GetOutputDataObject(0);
 }
@@ -64,7 +96,7 @@ vtkSmartPointer<vtkDataObject> ReadExodus(const std::string& path)
   reader->SetAllArrayStatus(vtkExodusIIReader::NODAL, 1);
   reader->SetAllArrayStatus(vtkExodusIIReader::ELEM_BLOCK, 1);
   reader->Update();
-  return reader->GetOutputDataObject(0);
+  return OutputOf(reader);
 }
 
 // Longitude and latitude become a unit globe.
@@ -75,7 +107,7 @@ vtkSmartPointer<vtkDataObject> ReadNetCdf(const std::string& path)
   reader->SphericalCoordinatesOn();
   reader->ReplaceFillValueWithNanOn();
   reader->Update();
-  return reader->GetOutputDataObject(0);
+  return OutputOf(reader);
 }
 
 struct Format
@@ -87,7 +119,7 @@ struct Format
 const std::vector<Format>& Formats()
 {
   static const std::vector<Format> all{
-    { ".vtk", ReadPlain<vtkGenericDataObjectReader> },
+    { ".vtk", ReadLegacy },
     { ".vtp", ReadPlain<vtkXMLPolyDataReader> },
     { ".vtu", ReadPlain<vtkXMLUnstructuredGridReader> },
     { ".vti", ReadPlain<vtkXMLImageDataReader> },
@@ -179,6 +211,15 @@ std::vector<std::string> ReadableEndings()
   return endings;
 }
 
+std::vector<double> TimesOf(vtkDataObject* data)
+{
+  vtkInformation* const information = data->GetInformation();
+  const auto key = vtkStreamingDemandDrivenPipeline::TIME_STEPS();
+  const double* const times = information->Has(key) ? information->Get(key) : nullptr;
+  return times ? std::vector<double>(times, times + information->Length(key))
+               : std::vector<double>();
+}
+
 vtkSmartPointer<vtkDataObject> ReadFile(const std::string& path)
 {
   CheckRegular(path);
@@ -235,20 +276,37 @@ void DropUnusable(SceneProp& prop)
   prop.Surface = clean.Data;
 }
 
+namespace
+{
+// One, or of glTF one a part.
+std::vector<SceneProp> PropsOf(const std::string& path)
+{
+  SceneProp prop;
+  prop.Source = ReadFile(path);
+  prop.Globe = EndingOf(path) == ".nc" || EndingOf(path) == ".cdf";
+  const Progress progress("taking the surface of " + path);
+  std::vector<SceneProp> parts = IsGltf(path) ? ReadGltf(path) : std::vector<SceneProp>();
+  if (!parts.empty())
+  {
+    return parts;
+  }
+  prop.Surface = SurfaceOf(prop.Source);
+  return { prop };
+}
+}
+
 Scene ReadScene(const std::vector<std::string>& paths)
 {
   Scene scene;
+  scene.FromFiles = true;
   for (std::size_t i = 0; i < paths.size(); i++)
   {
-    SceneProp prop;
-    prop.Source = ReadFile(paths[i]);
-    prop.Label = paths[i];
-    prop.Index = static_cast<int>(i);
+    for (SceneProp& prop : PropsOf(paths[i]))
     {
-      const Progress progress("taking the surface of " + paths[i]);
-      prop.Surface = SurfaceOf(prop.Source);
+      prop.Label = paths[i];
+      prop.Index = static_cast<int>(i);
+      scene.Props.push_back(prop);
     }
-    scene.Props.push_back(prop);
   }
   return scene;
 }

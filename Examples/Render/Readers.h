@@ -17,8 +17,11 @@ std::vector<std::string> ReadableEndings();
 // regular file, empty, of an unknown ending, or damaged.
 vtkSmartPointer<vtkDataObject> ReadFile(const std::string& path);
 
-// One prop a file, in the order given. Cells with unusable points are left out with a
-// warning; a file of which nothing is left throws a Failure with ExitFailed.
+// The times of all steps that the file has, of data that ReadFile made; none where it has none.
+std::vector<double> TimesOf(vtkDataObject* data);
+
+// One prop a file, of glTF one a part, in the order given. Cells with unusable points are left out
+// with a warning; a file of which nothing is left throws a Failure with ExitFailed.
 Scene ReadScene(const std::vector<std::string>& paths);
 
 // Leaves out cells with unusable points, with a warning; throws a Failure with

@@ -9,6 +9,7 @@
 #include "PictureFiles.h"
 #include "Progress.h"
 #include "SkyPicture.h"
+#include "ShownScene.h"
 #include "StereoChoice.h"
 #include "StereoLayout.h"
 #include "StereoOptions.h"
@@ -42,8 +43,8 @@ struct Stage
   vtkNew<vtkRenderWindow> Window;
   vtkSmartPointer<vtkRenderer> Renderer;
   vtkNew<vtkWideFoVPass> WidePass;
-  std::vector<vtkSmartPointer<vtkActor>> Actors; // one a prop of the scene
-  std::vector<int> StereoTypes;                  // one a traversal of a frame; none: mono
+  ShownScene Shown;
+  std::vector<int> StereoTypes; // one a traversal of a frame; none: mono
   vtkSmartPointer<vtkScalarBarActor> Bar;
   vtkSmartPointer<vtkProp> Overlay;
   std::optional<TileGrid> Tiles;
@@ -64,11 +65,7 @@ void Fill(Stage& stage, const Scene& scene, const Options& o)
     stage.Renderer->SetPass(stage.WidePass);
   }
   SetBackground(stage.Renderer, o);
-  for (const SceneProp& prop : scene.Props)
-  {
-    stage.Actors.push_back(MakeActor(prop, o.Look));
-    stage.Renderer->AddActor(stage.Actors.back());
-  }
+  stage.Shown = ShowScene(stage.Renderer, scene, o.Look);
   stage.Bar = MakeScalarBar(scene);
   if (stage.Bar)
   {
@@ -194,10 +191,14 @@ std::vector<Picture> ReadPictures(Stage& stage)
 void SetUpAov(Stage& stage, vtkWideFoVDataPass* pass)
 {
   pass->SetDelegatePass(stage.WidePass);
-  for (std::size_t i = 0; i < stage.Actors.size(); i++)
+  for (std::size_t i = 0; i < stage.Shown.Actors.size(); i++)
   {
     // every actor has cells of its own; NumberByFile makes one of those of one file
-    pass->SetPropIndex(stage.Actors[i], static_cast<int>(i));
+    pass->SetPropIndex(stage.Shown.Actors[i], static_cast<int>(i));
+  }
+  for (vtkVolume* const volume : stage.Shown.Volumes)
+  {
+    volume->VisibilityOff(); // nor has it one
   }
   for (vtkProp* const prop : { static_cast<vtkProp*>(stage.Bar), stage.Overlay.Get() })
   {
@@ -233,7 +234,7 @@ bool IsWide(Stage& stage)
 void Count(Stage& stage, const Options& o, RenderStats& stats)
 {
   stats.Gl = QueryStrings(stage.Window);
-  stats.PropsTotal = static_cast<int>(stage.Actors.size());
+  stats.PropsTotal = static_cast<int>(stage.Shown.Actors.size());
   if (IsWide(stage)) // otherwise stock VTK draws, and does not count
   {
     const int others =
@@ -250,7 +251,7 @@ void CountTiles(Stage& stage, RenderStats& stats)
   stats = RenderStats();
   stats.Gl = QueryStrings(stage.Window);
   stats.Milliseconds = all.Milliseconds;
-  stats.PropsTotal = static_cast<int>(stage.Actors.size());
+  stats.PropsTotal = static_cast<int>(stage.Shown.Actors.size());
   stats.Tiles = { { stage.Tiles->Count(0), stage.Tiles->Count(1) } };
   stats.Shaders = all.Shaders;
   if (IsWide(stage))

@@ -7,6 +7,7 @@
 
 #include <vtkActor.h>
 #include <vtkDataObject.h>
+#include <vtkImageData.h>
 #include <vtkPolyData.h>
 #include <vtkScalarsToColors.h>
 #include <vtkSmartPointer.h>
@@ -24,7 +25,9 @@ struct SceneProp
   {
     Mesh,
     Balls, // one a point, by Molecule.h
-    Sticks
+    Sticks,
+    Volume, // of Source, by Volume.h; of what is drawn none is left
+    Outline // of a volume
   };
 
   vtkSmartPointer<vtkPolyData> Surface;  // what the mapper draws
@@ -32,7 +35,12 @@ struct SceneProp
   int Index = 0;                         // of the file, in the order given; 0 for a built-in scene
   std::string Label;                     // for messages
   Shape Kind = Shape::Mesh;
-  double Margin = 0; // how far what is drawn reaches beyond the points, scene units
+  double Margin = 0;    // how far what is drawn reaches beyond the points, scene units
+  bool InSpace = false; // of 3-D data, and all through them
+  bool Globe = false;   // of longitudes and latitudes
+  bool Backdrop =
+    false;            // a surface under arrows or stream lines: grey unless colours are asked for
+  bool Inner = false; // its inner sides are drawn alone
 
   Vector3 Color{ { 0.9, 0.9, 0.9 } };
   std::string Array; // gives the colours; empty: Color
@@ -40,13 +48,24 @@ struct SceneProp
   int Component = -1;  // -1: the magnitude
   bool Direct = false; // the array holds colours already
   vtkSmartPointer<vtkScalarsToColors> ColorMap;
-  double Ambient = 0.25; // shares of the light, 0 to 1
+  vtkSmartPointer<vtkActor> Material; // one of the file's; none: Color, Ambient and Diffuse
+  double Ambient = 0.25;              // shares of the light, 0 to 1
   double Diffuse = 0.75;
+};
+
+// Data that fill space, drawn as such; an outline of them is among the props.
+struct SceneVolume
+{
+  vtkSmartPointer<vtkImageData> Data; // its point scalars, of one component
+  vtkSmartPointer<vtkScalarsToColors> ColorMap;
+  std::array<double, 2> Range; // of the scalars: clear at the first, dense at the second
 };
 
 struct Scene
 {
   std::vector<SceneProp> Props;
+  std::vector<SceneVolume> Volumes;
+  bool FromFiles = false;
   std::optional<Vector3> Eye; // none: the centre of the bounds
   std::string BarTitle;       // of the scalar bar, where BarMap is set
   vtkSmartPointer<vtkScalarsToColors> BarMap;

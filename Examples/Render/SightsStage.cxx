@@ -32,16 +32,15 @@ SightsStage::SightsStage(const Scene& scene, const Options& o)
 
 void SightsStage::SetScene(const Scene& scene, const Options& o)
 {
-  for (const auto& actor : this->Actors)
+  for (const auto& actor : this->Shown.Actors)
   {
     this->Renderer->RemoveActor(actor);
   }
-  this->Actors.clear();
-  for (const SceneProp& prop : scene.Props)
+  for (const auto& volume : this->Shown.Volumes)
   {
-    this->Actors.push_back(MakeActor(prop, o.Look));
-    this->Renderer->AddActor(this->Actors.back());
+    this->Renderer->RemoveVolume(volume);
   }
+  this->Shown = ShowScene(this->Renderer, scene, o.Look);
   this->Renderer->RemoveViewProp(this->Bar);
   this->Bar = MakeScalarBar(scene);
   if (this->Bar)

@@ -9,8 +9,8 @@
 #include "ImageOutput.h"
 #include "Options.h"
 #include "Scene.h"
+#include "ShownScene.h"
 
-#include <vtkActor.h>
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>
 #include <vtkScalarBarActor.h>
@@ -51,7 +51,7 @@ private:
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkWideFoVRenderer> Renderer;
   vtkNew<vtkWideFoVPass> Pass;
-  std::vector<vtkSmartPointer<vtkActor>> Actors;
+  ShownScene Shown;
   vtkSmartPointer<vtkScalarBarActor> Bar;
 };
 }

@@ -6,6 +6,8 @@
 #include "EyeDistance.h"
 #include "Film/FilmJob.h"
 #include "Film/FilmOptions.h"
+#include "FirstView.h"
+#include "Info.h"
 #include "Listing.h"
 #include "LoadScene.h"
 #include "Messages.h"
@@ -130,10 +132,10 @@ int Run(int argc, char** argv)
   {
     return *done;
   }
-  const std::string listing = ListingText(options);
-  if (!listing.empty())
+  const std::string told = ListingText(options) + InfoText(options);
+  if (!told.empty())
   {
-    Print(listing);
+    Print(told);
     return ExitDone;
   }
   if (HasFilm(options))
@@ -151,6 +153,7 @@ int Run(int argc, char** argv)
   const Stopwatch watch;
   const StandardInput input(options.Files);
   const Scene scene = LoadScene(options);
+  ChooseView(options, scene);
   const double reading = watch.GetMilliseconds();
   MakePose(scene, options); // complains before a window is opened
   FitEyes(options, scene);

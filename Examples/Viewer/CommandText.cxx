@@ -86,6 +86,12 @@ std::string LookText(const Look& look)
   text += look.LinesAsTubes ? " --lines-as-tubes" : "";
   text += look.PointsAsSpheres ? " --points-as-spheres" : "";
   text += look.ScalarBar ? " --scalar-bar" : "";
+  text += look.Colors ? "" : " --no-colors";
+  text += look.UsualBar ? "" : " --no-scalar-bar";
+  text += look.Smooth ? "" : " --no-smooth";
+  text += look.Surface ? "" : " --no-surface";
+  text += look.Volume ? " --volume" : "";
+  text += look.UsualVolume ? "" : " --no-volume";
   return text;
 }
 

@@ -6,6 +6,7 @@
 #include "Frame.h"
 #include "Messages.h"
 #include "Passes.h"
+#include "ShownScene.h"
 #include "SkyPicture.h"
 #include "StereoChoice.h"
 #include "StereoLayout.h"
@@ -59,14 +60,11 @@ ViewerStage::ViewerStage(
     double(tile.Rows - 1 - tile.Row) / tile.Rows, double(tile.Column + 1) / tile.Columns,
     double(tile.Rows - tile.Row) / tile.Rows);
   SetBackground(this->Renderer, o);
-  for (const SceneProp& prop : scene.Props)
+  ShowScene(this->Renderer, scene, o.Look);
+  this->Bar = MakeScalarBar(scene);
+  if (this->Bar)
   {
-    this->Actors.push_back(MakeActor(prop, o.Look));
-    this->Renderer->AddActor(this->Actors.back());
-  }
-  if (const vtkSmartPointer<vtkScalarBarActor> bar = MakeScalarBar(scene))
-  {
-    this->Renderer->AddViewProp(bar);
+    this->Renderer->AddViewProp(this->Bar);
   }
   this->Renderer->AddObserver(vtkCommand::EndEvent, this, &ViewerStage::AfterScene);
   this->Window->AddRenderer(this->Renderer);
@@ -192,6 +190,10 @@ FrameCost ViewerStage::Draw(const Options& o, const std::array<int, 2>& size,
   this->Aiming = o.Technique != Technique::CubeMap ? aim : nullptr;
   this->Aimed = false;
   this->Apply(o, size);
+  if (this->Bar)
+  {
+    this->Bar->SetVisibility(this->HasRoom());
+  }
   this->Texts.SetHelp(this->HasRoom() ? help : "", size[0], size[1]);
   this->Start = std::chrono::steady_clock::now();
   if (this->InTurn)

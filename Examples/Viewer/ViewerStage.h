@@ -112,7 +112,7 @@ private:
   vtkNew<vtkWideFoVRenderer> Renderer;
   vtkNew<vtkWideFoVPass> WidePass;
   vtkSmartPointer<vtkPanoramicProjectionPass> CubeMapPass;
-  std::vector<vtkSmartPointer<vtkActor>> Actors;
+  vtkSmartPointer<vtkScalarBarActor> Bar;
   Crosshair Cross;
   Overlay Texts;
   std::array<int, 2> Limits{ { 0, 0 } };

@@ -5,6 +5,8 @@
 #include "DirectionMapFile.h"
 #include "Display.h"
 #include "EyeDistance.h"
+#include "FirstView.h"
+#include "Info.h"
 #include "Listing.h"
 #include "LoadScene.h"
 #include "Messages.h"
@@ -38,10 +40,10 @@ int Run(int argc, char** argv)
   {
     return *done;
   }
-  const std::string listing = ListingText(options.Picture);
-  if (!listing.empty())
+  const std::string told = ListingText(options.Picture) + InfoText(options.Picture);
+  if (!told.empty())
   {
-    Print(listing);
+    Print(told);
     return ExitDone;
   }
   LoadDirectionMap(options.Picture);
@@ -50,6 +52,7 @@ int Run(int argc, char** argv)
   options.Picture = room.GetGiven();
   const StandardInput input(options.Picture.Files);
   const Scene scene = LoadScene(options.Picture);
+  ChooseView(options.Picture, scene);
   MakePose(scene, options.Picture); // complains before a window is opened
   FitEyes(options.Picture, scene);
   const DisplayConnection display;

@@ -87,6 +87,11 @@ COMMAND_LINE = [
     usage("good.vtk --up 0,0,0", "--up"),
     usage("good.vtk --up 0,0,1 --direction 0,0,-1", "--up"),
     usage("good.vtk --eye 1,2,3 --look-at 1,2,3", "--look-at"),
+    usage("good.vtk --inside --outside", "--outside"),
+    usage("good.vtk --outside --eye 1,2,3", "--eye"),
+    usage("good.vtk --volume --no-volume", "--no-volume"),
+    usage("--info", "--info"),
+    usage("--info --scene room", "--info"),
     usage("good.vtk --tolerance 0", "--tolerance"),
     usage("good.vtk --tolerance nan", "--tolerance"),
     usage("good.vtk --samples -1", "--samples"),
@@ -200,6 +205,9 @@ DATA = [
     failed("good.vtk --vectors heat", "heat"),
     failed("good.vtk --streamlines cold", "cold"),
     failed("good.vtk --streamlines heat", "heat"),
+    failed("good.vtk --volume", "--volume"),
+    failed("missing.vtk --info", "missing.vtk"),
+    failed("truncated.ply --info", "truncated.ply"),
 ]
 MAP = "good.vtk --projection direction-map --direction-map "
 DATA += [
@@ -280,6 +288,7 @@ OUTPUT = [
     failed("--list-scenes", "", place="full standard output"),
     failed("--help", "", place="full standard output"),
     failed("good.vtk --output -", "standard output", place="full standard output"),
+    failed("--info good.vtk", "", place="full standard output"),
 ]
 
 TILED = "good.vtk --size 512x256 --tile 128x96 "

@@ -26,6 +26,7 @@ void SetOfficeCamera(widefov::Options& o)
 {
   o.Look.StreamLines = "vectors";
   o.Look.Vectors = "vectors";
+  o.Look.Surface = false;
   o.Look.Range = std::array<double, 2>{ { 0, 0.25 } };
   o.Look.ColorMap = "rainbow";
   o.Eye = widefov::Vector3{ { 2, 2.2, 1.4 } };

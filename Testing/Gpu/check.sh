@@ -145,7 +145,8 @@ draw() {
     input=(--scene "$scene")
     # as the project's own picture of it
     [ "$scene" != office ] || input=("$bundle/data/office.binary.vtk" --streamlines vectors
-      --vectors vectors --eye 2,2.2,1.4 --direction 1,0,0 --up 0,0,1 --range 0,0.25 --colormap rainbow)
+      --vectors vectors --no-surface --no-scalar-bar --eye 2,2.2,1.4 --direction 1,0,0 --up 0,0,1
+      --range 0,0.25 --colormap rainbow)
     beside "$picture_limit" "pictures/$scene" "$bundle/widefov-render" "${input[@]}" \
       --size "$picture_size" --frames 3 --stats "$out/pictures/$scene.json" \
       --output "$out/pictures/$scene.png"

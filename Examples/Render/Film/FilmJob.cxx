@@ -12,6 +12,7 @@
 #include "Film/FilmScenes.h"
 #include "Film/FilmSink.h"
 #include "Film/FilmWriter.h"
+#include "FirstView.h"
 #include "Listing.h"
 #include "Messages.h"
 #include "OutputFiles.h"
@@ -248,6 +249,7 @@ void MakeFilm(Options& o)
   const StandardInput input(o.Files);
   FilmScenes scenes(o);
   const Scene first = scenes.GetScene(0);
+  ChooseView(o, first);
   const FilmPath path = MakeFilmPath(first, o);
   FitEyesAlong(o, first, path);
   const FilmPlan plan = PlanOf(o.Film, scenes.GetNumberOfSteps());
