@@ -18,7 +18,7 @@ namespace
 {
 constexpr float LetterSize = 13; // of ImGui's own font, points
 constexpr float Opacity = 0.85F;
-constexpr const char* ShadingLanguage = "#version 150"; // of OpenGL 3.2
+constexpr int ShadingLanguage = 150; // of OpenGL 3.2
 
 // Letters and widgets as large as the monitor asks for.
 void SetLook(GLFWwindow* window)
@@ -65,7 +65,7 @@ ImGuiPanel::ImGuiPanel(GLFWwindow* window)
   io.ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange;
   SetLook(window);
   ImGui_ImplGlfw_InitForOpenGL(window, true);
-  this->HasOpenGL = ImGui_ImplOpenGL3_Init(ShadingLanguage);
+  this->HasOpenGL = ImGui_ImplOpenGL3_Init(("#version " + std::to_string(ShadingLanguage)).c_str());
 }
 
 ImGuiPanel::~ImGuiPanel()
