@@ -260,7 +260,7 @@ class Viewer:
         left, top, right, bottom = self.wait(lambda s: s["panel"] and widget in s["panel"])["panel"][
             widget
         ]
-        self.point(round(0.6 * left + 0.4 * right), round((top + bottom) / 2))
+        self.point(round(0.8 * left + 0.2 * right), round((top + bottom) / 2))
         return self.after(lambda: self.desktop.click("left"), lambda s: s["event"] == "panel")
 
     def origin(self):
