@@ -5,6 +5,11 @@
 
 namespace widefov
 {
+bool HasPanels()
+{
+  return false;
+}
+
 std::unique_ptr<Panel> MakePanel(GLFWwindow*)
 {
   return nullptr;

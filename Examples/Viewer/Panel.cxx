@@ -120,6 +120,11 @@ void ImGuiPanel::Draw()
 }
 }
 
+bool HasPanels()
+{
+  return true;
+}
+
 std::unique_ptr<Panel> MakePanel(GLFWwindow* window)
 {
   auto panel = std::make_unique<ImGuiPanel>(window);

@@ -33,7 +33,10 @@ public:
   virtual bool WantsKeys() const = 0;
 };
 
-// Nothing where the viewer was built without Dear ImGui, or OpenGL does not let it draw.
+// False where the viewer was built without Dear ImGui.
+bool HasPanels();
+
+// Nothing where there are none, or OpenGL does not let them draw.
 std::unique_ptr<Panel> MakePanel(GLFWwindow* window);
 }
 

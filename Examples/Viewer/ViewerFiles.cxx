@@ -51,6 +51,7 @@ Scene Viewer::Read(Options& options, bool fits)
   Loader loader(options, fits);
   std::unique_ptr<Panel> own;
   const std::string what = NameOf(options);
+  this->Windows.SetTitle("reading " + what);
   const Clock::time_point start = Clock::now();
   while (!loader.Wait(Glance))
   {
@@ -99,7 +100,8 @@ void Viewer::SetScene(Scene scene)
     const double size = std::hypot(b[1] - b[0], b[3] - b[2], b[5] - b[4]);
     this->SceneSize = size > 0 ? size : 1;
   }
-  this->Windows.SetScene(this->What, this->Given.Picture.Look, NameOf(this->Given.Picture));
+  this->Windows.SetScene(this->What, this->Given.Picture.Look);
+  this->Windows.SetTitle(NameOf(this->Given.Picture));
   this->Cross = Aim();
   this->Changed();
 }
@@ -135,6 +137,7 @@ bool Viewer::Change(Options options)
     widefov::SayError("there is not enough memory for " + NameOf(options) + "; open smaller data");
     this->Say("there is not enough memory for these data");
   }
+  this->Windows.SetTitle(NameOf(this->Given.Picture));
   return false;
 }
 

@@ -18,7 +18,8 @@ void Viewer::TogglePanel()
   this->Shown = this->Windows.MakePanel();
   if (!this->Shown)
   {
-    this->Say("this viewer was built without its panel");
+    this->Say(
+      HasPanels() ? "this OpenGL draws no panel" : "this viewer was built without its panel");
     return;
   }
   this->Recently = this->Opened.Get();

@@ -89,6 +89,7 @@ std::string Viewer::TextFor(const FrameCost& cost) const
     text += "  pose " + std::to_string(*pose) + (this->Paused ? ", stopped" : "");
   }
   text += this->ShowsNumbers ? NumbersOf(this->Now, cost) : "";
-  return text + "\n" + (this->Message.empty() ? "F1: keys, Tab: panel" : this->Message);
+  const std::string hint = HasPanels() ? "F1: keys, Tab: panel" : "F1: keys";
+  return text + "\n" + (this->Message.empty() ? hint : this->Message);
 }
 }

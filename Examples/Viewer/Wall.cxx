@@ -68,12 +68,19 @@ void Wall::AddPane(const ViewerOptions& o, const Options& part)
   this->Panes.push_back(std::move(pane));
 }
 
-void Wall::SetScene(const Scene& scene, const Look& look, const std::string& name)
+void Wall::SetScene(const Scene& scene, const Look& look)
 {
   for (const Pane& pane : this->Panes)
   {
     pane.Stage->SetScene(scene, look);
-    pane.Window->SetTitle(ProgramName + (": " + name) + pane.Name);
+  }
+}
+
+void Wall::SetTitle(const std::string& title)
+{
+  for (const Pane& pane : this->Panes)
+  {
+    pane.Window->SetTitle(ProgramName + (": " + title) + pane.Name);
   }
 }
 

@@ -43,8 +43,11 @@ public:
   // them.
   Wall(const ViewerOptions& options, const std::vector<Options>& parts);
 
-  // What the next frames show; `name` stands in the titles. The scene must outlive this.
-  void SetScene(const Scene& scene, const Look& look, const std::string& name);
+  // What the next frames show. The scene must outlive this.
+  void SetScene(const Scene& scene, const Look& look);
+
+  // What stands in the titles behind the program's name.
+  void SetTitle(const std::string& title);
 
   bool IsSeveral() const { return this->Panes.size() > 1; }
   bool IsTiled() const { return this->Columns * this->Rows > 1; }
