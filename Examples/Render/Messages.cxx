@@ -133,6 +133,10 @@ std::string Text(double value)
 
 QuietStandardError::QuietStandardError()
 {
+  if (QuietedDescriptor >= 0)
+  {
+    return;
+  }
   std::fflush(stderr);
   const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
   const int saved = fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
@@ -140,6 +144,7 @@ QuietStandardError::QuietStandardError()
   {
     dup2(nowhere, STDERR_FILENO);
     QuietedDescriptor = saved;
+    this->Quiets = true;
   }
   else if (saved >= 0)
   {
@@ -153,7 +158,7 @@ QuietStandardError::QuietStandardError()
 
 QuietStandardError::~QuietStandardError()
 {
-  if (QuietedDescriptor >= 0)
+  if (this->Quiets)
   {
     std::fflush(stderr);
     dup2(QuietedDescriptor, STDERR_FILENO);

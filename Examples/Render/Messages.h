@@ -62,7 +62,7 @@ void SetVerbosity(Verbosity verbosity);
 std::string Text(double value);
 
 // While one of these lives, what libraries print to standard error by themselves goes
-// nowhere; Say still reaches the user. Not to be nested.
+// nowhere; Say still reaches the user. One inside another does nothing.
 class QuietStandardError
 {
 public:
@@ -70,6 +70,9 @@ public:
   ~QuietStandardError();
   QuietStandardError(const QuietStandardError&) = delete;
   QuietStandardError& operator=(const QuietStandardError&) = delete;
+
+private:
+  bool Quiets = false;
 };
 
 // The file descriptor that reaches the user, whatever QuietStandardError did.

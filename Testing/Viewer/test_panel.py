@@ -97,13 +97,26 @@ class Files(Shared):
         viewer = self.start("marks.vtk")
         self.assertIsNotNone(targets.find(viewer.photograph(), "red"))
         source = Source(self.desktop)
-        for names, says in ((["nowhere.vtk"], "nowhere.vtk"), (["dot.vtk"], "opened")):
+        for name in ("junk.vtk", "long.vtk"):
+            with open(self.path(name), "wb") as stream:
+                stream.write(b"no data\n" * (200000 if name == "long.vtk" else 1))
+        for name, says in (("nowhere.vtk", "nowhere.vtk"), ("junk.vtk", "junk.vtk"),
+                           ("long.vtk", "long.vtk"), ("dot.vtk", "opened")):
             before = viewer.state()
-            source.drop(viewer.window, [self.path(name) for name in names])
+            source.drop(viewer.window, [self.path(name)])
             state = viewer.wait(lambda s, says=says: says in s["message"])
             opened = says == "opened"
             self.assertEqual(state["eye"], [8.5, 8.5, 8.5] if opened else before["eye"])
             self.assertEqual(targets.find(viewer.photograph(), "red") is None, opened)
+        said = viewer.said().splitlines()
+        for name, line in zip(("nowhere.vtk", "junk.vtk", "long.vtk"), said, strict=True):
+            self.assertIn(name, line)
+
+    def test_what_takes_long_and_cannot_be_read(self):
+        with open(self.path("long.vtk"), "wb") as stream:
+            stream.write(b"no data\n" * 200000)
+        viewer = self.start("long.vtk", waits=False)
+        self.assertEqual(viewer.end(), 1)
         self.assertEqual(len(viewer.said().splitlines()), 1, viewer.said())
 
     def test_quits_while_it_reads(self):
