@@ -19,10 +19,11 @@ namespace widefov
 {
 namespace
 {
-constexpr float Border = 8;     // between the panel and the window
-constexpr float ItemWidth = 12; // letters' sizes
-constexpr float LeastAngle = 1; // degrees
-constexpr float MostTilt = 90;  // degrees
+constexpr float Border = 8;          // between the panel and the window
+constexpr float ItemWidth = 13.5F;   // letters' sizes
+constexpr float LargestShare = 0.5F; // of the window's width, at most
+constexpr float LeastAngle = 1;      // degrees
+constexpr float MostTilt = 90;       // degrees
 constexpr const char* OwnScalars = "(the data's own)";
 
 // Pixels of the window: left, top, right, bottom.
@@ -84,7 +85,7 @@ void Viewer::Widgets()
         ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
           ImGuiWindowFlags_NoSavedSettings))
   {
-    ImGui::PushItemWidth(ItemWidth * ImGui::GetFontSize());
+    ImGui::PushItemWidth(std::min(ItemWidth * ImGui::GetFontSize(), LargestShare * size.x));
     this->ChooseView();
     this->ChooseEyes();
     this->ChooseLook();
