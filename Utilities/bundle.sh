@@ -32,7 +32,7 @@ unused='/lib(opencv_[a-z]*|avcodec|avformat|avutil|swscale|heif|openvdb)\.so'
 by_name=(libXext.so.6 libXrandr.so.2 libXinerama.so.1 libXcursor.so.1 libXi.so.6 libXxf86vm.so.1)
 # Compiled into the programs, and the data.
 compiled_in=(libcli11-dev nlohmann-json3-dev libglm-dev libgtest-dev libboost-dev librapidcheck-dev
-  ferret-datasets)
+  libimgui-dev ferret-datasets)
 
 fail() {
   echo "bundle.sh: $1" >&2

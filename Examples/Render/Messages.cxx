@@ -132,9 +132,8 @@ std::string Text(double value)
 }
 
 QuietStandardError::QuietStandardError()
-  : Outermost(QuietedDescriptor < 0)
 {
-  if (!this->Outermost)
+  if (QuietedDescriptor >= 0)
   {
     return;
   }
@@ -145,6 +144,7 @@ QuietStandardError::QuietStandardError()
   {
     dup2(nowhere, STDERR_FILENO);
     QuietedDescriptor = saved;
+    this->Quiets = true;
   }
   else if (saved >= 0)
   {
@@ -158,7 +158,7 @@ QuietStandardError::QuietStandardError()
 
 QuietStandardError::~QuietStandardError()
 {
-  if (this->Outermost && QuietedDescriptor >= 0)
+  if (this->Quiets)
   {
     std::fflush(stderr);
     dup2(QuietedDescriptor, STDERR_FILENO);

@@ -72,7 +72,7 @@ public:
   QuietStandardError& operator=(const QuietStandardError&) = delete;
 
 private:
-  bool Outermost;
+  bool Quiets = false;
 };
 
 // The file descriptor that reaches the user, whatever QuietStandardError did.

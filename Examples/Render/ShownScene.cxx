@@ -52,4 +52,17 @@ ShownScene ShowScene(vtkRenderer* renderer, const Scene& scene, const Look& look
   }
   return shown;
 }
+
+void HideScene(vtkRenderer* renderer, ShownScene& shown)
+{
+  for (vtkActor* const actor : shown.Actors)
+  {
+    renderer->RemoveActor(actor);
+  }
+  for (vtkVolume* const volume : shown.Volumes)
+  {
+    renderer->RemoveVolume(volume);
+  }
+  shown = ShownScene();
+}
 }

@@ -28,6 +28,9 @@ struct ShownScene
 
 // Adds all that is drawn of the scene, and a light for files that say how they reflect it.
 ShownScene ShowScene(vtkRenderer* renderer, const Scene& scene, const Look& look);
+
+// Takes it away again, but for the light.
+void HideScene(vtkRenderer* renderer, ShownScene& shown);
 }
 
 #endif

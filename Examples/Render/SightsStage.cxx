@@ -32,14 +32,7 @@ SightsStage::SightsStage(const Scene& scene, const Options& o)
 
 void SightsStage::SetScene(const Scene& scene, const Options& o)
 {
-  for (const auto& actor : this->Shown.Actors)
-  {
-    this->Renderer->RemoveActor(actor);
-  }
-  for (const auto& volume : this->Shown.Volumes)
-  {
-    this->Renderer->RemoveVolume(volume);
-  }
+  HideScene(this->Renderer, this->Shown);
   this->Shown = ShowScene(this->Renderer, scene, o.Look);
   this->Renderer->RemoveViewProp(this->Bar);
   this->Bar = MakeScalarBar(scene);

@@ -8,12 +8,33 @@
 #include "Stereo/Stereo.h"
 
 #include <algorithm>
-#include <vector>
+#include <utility>
 
 namespace widefov
 {
 namespace
 {
+// Takes the other options where they can be drawn.
+bool Take(Options& options, Options next, bool tiled)
+{
+  if (!WhyNot(next, tiled).empty())
+  {
+    return false;
+  }
+  CheckDrawn(next);
+  options = std::move(next);
+  return true;
+}
+
+// The name so many steps behind the present one, round and round.
+std::string NameBehind(const std::vector<std::string>& names, const std::string& name, int step)
+{
+  const int count = static_cast<int>(names.size());
+  const int at = static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin());
+  return names[static_cast<std::size_t>(((at + step) % count + count) % count)];
+}
+}
+
 // Behind none the usual one of a picture all round.
 std::vector<std::string> StereoNames()
 {
@@ -27,15 +48,6 @@ std::vector<std::string> StereoNames()
     }
   }
   return names;
-}
-
-// The name so many steps behind the present one, round and round.
-std::string NameBehind(const std::vector<std::string>& names, const std::string& name, int step)
-{
-  const int count = static_cast<int>(names.size());
-  const int at = static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin());
-  return names[static_cast<std::size_t>(((at + step) % count + count) % count)];
-}
 }
 
 bool CanBeTiled(const Options& options)
@@ -83,69 +95,88 @@ bool GiveUpTechnique(Options& o)
   return true;
 }
 
+bool SetProjection(Options& o, const Fields& fields, const std::string& name, bool tiled)
+{
+  Options next = o;
+  next.Projection = name;
+  fields.Apply(next);
+  GiveUpTechnique(next);
+  if (!WhyNot(next).empty())
+  {
+    next.DebugView = false;
+    next.Depth = "linear";
+    next.Stereo = wfv::NoStereo().Name;
+    next.View.Stereo.Model = nullptr;
+  }
+  return Take(o, next, tiled);
+}
+
 void StepProjection(Options& o, const Fields& fields, int step, bool tiled)
 {
-  const std::vector<const wfv::Projection*> all = wfv::AllProjections();
-  const int count = static_cast<int>(all.size());
-  int index = 0;
-  while (all[static_cast<std::size_t>(index)]->Name != o.Projection)
+  std::vector<std::string> names;
+  for (const wfv::Projection* const p : wfv::AllProjections())
   {
-    index++;
+    names.push_back(p->Name);
   }
+  const int count = static_cast<int>(names.size());
+  const std::string before = o.Projection;
   for (int tries = 1; tries < count; tries++)
   {
-    Options next = o;
-    next.Projection = all[static_cast<std::size_t>((index + (step * tries + count)) % count)]->Name;
-    fields.Apply(next);
-    GiveUpTechnique(next);
-    if (!WhyNot(next).empty())
+    if (SetProjection(o, fields, NameBehind(names, before, step * tries), tiled))
     {
-      next.DebugView = false;
-      next.Depth = "linear";
-      next.Stereo = wfv::NoStereo().Name;
-      next.View.Stereo.Model = nullptr;
-    }
-    if (WhyNot(next, tiled).empty())
-    {
-      CheckDrawn(next);
-      o = next;
       return;
     }
   }
 }
 
+bool SetTechnique(Options& o, const std::string& name, bool tiled)
+{
+  Options next = o;
+  next.TechniqueName = name;
+  return Take(o, next, tiled);
+}
+
 bool StepTechnique(Options& o, int step, bool tiled)
 {
   const std::vector<std::string> names = TechniqueNames();
+  const std::string before = o.TechniqueName;
   for (int tries = 1; tries < static_cast<int>(names.size()); tries++)
   {
-    Options next = o;
-    next.TechniqueName = NameBehind(names, o.TechniqueName, step * tries);
-    if (WhyNot(next, tiled).empty())
+    if (SetTechnique(o, NameBehind(names, before, step * tries), tiled))
     {
-      CheckDrawn(next);
-      o = next;
       return true;
     }
   }
   return false;
 }
 
+bool SetStereo(Options& o, const std::string& name, bool tiled)
+{
+  Options next = o;
+  next.Stereo = name;
+  next.View.Stereo.Model = wfv::FindStereoModel(name);
+  return Take(o, next, tiled);
+}
+
 bool StepStereo(Options& o, int step, bool tiled)
 {
   const std::vector<std::string> names = StereoNames();
+  const std::string before = o.Stereo;
   for (int tries = 1; tries < static_cast<int>(names.size()); tries++)
   {
-    Options next = o;
-    next.Stereo = NameBehind(names, o.Stereo, step * tries);
-    next.View.Stereo.Model = wfv::FindStereoModel(next.Stereo);
-    if (WhyNot(next, tiled).empty())
+    if (SetStereo(o, NameBehind(names, before, step * tries), tiled))
     {
-      o = next;
       return true;
     }
   }
   return false;
+}
+
+bool SetView(Options& o, const wfv::ViewOptions& view, bool tiled)
+{
+  Options next = o;
+  next.View = view;
+  return Take(o, next, tiled);
 }
 
 bool FitsWindow(const Options& options)

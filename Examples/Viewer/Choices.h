@@ -7,6 +7,7 @@
 #include "Options.h"
 
 #include <string>
+#include <vector>
 
 namespace widefov
 {
@@ -17,8 +18,21 @@ bool CanBeTiled(const Options& options);
 // over several windows.
 std::string WhyNot(const Options& options, bool tiled = false);
 
-// Takes the next (step 1) or the previous (-1) projection. What goes with some projections
-// only (the cubemap, the debug view, a depth mapping) is given up where it must be.
+// What there is to choose from.
+std::vector<std::string> StereoNames();
+
+// Takes the projection of that name. What goes with some projections only (the cubemap, the
+// debug view, a depth mapping) is given up where it must be. False, and nothing changes, where
+// the view cannot be drawn so.
+bool SetProjection(
+  Options& options, const Fields& fields, const std::string& name, bool tiled = false);
+
+// The same of a technique, of a stereo model, and of the numbers of the view.
+bool SetTechnique(Options& options, const std::string& name, bool tiled = false);
+bool SetStereo(Options& options, const std::string& name, bool tiled = false);
+bool SetView(Options& options, const wfv::ViewOptions& view, bool tiled = false);
+
+// Takes the next (step 1) or the previous (-1) projection.
 void StepProjection(Options& options, const Fields& fields, int step, bool tiled = false);
 
 // Takes the next technique that can draw the view. False where there is no other.

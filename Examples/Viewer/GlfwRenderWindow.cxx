@@ -47,6 +47,17 @@ void GlfwRenderWindow::ShowEye(int eye)
   state->PopFramebufferBindings();
 }
 
+void GlfwRenderWindow::DrawOver(const std::function<void()>& draw)
+{
+  this->MakeCurrent();
+  vtkOpenGLState* const state = this->GetState();
+  state->PushFramebufferBindings();
+  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  state->vtkglDrawBuffer(GL_BACK);
+  draw();
+  state->PopFramebufferBindings();
+}
+
 void GlfwRenderWindow::MakeCurrent()
 {
   if (this->Handle != nullptr && !this->IsCurrent())

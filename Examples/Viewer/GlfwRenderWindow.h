@@ -5,6 +5,8 @@
 
 #include <vtkGenericOpenGLRenderWindow.h>
 
+#include <functional>
+
 struct GLFWwindow;
 
 namespace widefov
@@ -23,9 +25,13 @@ public:
   // True where the window has a back buffer for each eye.
   bool HasBuffersForBoth() const { return this->TwoBuffers; }
 
-  // Puts what the last frame drew for an eye (0 left, 1 right) of the type crystal eyes into the
-  // window's one back buffer.
+  // Puts what the last frame drew for an eye (0 left, 1 right, of the type crystal eyes; else 0)
+  // into the window's one back buffer.
   void ShowEye(int eye);
+
+  // Calls what draws over the picture in the window's back buffer by OpenGL itself; it must leave
+  // OpenGL's state as it finds it.
+  void DrawOver(const std::function<void()>& draw);
 
   void MakeCurrent() override;
   bool IsCurrent() override;

@@ -136,6 +136,13 @@ struct GlfwCallbacks
     Note(handle, { WindowEvent::Kind::Wheel, 0, 0, x, y });
   }
 
+  static void Drop(GLFWwindow* handle, int count, const char** paths)
+  {
+    WindowEvent event{ WindowEvent::Kind::Drop };
+    event.Files.assign(paths, paths + count);
+    Note(handle, event);
+  }
+
   static void Resize(GLFWwindow* handle, int, int) { Of(handle).Damaged = true; }
 
   static void Damage(GLFWwindow* handle) { Of(handle).Damaged = true; }
@@ -161,6 +168,7 @@ GlfwWindow::GlfwWindow(const std::string& title, const std::array<int, 2>& size,
   glfwSetMouseButtonCallback(this->Handle, GlfwCallbacks::Button);
   glfwSetCursorPosCallback(this->Handle, GlfwCallbacks::Cursor);
   glfwSetScrollCallback(this->Handle, GlfwCallbacks::Wheel);
+  glfwSetDropCallback(this->Handle, GlfwCallbacks::Drop);
   glfwSetFramebufferSizeCallback(this->Handle, GlfwCallbacks::Resize);
   glfwSetWindowRefreshCallback(this->Handle, GlfwCallbacks::Damage);
   this->SetFullScreen(fullScreen);
@@ -192,6 +200,11 @@ void GlfwWindow::Wait(double seconds)
     glfwWaitEventsTimeout(seconds);
   }
   HandleXErrors();
+}
+
+void GlfwWindow::SetTitle(const std::string& title)
+{
+  glfwSetWindowTitle(this->Handle, title.c_str());
 }
 
 void GlfwWindow::PlaceBeside(const GlfwWindow& other, int right, int below)

@@ -26,15 +26,17 @@ struct WindowEvent
     ButtonPress,
     ButtonRelease,
     Cursor,
-    Wheel
+    Wheel,
+    Drop
   };
   Kind What;
   int Code = 0; // key or button
   int Modifiers = 0;
   double X = 0;
   double Y = 0;
-  unsigned long Order = 0; // among the events of all windows
-  std::size_t Part = 0;    // of what several windows show (Wall.h)
+  unsigned long Order = 0;             // among the events of all windows
+  std::size_t Part = 0;                // of what several windows show (Wall.h)
+  std::vector<std::string> Files = {}; // that were dropped
 };
 
 class GlfwWindow
@@ -55,6 +57,8 @@ public:
   // happen (at most so many seconds; below 0: as long as it takes).
   static void Poll();
   static void Wait(double seconds = -1);
+
+  void SetTitle(const std::string& title);
 
   // Moves the window so many pixels to the right of and below another one.
   void PlaceBeside(const GlfwWindow& other, int right, int below);

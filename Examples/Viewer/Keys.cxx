@@ -38,14 +38,19 @@ const std::vector<Binding>& Bindings()
     { GLFW_KEY_DOWN, false, Action::TurnDown },
     { GLFW_KEY_HOME, false, Action::Reset },
     { GLFW_KEY_F2, false, Action::Screenshot },
+    { GLFW_KEY_K, false, Action::AddPose },
     { GLFW_KEY_C, false, Action::PrintCommand },
     { GLFW_KEY_X, false, Action::ToggleCrosshair },
+    { GLFW_KEY_B, false, Action::ToggleDome },
     { GLFW_KEY_SPACE, false, Action::TogglePause },
     { GLFW_KEY_I, false, Action::ToggleText },
+    { GLFW_KEY_N, false, Action::ToggleNumbers },
     { GLFW_KEY_F1, false, Action::ToggleHelp },
+    { GLFW_KEY_TAB, false, Action::TogglePanel },
     { GLFW_KEY_F11, false, Action::ToggleFullScreen },
     { GLFW_KEY_M, false, Action::NextMonitor },
     { GLFW_KEY_ESCAPE, false, Action::Leave },
+    { GLFW_KEY_Q, false, Action::Quit },
   };
   return bindings;
 }
@@ -62,7 +67,7 @@ constexpr HelpLine Lines[] = {
   { "right drag", "orbit round the scene's centre" },
   { "wheel, + -", "field of view; size before screens" },
   { "W A S D", "fly ahead, left, back, right" },
-  { "E Q", "fly up, down (Shift: faster)" },
+  { "R F", "fly up, down (Shift: faster)" },
   { "arrows", "turn by 5 degrees" },
   { "Home", "back to the beginning" },
   { "P", "next projection (Shift: previous)" },
@@ -71,14 +76,19 @@ constexpr HelpLine Lines[] = {
   { "O", "next stereo model (Shift: back)" },
   { "L", "next stereo layout (Shift: back)" },
   { "X", "3D crosshair on and off" },
+  { "B", "on a dome, seen from a seat" },
   { "Space", "stop and play the head poses" },
   { "F2", "screenshot, a file in this folder" },
+  { "K", "add this pose to the list" },
   { "C", "print the command that draws this" },
   { "I", "text on and off" },
+  { "N", "what a frame took, in numbers" },
   { "F11", "full screen" },
   { "M", "full screen on the next monitor" },
   { "F1", "this help" },
-  { "Escape", "leave help, full screen, program" },
+  { "Tab", "panel on and off" },
+  { "Escape", "leave help, panel, full screen, all" },
+  { "Q", "quit" },
 };
 constexpr std::size_t KeysWidth = 12; // letters
 constexpr std::size_t TextWidth = 35;
@@ -108,9 +118,10 @@ std::optional<Motion> MotionOf(int key)
       return Motion{ -1, 0, 0 };
     case GLFW_KEY_D:
       return Motion{ 1, 0, 0 };
-    case GLFW_KEY_E:
+    case GLFW_KEY_R:
+    case GLFW_KEY_E: // as it was while Q flew down
       return Motion{ 0, 1, 0 };
-    case GLFW_KEY_Q:
+    case GLFW_KEY_F:
       return Motion{ 0, -1, 0 };
     default:
       return std::nullopt;

@@ -28,14 +28,19 @@ enum class Action
   TurnDown,
   Reset,
   Screenshot,
+  AddPose,
   PrintCommand,
   ToggleCrosshair,
+  ToggleDome,
   TogglePause,
   ToggleText,
+  ToggleNumbers, // what a frame took
   ToggleHelp,
+  TogglePanel,
   ToggleFullScreen,
   NextMonitor,
-  Leave // help, full screen, or the program
+  Leave, // help, full screen, or the program
+  Quit
 };
 
 // What a held key moves the eye along; components of -1, 0 or 1.

@@ -11,8 +11,27 @@ namespace
 {
 constexpr int TextSize = 14; // points
 constexpr int SmallestTextSize = 5;
-constexpr double LineSpacing = 1.2; // lines a text size
-constexpr int Margin = 8;           // pixels
+constexpr double LineSpacing = 1.2;  // lines a text size
+constexpr int Margin = 8;            // pixels
+constexpr double LargestShare = 0.3; // of the height, of the text in the corner
+
+// That of letters, for text that fits into so many pixels; points.
+int SizeOf(const std::string& text, double width, double height)
+{
+  int lines = 1;
+  int longest = 0;
+  int length = 0;
+  for (const char c : text)
+  {
+    lines += c == '\n';
+    length = c == '\n' ? 0 : length + 1;
+    longest = std::max(longest, length);
+  }
+  // a letter of this family is about two thirds as wide as its size in points
+  const double tall = height / (LineSpacing * lines);
+  const double wide = width * 1.5 / std::max(1, longest);
+  return std::clamp(static_cast<int>(std::min(tall, wide)), SmallestTextSize, TextSize);
+}
 
 void SetLook(vtkTextProperty* look, double opacity)
 {
@@ -42,11 +61,13 @@ Overlay::Overlay()
   this->Renderer->AddViewProp(this->Help);
 }
 
-void Overlay::SetText(const std::string& text)
+void Overlay::SetText(const std::string& text, int width, int height)
 {
   this->Text->SetVisibility(!text.empty());
   if (!text.empty())
   {
+    const double share = LargestShare * height;
+    this->Text->GetTextProperty()->SetFontSize(SizeOf(text, width - 2 * Margin, share));
     this->Text->SetInput(text.c_str());
   }
 }
@@ -54,24 +75,11 @@ void Overlay::SetText(const std::string& text)
 void Overlay::SetHelp(const std::string& text, int width, int height)
 {
   this->Help->SetVisibility(!text.empty());
-  if (text.empty())
+  if (!text.empty())
   {
-    return;
+    this->Help->GetTextProperty()->SetFontSize(
+      SizeOf(text, width - 2 * Margin, height - 2 * Margin));
+    this->Help->SetInput(text.c_str());
   }
-  int lines = 1;
-  int longest = 0;
-  int length = 0;
-  for (const char c : text)
-  {
-    lines += c == '\n';
-    length = c == '\n' ? 0 : length + 1;
-    longest = std::max(longest, length);
-  }
-  // a letter of this family is about two thirds as wide as its size in points
-  const double tall = (height - 2 * Margin) / (LineSpacing * lines);
-  const double wide = (width - 2 * Margin) * 1.5 / std::max(1, longest);
-  const int size = std::clamp(static_cast<int>(std::min(tall, wide)), SmallestTextSize, TextSize);
-  this->Help->GetTextProperty()->SetFontSize(size);
-  this->Help->SetInput(text.c_str());
 }
 }

@@ -19,8 +19,9 @@ public:
 
   vtkRenderer* GetRenderer() { return this->Renderer; }
 
+  // Text in the upper left corner of a picture of that size (pixels), small in a small one.
   // Empty: none.
-  void SetText(const std::string& text);
+  void SetText(const std::string& text, int width, int height);
 
   // Text in the middle of a picture of that size (pixels), made small where it must be.
   void SetHelp(const std::string& text, int width, int height);

@@ -38,9 +38,13 @@ std::string StateLine(const ViewerState& s, const Options& o)
     { "direction", o.Direction.value_or(Vector3{ { 0, 0, -1 } }) },
     { "up", o.Up.value_or(Vector3{ { 0, 1, 0 } }) }, { "yaw", s.Yaw }, { "pitch", s.Pitch },
     { "cursor", s.Cursor }, { "under_cursor", nullptr }, { "full_screen", s.FullScreen },
-    { "help", s.Help }, { "text", s.Text }, { "message", s.Message }, { "screen", nullptr },
-    { "room_scale", o.RoomScale }, { "pose", nullptr }, { "paused", s.Paused },
-    { "crosshair", nullptr } };
+    { "help", s.Help }, { "text", s.Text }, { "numbers", s.Numbers }, { "message", s.Message },
+    { "screen", nullptr }, { "room_scale", o.RoomScale }, { "pose", nullptr },
+    { "paused", s.Paused }, { "crosshair", nullptr }, { "panel", nullptr } };
+  if (s.HasPanel)
+  {
+    json["panel"] = s.Widgets;
+  }
   if (s.UnderCursor)
   {
     json["under_cursor"] = *s.UnderCursor;

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdio>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -30,6 +31,9 @@ struct ViewerState
   bool FullScreen = false;
   bool Help = false;
   bool Text = false;
+  bool Numbers = false; // of the frame, with the text
+  bool HasPanel = false;
+  std::map<std::string, std::array<double, 4>> Widgets; // of the panel: left, top, right, bottom
   std::string Message;
   FrameCost Cost; // of the last frame
 };

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -24,7 +25,6 @@ constexpr double FirstMove = 1. / 30; // seconds that a tap of a key counts for
 constexpr double LongestMove = 0.2;   // seconds: a slow frame is no leap
 constexpr double LongestWait = 10;    // seconds for a pose: systems count to less than doubles
 constexpr double HiddenPause = 0.05;  // seconds between looks at a window that shows nothing
-
 }
 
 Navigator Viewer::StartOf(const Scene& scene, const Options& o)
@@ -33,27 +33,35 @@ Navigator Viewer::StartOf(const Scene& scene, const Options& o)
   return Navigator(pose.Eye, pose.Direction, pose.Up, o.Up.value_or(Vector3{ { 0, 1, 0 } }));
 }
 
-Viewer::Viewer(
-  const ViewerOptions& options, const Scene& scene, Room& room, Wall& windows, StateLog& log)
+// Of no script, and no file that goes with the program.
+std::string Viewer::ListOfRecent(const ViewerOptions& o)
+{
+  return o.Log.empty() && o.Frames == 0 && !o.HasStandardInput ? Recent::UsualFile() : "";
+}
+
+Viewer::Viewer(const ViewerOptions& options, std::optional<Scene> scene, Room& room, Wall& windows,
+  StateLog& log)
   : Given(options)
-  , What(scene)
+  , Opened(ListOfRecent(options))
   , Around(room)
   , Windows(windows)
   , Lines(log)
   , Now(options.Picture)
   , Angles(options.Picture)
-  , Head(StartOf(scene, options.Picture))
+  , Head({ { 0, 0, 0 } }, { { 0, 0, -1 } }, { { 0, 1, 0 } }, { { 0, 1, 0 } })
   , ShowsText(!options.NoText)
 {
   this->At = windows.GetCursor();
-  double b[6];
-  if (SceneBounds(scene, b))
-  {
-    this->Center = { { 0.5 * (b[0] + b[1]), 0.5 * (b[2] + b[3]), 0.5 * (b[4] + b[5]) } };
-    const double size = std::hypot(b[1] - b[0], b[3] - b[2], b[5] - b[4]);
-    this->SceneSize = size > 0 ? size : 1;
-  }
+  this->SetScene(scene ? std::move(*scene) : this->Read(this->Given.Picture, true));
+  this->Now.View = this->Given.Picture.View; // that fits
+  this->Angles = Fields(this->Given.Picture);
+  this->Opened.Add(options.Picture.Files);
+  this->Head = StartOf(this->What, this->Given.Picture);
   this->TakePose();
+  if (options.Panel)
+  {
+    this->TogglePanel();
+  }
 }
 
 bool Viewer::IsDone() const
@@ -68,22 +76,55 @@ void Viewer::Run()
   {
     this->Wait();
     this->Windows.CheckAlive();
-    for (const WindowEvent& event : this->Windows.TakeEvents())
+    const std::vector<WindowEvent> events = this->Windows.TakeEvents();
+    const bool settled = this->LayOut(this->Dirty || !events.empty());
+    for (const WindowEvent& event : events)
     {
-      this->Handle(event);
+      if (!this->IsForPanel(event))
+      {
+        this->Handle(event);
+      }
+    }
+    if (this->Wanted)
+    {
+      this->Change(*std::exchange(this->Wanted, std::nullopt));
+    }
+    if (!this->WantedFiles.empty())
+    {
+      this->Open(std::exchange(this->WantedFiles, {}));
     }
     this->Play();
     this->Advance();
     this->Dirty = this->Windows.TakeDamage() || this->Dirty || this->Given.Frames > 0;
-    if (this->Dirty && !this->Windows.IsClosing() && this->Fit())
+    this->Show();
+    if (settled && this->Lines.IsOpen())
     {
-      this->DrawFrame();
-    }
-    else if (this->FlipsEyes())
-    {
-      this->Flip();
+      WaitForServer();
+      this->Log("panel");
     }
   }
+}
+
+// What is to be seen now.
+void Viewer::Show()
+{
+  if (this->Windows.IsClosing())
+  {
+    return;
+  }
+  if (this->Dirty && this->Fit())
+  {
+    this->DrawFrame();
+  }
+  else if (this->FlipsEyes())
+  {
+    this->Flip();
+  }
+  else if (this->Shown)
+  {
+    this->Windows.ShowAgain(*this->Shown);
+  }
+  this->Windows.RefreshDome();
 }
 
 // One eye after the other, in windows that do not do it themselves.
@@ -100,7 +141,7 @@ void Viewer::Flip()
   if (now - this->LastFlip >= period)
   {
     this->LastFlip = now;
-    this->Windows.Flip();
+    this->Windows.Flip(this->Shown.get());
   }
 }
 
@@ -109,7 +150,8 @@ void Viewer::Wait()
 {
   const std::array<int, 2> size = this->Windows.GetSize();
   const bool hidden = size[0] <= 0 || size[1] <= 0;
-  const bool busy = this->Dirty || !this->Held.empty() || this->Given.Frames > 0;
+  const bool moves = this->Dirty || !this->Held.empty() || this->Given.Frames > 0;
+  const bool busy = moves || (this->Shown && this->Unsettled > 0);
   if (busy && hidden)
   {
     this->Windows.Wait(HiddenPause);
@@ -196,6 +238,7 @@ void Viewer::DrawFrame()
   extras.Help = this->ShowsHelp ? HelpText() : "";
   extras.Cross = this->ShowsCrosshair ? &this->Cross : nullptr;
   extras.Pointer = this->Pointed();
+  extras.Over = this->Shown.get();
   this->Cost = this->Windows.Draw(this->Parts(), extras);
   if (this->Lines.IsOpen())
   {
@@ -237,6 +280,9 @@ void Viewer::Handle(const WindowEvent& event)
       break;
     case WindowEvent::Kind::Wheel:
       this->Zoom(event.Y);
+      break;
+    case WindowEvent::Kind::Drop:
+      this->Open(event.Files);
       break;
   }
 }

@@ -6,29 +6,39 @@
 #include "Fields.h"
 #include "Keys.h"
 #include "Navigator.h"
+#include "Panel.h"
+#include "Recent.h"
 #include "Room.h"
 #include "Scene.h"
 #include "StateLog.h"
 #include "ViewerOptions.h"
 #include "Wall.h"
 
+#include <array>
 #include <chrono>
+#include <map>
+#include <memory>
 #include <set>
+#include <string>
+#include <vector>
 
 namespace widefov
 {
 class Viewer
 {
 public:
-  // All of them must outlive this.
-  Viewer(
-    const ViewerOptions& options, const Scene& scene, Room& room, Wall& windows, StateLog& log);
+  // Without a scene the data are read first, beside the window; then this throws what LoadScene
+  // throws. The room, the windows and the log must outlive this.
+  Viewer(const ViewerOptions& options, std::optional<Scene> scene, Room& room, Wall& windows,
+    StateLog& log);
 
   // Until the window is closed, or so many frames are drawn. Throws a Failure with
   // ExitFailed.
   void Run();
 
 private:
+  static constexpr int LayoutsToSettle = 6; // of the panel, for what follows from an event
+
   enum class Drag
   {
     None,
@@ -44,8 +54,36 @@ private:
   void Play();
   void Advance();
   bool Fit();
+  void Show();
   void DrawFrame();
   bool IsDone() const;
+
+  // Data. As LoadFitted, beside the window where it takes long.
+  Scene Read(Options& options, bool fits);
+  void AttendWhileReading();
+  void SetScene(Scene scene);
+  bool Change(Options options);
+  static std::string ListOfRecent(const ViewerOptions& options);
+  void Open(const std::vector<std::string>& files);
+  void AddPose();
+
+  // The panel.
+  void TogglePanel();
+  bool LayOut(bool happened);
+  bool IsForPanel(const WindowEvent& event) const;
+  void Widgets();
+  void ChooseView();
+  void ChooseAngles();
+  void ChooseEyes();
+  bool ChooseNumbers(wfv::StereoOptions& stereo);
+  void ChooseLook();
+  void ChooseFile();
+  void ChooseRest();
+  bool Choose(const std::string& what, std::string& value, const std::vector<std::string>& from);
+  bool Slide(const std::string& what, double& value, double least, double most);
+  void Press(const char* label, Action action);
+  void Check(const char* label, bool on, Action action);
+  void Locate(const std::string& widget);
 
   // What happens.
   void Handle(const WindowEvent& event);
@@ -53,13 +91,17 @@ private:
   void HandleButton(const WindowEvent& event);
   void HandleCursor(const Place& at);
   void Do(Action action);
+  void DoWindow(Action action);
+  bool DoText(Action action);
   bool DoView(Action action);
   bool DoHead(Action action);
   bool StepEyes(Action action);
   bool StepScreens(Action action);
   void Zoom(double notches);
+  void ZoomBy(double factor);
   void ZoomRoom(double factor);
   void ToggleCrosshair();
+  void ToggleDome();
   void TogglePause();
   void Leave();
   void TakeScreenshot();
@@ -78,8 +120,10 @@ private:
   std::string TextFor(const FrameCost& cost) const;
   void Log(const std::string& event);
 
-  const ViewerOptions& Given;
-  const Scene& What;
+  ViewerOptions Given;
+  Scene What;
+  Recent Opened;                     // files
+  std::vector<std::string> Recently; // when the panel was shown
   Room& Around;
   Wall& Windows;
   StateLog& Lines;
@@ -95,7 +139,16 @@ private:
   FrameCost Cost;
   std::string Message;
   bool ShowsText = true;
+  bool ShowsNumbers = false; // what a frame took
   bool ShowsHelp = false;
+  std::unique_ptr<Panel> Shown;                        // widgets
+  int Unsettled = 0;                                   // layouts until it shows what happened
+  std::map<std::string, std::array<double, 4>> Places; // of widgets: left, top, right, bottom
+  std::array<double, 4> PanelArea{ { 0, 0, 0, 0 } };   // the same of the panel
+  bool HasPopup = false;                               // a list of it is open
+  std::vector<Action> Pressed;                         // on the panel
+  std::optional<Options> Wanted;                       // that the data are to be read for
+  std::vector<std::string> WantedFiles;                // that are to be opened
 
   Drag Dragging = Drag::None;
   Place At; // the pointer

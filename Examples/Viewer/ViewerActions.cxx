@@ -17,7 +17,7 @@ constexpr double TurnStep = 5; // degrees, an arrow key
 
 void Viewer::Do(Action action)
 {
-  if (this->StepScreens(action) || this->DoView(action))
+  if (this->StepScreens(action) || this->DoView(action) || this->DoText(action))
   {
     this->Changed();
     return;
@@ -27,10 +27,30 @@ void Viewer::Do(Action action)
     case Action::Screenshot:
       this->TakeScreenshot();
       break;
+    case Action::AddPose:
+      this->AddPose();
+      break;
     case Action::PrintCommand:
       std::cout << CommandText(this->Given.Picture, this->ForFiles()) << std::endl;
       this->Say("the command is on standard output");
       break;
+    case Action::ToggleCrosshair:
+      this->ToggleCrosshair();
+      break;
+    case Action::TogglePause:
+      this->TogglePause();
+      break;
+    default:
+      this->DoWindow(action);
+      break;
+  }
+}
+
+// Those of windows.
+void Viewer::DoWindow(Action action)
+{
+  switch (action)
+  {
     case Action::ToggleFullScreen:
       if (!this->Windows.SetFullScreen(!this->Windows.IsFullScreen()))
       {
@@ -40,17 +60,39 @@ void Viewer::Do(Action action)
     case Action::NextMonitor:
       this->Windows.NextMonitor();
       break;
-    case Action::ToggleCrosshair:
-      this->ToggleCrosshair();
+    case Action::ToggleDome:
+      this->ToggleDome();
       break;
-    case Action::TogglePause:
-      this->TogglePause();
+    case Action::TogglePanel:
+      this->TogglePanel();
       break;
     case Action::Leave:
       this->Leave();
       break;
+    case Action::Quit:
+      this->Windows.Close();
+      break;
     default:
       break;
+  }
+}
+
+// Text on the picture. False where it is none of it.
+bool Viewer::DoText(Action action)
+{
+  switch (action)
+  {
+    case Action::ToggleText:
+      this->ShowsText = !this->ShowsText;
+      return true;
+    case Action::ToggleNumbers:
+      this->ShowsNumbers = !this->ShowsNumbers;
+      return true;
+    case Action::ToggleHelp:
+      this->ShowsHelp = !this->ShowsHelp;
+      return true;
+    default:
+      return false;
   }
 }
 
@@ -81,12 +123,6 @@ bool Viewer::DoView(Action action)
     case Action::ZoomIn:
     case Action::ZoomOut:
       this->Zoom(action == Action::ZoomIn ? 1 : -1);
-      return true;
-    case Action::ToggleText:
-      this->ShowsText = !this->ShowsText;
-      return true;
-    case Action::ToggleHelp:
-      this->ShowsHelp = !this->ShowsHelp;
       return true;
     default:
       return this->StepEyes(action) || this->DoHead(action);
@@ -159,6 +195,10 @@ void Viewer::Leave()
   {
     this->ShowsHelp = false;
     this->Changed();
+  }
+  else if (this->Shown)
+  {
+    this->TogglePanel();
   }
   else if (this->Windows.IsFullScreen())
   {

@@ -54,6 +54,9 @@ void DeclareWindow(CLI::App& app, ViewerOptions& o)
   group.Number("--update-rate", "HZ", o.UpdateRate, { 0, 1000 },
     "frames a second for which a moving picture is drawn smaller; 0: never");
   group.Flag("--no-text", o.NoText, "begin without the text on the picture");
+  group.Flag("--panel", o.Panel, "begin with the panel");
+  group.Name("--poses", "FILE", o.PoseList,
+    "that key K adds a line to: eye, direction and up (widefov-viewer-poses.txt)");
   group.Name("--log", "FILE", o.Log, "the state after each frame and click, a JSON object a line");
   group.Integer("--frames", o.Frames, 0, 1000000, "end after so many frames; 0: when closed");
 }

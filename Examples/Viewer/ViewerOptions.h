@@ -13,15 +13,19 @@ namespace widefov
 struct ViewerOptions
 {
   Options Picture; // what widefov-render takes, too
+  Options Asked;   // the same, before what is left open of the view was chosen for the data
   bool FullScreen = false;
   int Monitor = 0;                     // from 1; 0: the primary one
   std::array<int, 2> Wall{ { 1, 1 } }; // columns and rows of windows
   bool NoText = false;
-  double PoseRate = 0;    // head poses a second; 0: as their times say
-  bool PoseOnce = false;  // the last pose stays
-  double UpdateRate = 10; // frames a second that moving keeps to; 0: drawn as when still
-  std::string Log;        // of states, one JSON object a line
-  int Frames = 0;         // draw so many and end; 0: until the window is closed
+  bool Panel = false;
+  std::string PoseList = "widefov-viewer-poses.txt"; // that a key adds to
+  double PoseRate = 0;                               // head poses a second; 0: as their times say
+  bool PoseOnce = false;                             // the last pose stays
+  double UpdateRate = 10;        // frames a second that moving keeps to; 0: drawn as when still
+  std::string Log;               // of states, one JSON object a line
+  int Frames = 0;                // draw so many and end; 0: until the window is closed
+  bool HasStandardInput = false; // among the files, under the name of a temporary one
 };
 
 // Parses and checks. Throws a Failure with ExitUsage; returns an exit code where nothing

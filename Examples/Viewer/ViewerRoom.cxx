@@ -104,6 +104,15 @@ void Viewer::ToggleCrosshair()
   this->Changed();
 }
 
+void Viewer::ToggleDome()
+{
+  if (!this->Windows.ToggleDome())
+  {
+    this->Say("the dome is of one window");
+  }
+  this->Changed();
+}
+
 void Viewer::Zoom(double notches)
 {
   const double factor = std::pow(ZoomStep, -notches);
@@ -112,6 +121,11 @@ void Viewer::Zoom(double notches)
     this->ZoomRoom(factor);
     return;
   }
+  this->ZoomBy(factor);
+}
+
+void Viewer::ZoomBy(double factor)
+{
   if (!this->Angles.Zoom(this->Now, factor))
   {
     this->Say("this projection always shows the same field of view");

@@ -6,12 +6,13 @@
 #include "Frame.h"
 #include "Messages.h"
 #include "Passes.h"
-#include "ShownScene.h"
 #include "SkyPicture.h"
 #include "StereoChoice.h"
 #include "StereoLayout.h"
 #include "StereoOptions.h"
 
+#include <Gl.h>
+#include <vtkOpenGLState.h>
 #include <vtkPanoramicProjectionPass.h>
 #include <vtkRenderWindow.h>
 #include <vtkWideFoVCamera.h>
@@ -44,9 +45,7 @@ FrameCost operator+(const FrameCost& a, const FrameCost& b)
   return sum;
 }
 
-ViewerStage::ViewerStage(
-  GLFWwindow* window, bool stereo, const Scene& scene, const Options& o, const Tile& tile)
-  : What(scene)
+ViewerStage::ViewerStage(GLFWwindow* window, bool stereo, const Options& o, const Tile& tile)
 {
   this->Window->SetWindow(window, stereo);
   CheckMessages();
@@ -60,12 +59,6 @@ ViewerStage::ViewerStage(
     double(tile.Rows - 1 - tile.Row) / tile.Rows, double(tile.Column + 1) / tile.Columns,
     double(tile.Rows - tile.Row) / tile.Rows);
   SetBackground(this->Renderer, o);
-  ShowScene(this->Renderer, scene, o.Look);
-  this->Bar = MakeScalarBar(scene);
-  if (this->Bar)
-  {
-    this->Renderer->AddViewProp(this->Bar);
-  }
   this->Renderer->AddObserver(vtkCommand::EndEvent, this, &ViewerStage::AfterScene);
   this->Window->AddRenderer(this->Renderer);
   this->Window->AddRenderer(this->Cross.GetRenderer());
@@ -76,6 +69,23 @@ ViewerStage::~ViewerStage()
 {
   this->Window->MakeCurrent();
   this->Window->Finalize();
+}
+
+void ViewerStage::SetScene(const Scene& scene, const Look& look)
+{
+  this->Window->MakeCurrent();
+  HideScene(this->Renderer, this->Shown);
+  this->What = &scene;
+  this->Shown = ShowScene(this->Renderer, scene, look);
+  if (this->Bar)
+  {
+    this->Renderer->RemoveViewProp(this->Bar);
+  }
+  this->Bar = MakeScalarBar(scene);
+  if (this->Bar)
+  {
+    this->Renderer->AddViewProp(this->Bar);
+  }
 }
 
 void ViewerStage::ApplyCubeMap(const Options& o)
@@ -105,8 +115,9 @@ void ViewerStage::Apply(const Options& o, const std::array<int, 2>& size)
     SetUpWidePass(this->WidePass, o);
     this->Renderer->SetPass(this->WidePass);
   }
-  SetCamera(this->Renderer, this->What, o);
-  SetCamera(this->Cross.GetRenderer(), this->What, o);
+  this->Renderer->SetBackground(o.Background[0], o.Background[1], o.Background[2]);
+  SetCamera(this->Renderer, *this->What, o);
+  SetCamera(this->Cross.GetRenderer(), *this->What, o);
   this->InTurn = false;
   if (HasTwoEyes(o))
   {
@@ -126,7 +137,9 @@ bool ViewerStage::HasRoom()
 
 void ViewerStage::SetText()
 {
-  this->Texts.SetText(this->TextOf && this->HasRoom() ? this->TextOf(this->Cost) : "");
+  const int* const size = this->Window->GetActualSize();
+  this->Texts.SetText(
+    this->TextOf && this->HasRoom() ? this->TextOf(this->Cost) : "", size[0], size[1]);
 }
 
 // Of two eyes the left one is drawn first: it is the one that the pointer is seen by.
@@ -202,8 +215,23 @@ FrameCost ViewerStage::Draw(const Options& o, const std::array<int, 2>& size,
   }
   this->EyeShown = 0;
   this->Window->Render();
+  this->HasFrame = true;
   CheckMessages();
   return this->Cost;
+}
+
+void ViewerStage::ShowAgain()
+{
+  if (this->HasFrame)
+  {
+    this->Window->ShowEye(this->EyeShown);
+    return;
+  }
+  this->Window->DrawOver([this] {
+    vtkOpenGLState* const state = this->Window->GetState();
+    state->vtkglClearColor(0, 0, 0, 1);
+    state->vtkglClear(GL_COLOR_BUFFER_BIT);
+  });
 }
 
 Picture ViewerStage::Take(const Options& o, const std::array<int, 2>& size)

@@ -6,11 +6,13 @@
 #include "vtkWideFoVAbi.h"
 
 #include "Crosshair.h"
+#include "Frame.h"
 #include "GlfwRenderWindow.h"
 #include "ImageOutput.h"
 #include "Options.h"
 #include "Overlay.h"
 #include "Scene.h"
+#include "ShownScene.h"
 
 #include <vtkCommand.h>
 #include <vtkNew.h>
@@ -66,13 +68,15 @@ struct Tile
 class ViewerStage
 {
 public:
-  // The window's context becomes current and stays so. The scene must outlive this.
-  // stereo: the window has a back buffer for each eye.
-  ViewerStage(
-    GLFWwindow* window, bool stereo, const Scene& scene, const Options& options, const Tile& tile);
+  // The window's context becomes current and stays so. stereo: the window has a back buffer for
+  // each eye.
+  ViewerStage(GLFWwindow* window, bool stereo, const Options& options, const Tile& tile);
   ~ViewerStage();
   ViewerStage(const ViewerStage&) = delete;
   ViewerStage& operator=(const ViewerStage&) = delete;
+
+  // What the next frames show, instead of what they showed before. The scene must outlive this.
+  void SetScene(const Scene& scene, const Look& look);
 
   // Largest width and height that this OpenGL draws, pixels.
   std::array<int, 2> GetLimits() const { return this->Limits; }
@@ -95,6 +99,15 @@ public:
   // Puts the other eye's picture of the last frame into the window, not shown yet.
   void Flip();
 
+  // Puts the last frame into the window once more, not shown yet; black before the first one.
+  void ShowAgain();
+
+  // What draws over the picture that is in the window and not shown yet.
+  void DrawOver(const std::function<void()>& draw) { this->Window->DrawOver(draw); }
+
+  // What the last frame shows.
+  Picture GetFrame() { return ReadPicture(this->Window); }
+
   // The same part, without text, not shown.
   Picture Take(const Options& options, const std::array<int, 2>& size);
 
@@ -107,11 +120,12 @@ private:
   void SetCrosshair();
   void AfterScene();
 
-  const Scene& What;
+  const Scene* What = nullptr;
   vtkNew<GlfwRenderWindow> Window;
   vtkNew<vtkWideFoVRenderer> Renderer;
   vtkNew<vtkWideFoVPass> WidePass;
   vtkSmartPointer<vtkPanoramicProjectionPass> CubeMapPass;
+  ShownScene Shown;
   vtkSmartPointer<vtkScalarBarActor> Bar;
   Crosshair Cross;
   Overlay Texts;
@@ -120,6 +134,7 @@ private:
 
   std::chrono::steady_clock::time_point Start;
   FrameCost Cost;
+  bool HasFrame = false;
   bool InTurn = false; // one eye after the other
   int EyeShown = 0;    // 0 left, 1 right
   std::function<std::string(const FrameCost&)> TextOf;

@@ -25,6 +25,25 @@ std::string TextOfScreens(const Options& o, std::size_t count)
   std::snprintf(line, sizeof(line), "  room scale %.4g", o.RoomScale);
   return std::to_string(count) + (count == 1 ? " screen" : " screens") + line;
 }
+
+// Lines for those who ask what a frame took.
+std::string NumbersOf(const Options& o, const FrameCost& cost)
+{
+  char line[256];
+  std::snprintf(line, sizeof(line), "  %.1f ms", cost.Milliseconds);
+  std::string text = "\n" + o.TechniqueName + line;
+  if (cost.Draws)
+  {
+    const DrawCounts& d = *cost.Draws;
+    std::snprintf(line, sizeof(line), "\ndraws: plain %d  pre-clip %d  tessellate %d  exact %d",
+      d.Plain, d.PreClip, d.Tessellate, d.Exact);
+    text += line;
+    std::snprintf(line, sizeof(line), "\nprops: %d of %d  cluster triangles: %lld of %lld", d.Props,
+      d.Props + d.PropsCulled, d.Triangles - d.TrianglesCulled, d.Triangles);
+    text += line;
+  }
+  return text;
+}
 }
 
 void Viewer::Log(const std::string& event)
@@ -44,10 +63,13 @@ void Viewer::Log(const std::string& event)
   state.Crosshair = this->ShowsCrosshair ? this->Cross.At : std::nullopt;
   state.Yaw = this->Head.GetYaw();
   state.Pitch = this->Head.GetPitch();
-  state.Pending = this->Dirty || !this->Held.empty();
+  state.Pending = this->Dirty || !this->Held.empty() || (this->Shown && this->Unsettled > 0);
   state.FullScreen = this->Windows.IsFullScreen();
   state.Help = this->ShowsHelp;
   state.Text = this->ShowsText;
+  state.Numbers = this->ShowsNumbers;
+  state.HasPanel = this->Shown != nullptr;
+  state.Widgets = this->Places;
   state.Message = this->Message;
   state.Cost = this->Cost;
   this->Lines.Write(state, this->Now);
@@ -59,7 +81,6 @@ std::string Viewer::TextFor(const FrameCost& cost) const
   {
     return "";
   }
-  char line[256];
   const std::size_t screens = this->Parts().size();
   std::string text =
     this->Around.HasScreens() ? TextOfScreens(this->Now, screens) : TextOfView(this->Now);
@@ -67,19 +88,8 @@ std::string Viewer::TextFor(const FrameCost& cost) const
   {
     text += "  pose " + std::to_string(*pose) + (this->Paused ? ", stopped" : "");
   }
-  text += "\n" + this->Now.TechniqueName;
-  std::snprintf(line, sizeof(line), "  %.1f ms", cost.Milliseconds);
-  text += line;
-  if (cost.Draws)
-  {
-    const DrawCounts& d = *cost.Draws;
-    std::snprintf(line, sizeof(line), "\ndraws: plain %d  pre-clip %d  tessellate %d  exact %d",
-      d.Plain, d.PreClip, d.Tessellate, d.Exact);
-    text += line;
-    std::snprintf(line, sizeof(line), "\nprops: %d of %d  cluster triangles: %lld of %lld", d.Props,
-      d.Props + d.PropsCulled, d.Triangles - d.TrianglesCulled, d.Triangles);
-    text += line;
-  }
-  return text + "\n" + (this->Message.empty() ? "F1: keys" : this->Message);
+  text += this->ShowsNumbers ? NumbersOf(this->Now, cost) : "";
+  const std::string hint = HasPanels() ? "F1: keys, Tab: panel" : "F1: keys";
+  return text + "\n" + (this->Message.empty() ? hint : this->Message);
 }
 }

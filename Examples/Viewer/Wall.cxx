@@ -10,6 +10,8 @@ namespace widefov
 {
 namespace
 {
+constexpr const char* ProgramName = "widefov-viewer"; // begins the titles
+
 bool IsVisible(const std::array<int, 2>& size)
 {
   return size[0] > 0 && size[1] > 0;
@@ -28,8 +30,7 @@ void Insert(const Picture& part, int column, int row, Picture& whole)
 }
 }
 
-Wall::Wall(const ViewerOptions& o, const std::vector<Options>& parts, const Scene& scene,
-  const std::string& title)
+Wall::Wall(const ViewerOptions& o, const std::vector<Options>& parts)
   : Columns(o.Wall[0])
   , Rows(o.Wall[1])
 {
@@ -37,13 +38,12 @@ Wall::Wall(const ViewerOptions& o, const std::vector<Options>& parts, const Scen
   {
     for (const Options& part : parts)
     {
-      this->AddPane(o, part, scene, title + (part.Screen ? ": " + part.Screen->Name : ""));
+      this->AddPane(o, part);
     }
   }
 }
 
-void Wall::AddPane(
-  const ViewerOptions& o, const Options& part, const Scene& scene, const std::string& title)
+void Wall::AddPane(const ViewerOptions& o, const Options& part)
 {
   const int i = static_cast<int>(this->Panes.size());
   const bool tiled = this->IsTiled();
@@ -53,9 +53,10 @@ void Wall::AddPane(
     pane.Where = { this->Columns, this->Rows, i % this->Columns, i / this->Columns };
   }
   pane.Part = tiled ? 0 : this->Panes.size();
+  pane.Name = part.Screen ? ": " + part.Screen->Name : "";
   const int monitor = tiled || part.Screen ? i + 1 : o.Monitor;
   pane.Window = std::make_unique<GlfwWindow>(
-    title, part.Size, o.FullScreen, monitor, ShowsEyesInTurn(o.Picture));
+    ProgramName + pane.Name, part.Size, o.FullScreen, monitor, ShowsEyesInTurn(o.Picture));
   if (i > 0 && !o.FullScreen)
   {
     // screens in one row
@@ -63,8 +64,72 @@ void Wall::AddPane(
     pane.Window->PlaceBeside(*this->Panes[0].Window, right, pane.Where.Row * part.Size[1]);
   }
   pane.Stage = std::make_unique<ViewerStage>(
-    pane.Window->GetHandle(), pane.Window->IsStereo(), scene, part, pane.Where);
+    pane.Window->GetHandle(), pane.Window->IsStereo(), part, pane.Where);
   this->Panes.push_back(std::move(pane));
+}
+
+void Wall::SetScene(const Scene& scene, const Look& look)
+{
+  for (const Pane& pane : this->Panes)
+  {
+    pane.Stage->SetScene(scene, look);
+  }
+}
+
+void Wall::SetTitle(const std::string& title)
+{
+  for (const Pane& pane : this->Panes)
+  {
+    pane.Window->SetTitle(ProgramName + (": " + title) + pane.Name);
+  }
+}
+
+std::unique_ptr<Panel> Wall::MakePanel() const
+{
+  return widefov::MakePanel(this->Panes[0].Window->GetHandle());
+}
+
+void Wall::DrawOver(Panel* over) const
+{
+  if (over != nullptr)
+  {
+    this->Panes[0].Stage->DrawOver([over] { over->Draw(); });
+  }
+}
+
+bool Wall::ToggleDome()
+{
+  if (this->IsSeveral())
+  {
+    return false;
+  }
+  this->Dome = this->Dome ? nullptr : std::make_unique<DomeWindow>(*this->Panes[0].Window);
+  return true;
+}
+
+void Wall::DrawDome(const Options& options)
+{
+  if (this->Dome)
+  {
+    this->Dome->Set(options, this->Panes[0].Stage->GetFrame());
+    this->Dome->Refresh();
+  }
+}
+
+void Wall::RefreshDome()
+{
+  if (this->Dome)
+  {
+    this->Dome->Refresh();
+  }
+}
+
+void Wall::ShowAgain(Panel& over)
+{
+  this->Panes[0].Window->CheckAlive();
+  this->Panes[0].Stage->ShowAgain();
+  this->DrawOver(&over);
+  this->Panes[0].Window->Show();
 }
 
 void Wall::Poll()
@@ -120,6 +185,15 @@ std::vector<WindowEvent> Wall::TakeEvents()
       }
       all.push_back(event);
     }
+  }
+  if (this->Dome)
+  {
+    const std::vector<WindowEvent> keys = this->Dome->TakeEvents();
+    all.insert(all.end(), keys.begin(), keys.end());
+  }
+  if (this->Dome && this->Dome->IsClosing())
+  {
+    this->Dome.reset();
   }
   // a pointer that leaves one window for another is heard of by both
   std::sort(all.begin(), all.end(),
@@ -273,7 +347,7 @@ FrameCost Wall::DrawPane(
     return extras.Text(this->SumOfCosts());
   };
   const std::function<std::string(const FrameCost&)> text =
-    first && extras.Text ? total : std::function<std::string(const FrameCost&)>();
+    first && extras.Text && !this->Dome ? total : std::function<std::string(const FrameCost&)>();
   return pane.Stage->Draw(
     part, pane.Window->GetSize(), text, first ? extras.Help : "", extras.Cross);
 }
@@ -295,6 +369,8 @@ FrameCost Wall::Draw(const std::vector<Options>& parts, const Extras& extras)
       pane.Cost = this->DrawPane(i, parts[pane.Part], extras, under);
     }
   }
+  this->DrawDome(parts[0]);
+  this->DrawOver(extras.Over);
   for (const Pane& pane : this->Panes)
   {
     pane.Window->Show();
@@ -310,7 +386,7 @@ void Wall::SetUpdateRate(double rate)
   }
 }
 
-bool Wall::Flip()
+bool Wall::Flip(Panel* over)
 {
   bool flipped = false;
   for (const Pane& pane : this->Panes)
@@ -321,6 +397,7 @@ bool Wall::Flip()
       flipped = true;
     }
   }
+  this->DrawOver(flipped ? over : nullptr);
   for (const Pane& pane : this->Panes)
   {
     if (flipped)

@@ -4,7 +4,9 @@
 #ifndef WideFoVWall_h
 #define WideFoVWall_h
 
+#include "DomeWindow.h"
 #include "GlfwWindow.h"
+#include "Panel.h"
 #include "Scene.h"
 #include "ViewerOptions.h"
 #include "ViewerStage.h"
@@ -30,16 +32,22 @@ struct Extras
   std::string Help;                                  // on the first window
   Aim* Cross = nullptr;                              // crosshair; its pointer is set here
   Place Pointer;
+  Panel* Over = nullptr; // the picture of the first window
 };
 
 class Wall
 {
 public:
-  // `parts`: the options of each picture; several are screens. The scene must outlive this. Throws
-  // a Failure with ExitFailed: no OpenGL, windows larger than it draws, fewer monitors than
-  // windows where they are to fill them.
-  Wall(const ViewerOptions& options, const std::vector<Options>& parts, const Scene& scene,
-    const std::string& title);
+  // `parts`: the options of each picture; several are screens. Throws a Failure with ExitFailed:
+  // no OpenGL, windows larger than it draws, fewer monitors than windows where they are to fill
+  // them.
+  Wall(const ViewerOptions& options, const std::vector<Options>& parts);
+
+  // What the next frames show. The scene must outlive this.
+  void SetScene(const Scene& scene, const Look& look);
+
+  // What stands in the titles behind the program's name.
+  void SetTitle(const std::string& title);
 
   bool IsSeveral() const { return this->Panes.size() > 1; }
   bool IsTiled() const { return this->Columns * this->Rows > 1; }
@@ -77,9 +85,23 @@ public:
   // text has of windows that are drawn after the first one is that of the frame before.
   FrameCost Draw(const std::vector<Options>& parts, const Extras& extras);
 
+  // Widgets for the first window, or nothing, as widefov::MakePanel. They must not outlive this.
+  std::unique_ptr<Panel> MakePanel() const;
+
+  // Shows the first window's last frame once more, with these widgets over it.
+  void ShowAgain(Panel& over);
+
+  // A window beside the only one, with its picture on a dome, comes or goes. False, and nothing
+  // changes, where there are several.
+  bool ToggleDome();
+  bool HasDome() const { return this->Dome != nullptr; }
+
+  // Draws the dome where it was turned.
+  void RefreshDome();
+
   // Shows the other eye, where a layout shows one after the other and the windows do not do it
   // themselves; false where there is nothing to flip.
-  bool Flip();
+  bool Flip(Panel* over);
 
   // True where such a layout is shown by windows with a back buffer for each eye.
   bool HasBuffersForBoth() const;
@@ -94,12 +116,14 @@ private:
     std::unique_ptr<ViewerStage> Stage; // goes first
     Tile Where;
     std::size_t Part = 0;
+    std::string Name;              // of a screen; empty: there are none
     std::optional<FrameCost> Cost; // of the last frame, where it showed anything
   };
 
-  void AddPane(const ViewerOptions& options, const Options& part, const Scene& scene,
-    const std::string& title);
+  void AddPane(const ViewerOptions& options, const Options& part);
   FrameCost DrawPane(std::size_t i, const Options& part, const Extras& extras, const Place& under);
+  void DrawOver(Panel* over) const;
+  void DrawDome(const Options& options);
   FrameCost SumOfCosts() const;
   std::vector<std::size_t> OrderFrom(std::size_t first) const;
 
@@ -110,7 +134,8 @@ private:
 
   int Columns;
   int Rows;
-  std::vector<Pane> Panes; // a wall's row by row, from the upper left
+  std::vector<Pane> Panes;          // a wall's row by row, from the upper left
+  std::unique_ptr<DomeWindow> Dome; // goes first
 };
 }
 

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // widefov-viewer: a window into VTK data in wide and non-planar projections.
-#include "CameraSetup.h"
 #include "Choices.h"
 #include "DirectionMapFile.h"
 #include "Display.h"
-#include "EyeDistance.h"
-#include "FirstView.h"
 #include "Info.h"
 #include "Listing.h"
-#include "LoadScene.h"
+#include "Loader.h"
 #include "Messages.h"
 #include "Program.h"
 #include "Room.h"
@@ -19,19 +16,14 @@
 #include "ViewerOptions.h"
 #include "Wall.h"
 
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace
 {
 using namespace widefov;
-
-std::string TitleOf(const Options& options)
-{
-  std::string what = options.Scene;
-  for (const std::string& file : options.Files)
-  {
-    what += (what.empty() ? "" : " ") + file;
-  }
-  return "widefov-viewer: " + what;
-}
 
 int Run(int argc, char** argv)
 {
@@ -50,21 +42,25 @@ int Run(int argc, char** argv)
   LoadSky(options.Picture);
   Room room(options);
   options.Picture = room.GetGiven();
+  const std::vector<std::string> files = options.Picture.Files;
   const StandardInput input(options.Picture.Files);
-  const Scene scene = LoadScene(options.Picture);
-  ChooseView(options.Picture, scene);
-  MakePose(scene, options.Picture); // complains before a window is opened
-  FitEyes(options.Picture, scene);
+  options.Asked = options.Picture;
+  options.HasStandardInput = files != options.Picture.Files;
+  std::optional<Scene> scene;
+  if (options.HasStandardInput || !TakesLong(options.Picture))
+  {
+    scene = LoadFitted(options.Picture, true); // what is wrong is said before a window opens
+  }
   const DisplayConnection display;
   StateLog log(options.Log);
   const QuietStandardError quiet;
-  Wall windows(options, room.See(options.Picture), scene, TitleOf(options.Picture));
+  Wall windows(options, room.See(options.Picture));
   if (ShowsEyesInTurn(options.Picture) && !windows.HasBuffersForBoth())
   {
     Say("warning: there is no window with a buffer for each eye here; their pictures are shown in "
         "turn by software, which shutter glasses may not keep in step with");
   }
-  Viewer(options, scene, room, windows, log).Run();
+  Viewer(options, std::move(scene), room, windows, log).Run();
   return ExitDone;
 }
 }

@@ -147,11 +147,11 @@ TEST(Keys, EveryLetterOfTheHelpIsAKey)
     EXPECT_TRUE(ActionOf(key, false));
     EXPECT_TRUE(ActionOf(key, true));
   }
-  for (const char key : { 'V', 'C', 'I', 'M' })
+  for (const char key : { 'V', 'C', 'I', 'M', 'N', 'B', 'K', 'Q' })
   {
     EXPECT_TRUE(ActionOf(key, false)) << key;
   }
-  for (const char key : { 'W', 'A', 'S', 'D', 'E', 'Q' })
+  for (const char key : { 'W', 'A', 'S', 'D', 'R', 'F' })
   {
     EXPECT_TRUE(MotionOf(key)) << key;
   }

@@ -111,10 +111,64 @@ class Desktop:
             self.let_go("Shift_L")
 
 
+class Source:
+    """A program that files are dragged from, by the protocol XDND."""
+
+    def __init__(self, desktop):
+        self.display = desktop.display
+        self.window = desktop.root.create_window(0, 0, 1, 1, 0, X.CopyFromParent)
+
+    def atom(self, name):
+        return self.display.intern_atom(name)
+
+    def send(self, target, name, *numbers):
+        data = [self.window.id] + list(numbers) + [0] * (4 - len(numbers))
+        target.send_event(
+            event.ClientMessage(window=target, client_type=self.atom(name), data=(32, data))
+        )
+        self.display.sync()
+
+    def wait_for(self, what, is_it):
+        def look():
+            while self.display.pending_events():
+                happened = self.display.next_event()
+                if is_it(happened):
+                    return happened
+            return None
+
+        return wait_for(what, look)
+
+    def wait_for_answer(self, name):
+        self.wait_for(
+            name, lambda e: e.type == X.ClientMessage and e.client_type == self.atom(name)
+        )
+
+    def drop(self, target, paths):
+        """Drops the files on a window; returns when it has taken them."""
+        self.window.set_selection_owner(self.atom("XdndSelection"), X.CurrentTime)
+        self.send(target, "XdndEnter", 5 << 24, self.atom("text/uri-list"))
+        self.send(target, "XdndPosition", 0, 5 << 16 | 5, 0, self.atom("XdndActionCopy"))
+        self.wait_for_answer("XdndStatus")
+        self.send(target, "XdndDrop")
+        asked = self.wait_for("the question", lambda e: e.type == X.SelectionRequest)
+        names = "".join("file://" + path + "\r\n" for path in paths).encode()
+        asked.requestor.change_property(asked.property, asked.target, 8, names)
+        asked.requestor.send_event(
+            event.SelectionNotify(
+                time=asked.time,
+                requestor=asked.requestor,
+                selection=asked.selection,
+                target=asked.target,
+                property=asked.property,
+            )
+        )
+        self.wait_for_answer("XdndFinished")
+
+
 class Viewer:
     """widefov-viewer in a desktop, with its log."""
 
-    def __init__(self, desktop, program, arguments, folder):
+    def __init__(self, desktop, program, arguments, folder, waits=True):
         self.desktop = desktop
         self.log_name = os.path.join(folder, "viewer.log")
         if os.path.exists(self.log_name):
@@ -130,7 +184,8 @@ class Viewer:
             stderr=self.errors,
         )
         self.window = wait_for("the window", self.find)
-        self.wait()
+        if waits:
+            self.wait()
 
     def windows(self):
         """The viewer's windows by their titles, mapped; without a window manager children of
@@ -199,6 +254,14 @@ class Viewer:
     def key(self, key, shift=False, look=lambda state: True):
         """Types a key that changes what is shown, and returns the state after it."""
         return self.after(lambda: self.desktop.key(key, shift), look)
+
+    def click(self, widget):
+        """Clicks on a widget of the panel, and returns the state that comes of it."""
+        left, top, right, bottom = self.wait(lambda s: s["panel"] and widget in s["panel"])["panel"][
+            widget
+        ]
+        self.point(round(0.8 * left + 0.2 * right), round((top + bottom) / 2))
+        return self.after(lambda: self.desktop.click("left"), lambda s: s["event"] == "panel")
 
     def origin(self):
         """Where the window's upper left corner is on the screen."""

@@ -238,7 +238,7 @@ class Flight(ViewerTest):
     def test_held_keys_fly(self):
         viewer = self.start()
         for key, axis in (("w", (0, 0, -1)), ("s", (0, 0, 1)), ("d", (1, 0, 0)),
-                          ("a", (-1, 0, 0)), ("e", (0, 1, 0)), ("q", (0, -1, 0))):
+                          ("a", (-1, 0, 0)), ("r", (0, 1, 0)), ("f", (0, -1, 0))):
             start = viewer.state()
             self.desktop.hold(key)
             time.sleep(0.1)
