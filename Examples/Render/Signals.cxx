@@ -38,7 +38,14 @@ SignalWatch::SignalWatch(std::function<void()> cleanUp)
   , Signals(Watched())
 {
   pthread_sigmask(SIG_BLOCK, &this->Signals, nullptr);
+  // the thread has it blocked from the start: it may be woken before it has run
+  sigset_t wakes;
+  sigset_t before;
+  sigemptyset(&wakes);
+  sigaddset(&wakes, SIGUSR1);
+  pthread_sigmask(SIG_BLOCK, &wakes, &before);
   this->Watcher = std::thread([this] { this->Watch(); });
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
 }
 
 SignalWatch::~SignalWatch()
@@ -54,7 +61,6 @@ void SignalWatch::Watch()
 {
   sigset_t set = this->Signals;
   sigaddset(&set, SIGUSR1);
-  pthread_sigmask(SIG_BLOCK, &set, nullptr);
   while (!this->Ended)
   {
     int number = 0;

@@ -110,6 +110,23 @@ void TellOfPictures(const Options& options, const RenderStats& stats)
   }
 }
 
+// Prints what is asked for instead of a picture, or makes the film.
+bool DoOtherWork(Options& options)
+{
+  const std::string told = ListingText(options) + InfoText(options);
+  if (!told.empty())
+  {
+    Print(told);
+    return true;
+  }
+  if (HasFilm(options))
+  {
+    MakeFilm(options);
+    return true;
+  }
+  return false;
+}
+
 void Draw(const Options& options, const Scene& scene, double reading)
 {
   TellOfScene(scene);
@@ -132,15 +149,8 @@ int Run(int argc, char** argv)
   {
     return *done;
   }
-  const std::string told = ListingText(options) + InfoText(options);
-  if (!told.empty())
+  if (DoOtherWork(options))
   {
-    Print(told);
-    return ExitDone;
-  }
-  if (HasFilm(options))
-  {
-    MakeFilm(options);
     return ExitDone;
   }
   if (!options.DryRun)

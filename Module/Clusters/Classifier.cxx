@@ -270,7 +270,13 @@ int Classifier::ChordsOf(const vec3& p, const vec3& q, double limit2) const
   {
     return 1;
   }
-  const int least = std::max(1, static_cast<int>(std::ceil(std::sqrt(length2 / limit2))));
+  return this->SeveralChordsOf(from, to, length2 / limit2);
+}
+
+// times2: how many times longer the edge is than a chord by the bound for all directions, squared.
+int Classifier::SeveralChordsOf(const vec3& from, const vec3& to, double times2) const
+{
+  const int least = std::max(1, static_cast<int>(std::ceil(std::sqrt(times2))));
   const int few = std::clamp((least + 1) / 2, 2, MostChords); // enough of most edges
   if (this->FitChords(from, to, few, true))
   {

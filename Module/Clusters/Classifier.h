@@ -67,6 +67,7 @@ public:
 
 private:
   int ChordsOf(const vec3& p, const vec3& q, double limit2) const;
+  int SeveralChordsOf(const vec3& from, const vec3& to, double times2) const;
   double LimitAt(const vec3& p) const;
   bool FitChords(const vec3& p, const vec3& q, int chords, bool sampled) const;
   bool MayProject(const vec3 p[3]) const;

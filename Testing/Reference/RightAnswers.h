@@ -18,9 +18,9 @@ namespace reference
 const double AnswerAngle = std::ldexp(1.0, -40);
 
 // Whether a ray turned by at most AnswerAngle, about where it begins, sees the cell (-1: nothing)
-// in exact arithmetic: over an area, not only along a line. Or whether its own edge is there, beside
-// one of what is before it (IsBehindEdges): what is behind a closed mesh is no answer. False where the caster has no
-// triangles, or rays are bent.
+// in exact arithmetic: over an area, not only along a line. Or whether its own edge is there,
+// beside one of what is before it (IsBehindEdges): what is behind a closed mesh is no answer. False
+// where the caster has no triangles, or rays are bent.
 bool IsRightAnswer(const Caster& caster, vec2 ndc, vtkIdType cell);
 }
 }

@@ -380,7 +380,8 @@ bool Search::IsPassed(const SeenTriangle& own) const
 bool Search::IsBehindEdges(vtkIdType cell)
 {
   const std::vector<std::size_t> near = this->TrianglesNear(cell);
-  if (std::any_of(near.begin(), near.end(), [this](std::size_t t) { return this->IsWellInside(t); }))
+  if (std::any_of(
+        near.begin(), near.end(), [this](std::size_t t) { return this->IsWellInside(t); }))
   {
     return false;
   }

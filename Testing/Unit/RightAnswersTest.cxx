@@ -152,7 +152,7 @@ TEST(RightAnswers, OfEdgesInOnePlane)
   Add(soup, vec3(-90, -90, -8), vec3(90, -90, -8), vec3(0, 90, -8));
   ExpectAnswers(soup, vec3(0.3, 0, -2), { 0, 2 });
   EXPECT_TRUE(isAnswer(soup, 1));
-  EXPECT_FALSE(isAnswer(soup, 1, -1e-10)); // its edge is not at the ray
+  EXPECT_FALSE(isAnswer(soup, 1, -1e-10));                    // its edge is not at the ray
   Add(soup, vec3(1, 0, -2), vec3(-1, 0, -2), vec3(0, 2, -2)); // shares the edge of the nearest
   EXPECT_FALSE(isAnswer(soup, 1));
   EXPECT_FALSE(isAnswer(soup, 2));

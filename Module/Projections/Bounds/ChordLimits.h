@@ -48,7 +48,8 @@ public:
 
   // Whether the middle of the way from p to q is so near the chord of an edge that the edge is:
   // what At says holds for edges of all directions, and of most is half as long as they might be;
-  // and so near the middle of that chord that colours are where they belong. For edges up to MostLonger times as long as At says.
+  // and so near the middle of that chord that colours are where they belong. For edges up to
+  // MostLonger times as long as At says.
   bool IsNearChord(const vec3& p, const vec3& q) const;
   static constexpr double MostLonger = 4;
 
