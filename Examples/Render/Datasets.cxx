@@ -162,7 +162,9 @@ std::vector<vtkSmartPointer<vtkDataSet>> Leaves(vtkDataObject* data)
 
 bool IsSpatialImage(vtkDataObject* data)
 {
-  return HasLayers<vtkImageData>(data);
+  auto* const image = vtkImageData::SafeDownCast(data);
+  const double* const spacing = image != nullptr ? image->GetSpacing() : nullptr;
+  return HasLayers<vtkImageData>(data) && spacing[0] > 0 && spacing[1] > 0 && spacing[2] > 0;
 }
 
 bool IsSpatialGrid(vtkDataObject* data)

@@ -47,6 +47,10 @@ constexpr int CenterSteps = 3;    // each leaves a small share of what is off th
 // Coordinates of a place are round numbers, to this share of the scene's size: they can be typed.
 constexpr double Round = 1e-3;
 
+// Of globes of longitudes and latitudes.
+const Vector3 NorthOfGlobe{ { 0, 0, 1 } };
+const Vector3 GreenwichOfGlobe{ { 1, 0, 0 } };
+
 // Right, up and back of a view, unit lengths.
 struct Frame
 {
@@ -223,7 +227,8 @@ bool Shows(const Options& o, const std::vector<wfv::vec3>& points, double reach)
   const wfv::View map(ProjectionOf(o), view);
   return std::all_of(points.begin(), points.end(), [&](const wfv::vec3& p) {
     const wfv::vec3 ndc = map.Forward(p).Ndc;
-    return std::abs(ndc.x) < reach && std::abs(ndc.y) < reach;
+    return std::abs(ndc.x) < reach && std::abs(ndc.y) < reach &&
+      map.Ray({ ndc.x / reach, ndc.y / reach }).Inside; // round maps have no corners
   });
 }
 
@@ -283,6 +288,12 @@ void StandOutside(Options& o, const Scene& scene)
   }
 }
 
+bool IsGlobe(const Scene& scene)
+{
+  return std::any_of(
+    scene.Props.begin(), scene.Props.end(), [](const SceneProp& prop) { return prop.Globe; });
+}
+
 std::string Named(const Vector3& v)
 {
   return Text(v[0]) + "," + Text(v[1]) + "," + Text(v[2]);
@@ -335,6 +346,11 @@ void ChooseView(Options& o, const Scene& scene)
   if (o.Inside && !inside)
   {
     inside = FreePlace(scene);
+  }
+  if (IsGlobe(scene) && !o.Up && !o.Direction && !o.LookAt)
+  {
+    o.Up = NorthOfGlobe;
+    o.Direction = inside ? std::optional(GreenwichOfGlobe) : std::nullopt;
   }
   if (inside)
   {

@@ -35,8 +35,9 @@ constexpr double DepthAcross = 4;
 constexpr double WayShare = 0.01;
 constexpr double DensestDepth = 1;
 
-// Of the diagonal, the longest way between samples; the spacing of coarse grids would show as
-// rings.
+// Of the diagonal, the shortest and the longest way between samples. The spacing of coarse grids
+// would show as rings, that of very flat ones takes for ever.
+constexpr double LeastSampleShare = 0.00025;
 constexpr double SampleShare = 0.0025;
 
 // The array with its point values finite and of one component: a component or the magnitude, as
@@ -209,8 +210,9 @@ std::vector<vtkSmartPointer<vtkVolume>> MakeVolumes(const Scene& scene)
     mapper->AutoAdjustSampleDistancesOff();
     const double* const spacing = v.Data->GetSpacing();
     const double step = 0.5 * std::min({ spacing[0], spacing[1], spacing[2] });
+    const double size = v.Data->GetLength();
     mapper->SetSampleDistance(
-      static_cast<float>(std::min(step, SampleShare * v.Data->GetLength())));
+      static_cast<float>(std::clamp(step, LeastSampleShare * size, SampleShare * size)));
     auto volume = vtkSmartPointer<vtkVolume>::New();
     volume->SetMapper(mapper);
     SetLook(volume->GetProperty(), v);
