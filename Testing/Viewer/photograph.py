@@ -33,10 +33,12 @@ def main():
     if len(sys.argv) < 4:
         sys.exit("photograph.py: name the viewer, the picture, the keys, the viewer's options")
     program, output, keys = os.path.abspath(sys.argv[1]), sys.argv[2], sys.argv[3]
+    # the viewer runs in a folder of its own
+    options = [os.path.abspath(word) if os.path.exists(word) else word for word in sys.argv[4:]]
     desktop = Desktop()
     try:
         with tempfile.TemporaryDirectory(prefix="viewer-") as folder:
-            viewer = Viewer(desktop, program, sys.argv[4:], folder)
+            viewer = Viewer(desktop, program, options, folder)
             viewer.point(5, 5)
             for key in [] if keys == "-" else keys.split(","):
                 place = re.fullmatch(r"(\d+)x(\d+)", key)
