@@ -215,8 +215,8 @@ double AngleOf(const Options& o, bool fits)
 bool CanFit(const Options& o)
 {
   const wfv::Projection& p = ProjectionOf(o);
-  return !o.HasFov && StereoOf(o).Traits.OneCenter && o.View.Tilt == 0 &&
-    o.Technique != Technique::CubeMap && p.Axis != wfv::Family::Sampled &&
+  return !o.HasFov && o.LensFile.empty() && o.Circle.empty() && StereoOf(o).Traits.OneCenter &&
+    o.View.Tilt == 0 && o.Technique != Technique::CubeMap && p.Axis != wfv::Family::Sampled &&
     p.MinHorizontalFov < p.MaxHorizontalFov;
 }
 

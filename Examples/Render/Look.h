@@ -17,6 +17,7 @@ struct Look
   bool Colors = true;  // of files, where ColorBy is empty: of the first scalar array
   std::string ColorMap = "cool-warm";
   std::optional<std::array<double, 2>> Range; // none: that of the data
+  bool OfSeries = false;                      // one time step of several
   std::string Representation = "surface";     // surface-with-edges, wireframe, points
   double LineWidth = 1;                       // pixels
   double PointSize = 3;                       // pixels

@@ -239,8 +239,8 @@ void ColorByOwnScalars(Scene& scene, const Look& look)
   }
 }
 
-// Numbers that mean something and are not all the same.
-bool Tells(vtkDataSetAttributes* attributes, vtkDataArray* array)
+// Numbers that mean something and are not all the same, or may be others at another time.
+bool Tells(vtkDataSetAttributes* attributes, vtkDataArray* array, const Look& look)
 {
   if (array == nullptr || array->GetName() == nullptr || array->GetNumberOfComponents() != 1 ||
     array == attributes->GetGlobalIds() || array == attributes->GetPedigreeIds() ||
@@ -250,19 +250,19 @@ bool Tells(vtkDataSetAttributes* attributes, vtkDataArray* array)
   }
   double range[2];
   array->GetFiniteRange(range, 0);
-  return range[0] < range[1];
+  return range[0] < range[1] || (look.OfSeries && range[0] == range[1]);
 }
 
 // The name of the active scalars, or else of the first array, that tell something.
-std::string FirstScalars(vtkDataSetAttributes* attributes)
+std::string FirstScalars(vtkDataSetAttributes* attributes, const Look& look)
 {
-  if (Tells(attributes, attributes->GetScalars()))
+  if (Tells(attributes, attributes->GetScalars(), look))
   {
     return attributes->GetScalars()->GetName();
   }
   for (int i = 0; i < attributes->GetNumberOfArrays(); i++)
   {
-    if (Tells(attributes, attributes->GetArray(i)))
+    if (Tells(attributes, attributes->GetArray(i), look))
     {
       return attributes->GetArrayName(i);
     }
@@ -285,13 +285,13 @@ void ColorByFirstScalars(Scene& scene, const Look& look)
     if (!prop.Direct)
     {
       prop.Array.clear();
-      name = name.empty() ? FirstScalars(prop.Surface->GetPointData()) : name;
+      name = name.empty() ? FirstScalars(prop.Surface->GetPointData(), look) : name;
     }
   }
   for (const SceneProp& prop : scene.Props)
   {
     name = name.empty() && !prop.Direct && !prop.Material
-      ? FirstScalars(prop.Surface->GetCellData())
+      ? FirstScalars(prop.Surface->GetCellData(), look)
       : name;
   }
   if (!name.empty())

@@ -71,7 +71,8 @@ FilmScenes::FilmScenes(const Options& o)
     this->Shown = LoadScene(o);
     this->ShownStep = 0;
   }
-  else if (!this->Look.Range)
+  this->Look.OfSeries = this->Series.has_value();
+  if (this->Series && !this->Look.Range)
   {
     this->FindRange();
   }
