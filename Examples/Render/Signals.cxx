@@ -7,6 +7,9 @@ namespace
 {
 constexpr int Ends[] = { SIGINT, SIGTERM, SIGHUP };
 
+// Blocked in the watching thread alone, which it ends.
+constexpr int Wake = SIGUSR1;
+
 enum class Work
 {
   NotAsked, // the first signal ends the program
@@ -37,22 +40,24 @@ SignalWatch::SignalWatch(std::function<void()> cleanUp)
   : CleanUp(std::move(cleanUp))
   , Signals(Watched())
 {
-  pthread_sigmask(SIG_BLOCK, &this->Signals, nullptr);
-  // the thread has it blocked from the start: it may be woken before it has run
-  sigset_t wakes;
+  // the thread begins with what is blocked here
+  sigset_t wake;
+  sigemptyset(&wake);
+  sigaddset(&wake, Wake);
   sigset_t before;
-  sigemptyset(&wakes);
-  sigaddset(&wakes, SIGUSR1);
-  pthread_sigmask(SIG_BLOCK, &wakes, &before);
+  pthread_sigmask(SIG_BLOCK, &wake, &before);
+  pthread_sigmask(SIG_BLOCK, &this->Signals, nullptr);
   this->Watcher = std::thread([this] { this->Watch(); });
-  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  if (sigismember(&before, Wake) == 0)
+  {
+    pthread_sigmask(SIG_UNBLOCK, &wake, nullptr);
+  }
 }
 
 SignalWatch::~SignalWatch()
 {
   this->Ended = true;
-  // blocked whether it is watched or not: it wakes the thread and nobody else
-  pthread_kill(this->Watcher.native_handle(), SIGUSR1);
+  pthread_kill(this->Watcher.native_handle(), Wake);
   this->Watcher.join();
   pthread_sigmask(SIG_UNBLOCK, &this->Signals, nullptr);
 }
@@ -60,11 +65,11 @@ SignalWatch::~SignalWatch()
 void SignalWatch::Watch()
 {
   sigset_t set = this->Signals;
-  sigaddset(&set, SIGUSR1);
+  sigaddset(&set, Wake);
   while (!this->Ended)
   {
     int number = 0;
-    if (sigwait(&set, &number) != 0 || number == SIGUSR1)
+    if (sigwait(&set, &number) != 0 || number == Wake)
     {
       continue;
     }

@@ -74,6 +74,7 @@ TEST(FilmOptions, WhatDoesNotGoTogether)
   ExpectUsage("--film turn --size 63x32 -o film.mp4", "even");
   ExpectUsage("--film turn --aov a.exr -o film.mp4", "--aov");
   ExpectUsage("--film turn --audio a.wav -o frames/%05d.png", "--audio");
+  ExpectUsage("--film turn --dry-run -o film.mp4", "--dry-run");
   ExpectUsage("--film turn -o film.mp4 -o film.mp4", "twice");
 }
 

@@ -60,7 +60,7 @@ class BadInput(FilmTest):
 
         done = self.run_film(*words, "--part", "2/2", preexec_fn=limit(20000))
         self.assertEqual((done.returncode, len(words_of(done.stderr).splitlines())), (1, 1), done.stderr)
-        self.assertIn("--resume", done.stderr)
+        self.assertIn("cannot be encoded", done.stderr)
         self.assertEqual(sorted(os.listdir(self.path("film.mov.parts"))), sorted(kept))
         self.assertEqual(self.film(*words, "--part", "2/2"), "")
         self.assertEqual(os.listdir(self.folder), ["film.mov"])

@@ -181,13 +181,13 @@ std::vector<Picture> FilmDrawing::Draw(int frame)
   return drawn;
 }
 
-void DrawAll(FilmDrawing& drawing, const FilmPlan& plan, Sinks& sinks)
+void DrawAll(FilmDrawing& drawing, const FilmPlan& plan, bool quiet, Sinks& sinks)
 {
   const std::vector<int> missing = MissingFrames(sinks, plan);
   const int there = plan.End - plan.First - static_cast<int>(missing.size());
   FilmWriter writer(sinks);
-  FilmProgress progress(plan.End - plan.First, there);
-  const QuietStandardError quiet;
+  FilmProgress progress(plan.End - plan.First, there, quiet);
+  const QuietStandardError silent;
   for (const int frame : missing)
   {
     if (Interrupts::Came())
@@ -258,7 +258,7 @@ void MakeFilm(Options& o)
   Sinks sinks = OpenSinks(o, plan);
   try
   {
-    DrawAll(drawing, plan, sinks);
+    DrawAll(drawing, plan, o.Quiet, sinks);
     const Progress progress("joining the film");
     for (const std::unique_ptr<FilmSink>& sink : sinks)
     {

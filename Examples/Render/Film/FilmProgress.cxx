@@ -40,9 +40,10 @@ std::string Size(long long bytes)
 }
 }
 
-FilmProgress::FilmProgress(int total, int done)
+FilmProgress::FilmProgress(int total, int done, bool quiet)
   : Total(total)
   , First(done)
+  , Quiet(quiet)
   , Terminal(isatty(UserErrorDescriptor()) != 0)
   , Next(Start + FirstAfter)
 {
@@ -69,7 +70,7 @@ std::string FilmProgress::TextOf(int done, long long bytes) const
 
 void FilmProgress::Update(int done, long long bytes)
 {
-  if (Clock::now() < this->Next)
+  if (this->Quiet || Clock::now() < this->Next)
   {
     return;
   }

@@ -14,7 +14,7 @@ class FilmProgress
 {
 public:
   // Of `total` frames `done` are there already.
-  FilmProgress(int total, int done);
+  FilmProgress(int total, int done, bool quiet);
   ~FilmProgress();
   FilmProgress(const FilmProgress&) = delete;
   FilmProgress& operator=(const FilmProgress&) = delete;
@@ -29,6 +29,7 @@ private:
 
   int Total;
   int First;
+  bool Quiet;
   bool Terminal;
   bool Shown = false; // a line stands on the terminal
   Clock::time_point Start = Clock::now();
