@@ -8,6 +8,7 @@ One display and, but for the last tests, one viewer serve all, for starting take
 """
 
 import os
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -115,9 +116,12 @@ class Files(Shared):
     def test_what_takes_long_and_cannot_be_read(self):
         with open(self.path("long.vtk"), "wb") as stream:
             stream.write(b"no data\n" * 200000)
-        viewer = self.start("long.vtk", waits=False)
-        self.assertEqual(viewer.end(), 1)
-        self.assertEqual(len(viewer.said().splitlines()), 1, viewer.said())
+        done = subprocess.run([PROGRAMS["viewer"], "long.vtk"], cwd=self.folder, check=False,
+            env={**os.environ, "DISPLAY": self.desktop.name}, stdin=subprocess.DEVNULL,
+            stderr=subprocess.PIPE, text=True, timeout=60)
+        self.assertEqual(done.returncode, 1)
+        self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+        self.assertIn("long.vtk cannot be read", done.stderr)
 
     def test_quits_while_it_reads(self):
         with open(self.path("slow.vtk"), "w", encoding="utf-8") as stream:
