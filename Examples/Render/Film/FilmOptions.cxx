@@ -120,9 +120,11 @@ void CheckKind(const Options& o)
     FailUsage(film.Kind == "path" ? "--film path needs --path FILE, a pose a line"
                                   : "--path goes with --film path alone; leave it out");
   }
-  if (film.Kind == "fly" && o.Look.Vectors.empty() && o.Look.StreamLines.empty())
+  // in a tube along the way nothing else would be seen
+  if (film.Kind == "fly" && (o.Look.Vectors.empty() || !o.Look.StreamLines.empty()))
   {
-    FailUsage("--film fly follows a stream line; name the array by --vectors or --streamlines");
+    FailUsage("--film fly follows a stream line of the array of --vectors; give that, and no "
+              "--streamlines, whose tubes would hide the rest");
   }
 }
 

@@ -112,7 +112,7 @@ void SetUps(std::vector<Pose>& poses, const Vector3& up)
 std::vector<Pose> FlightAlong(
   const Scene& scene, const Look& look, const std::optional<Vector3>& eye, const Vector3& up)
 {
-  const std::string array = look.Vectors.empty() ? look.StreamLines : look.Vectors;
+  const std::string array = look.Vectors;
   TubeSettings settings;
   if (eye)
   {
