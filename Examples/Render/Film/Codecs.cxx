@@ -89,7 +89,7 @@ std::string CodecNameFor(const FilmOptions& film, const std::string& output)
   return container.Takes(film.PresetCodec) ? film.PresetCodec : container.Codecs.front();
 }
 
-const Codec& FindCodec(const std::string& name)
+const Codec& FindCodec(std::string name)
 {
   for (const Codec& codec : Codecs())
   {

@@ -43,7 +43,8 @@ std::vector<std::string> CodecNames();
 std::string CodecNameFor(const FilmOptions& film, const std::string& output);
 
 // The codec of a name, which must be one of a container's.
-const Codec& FindCodec(const std::string& name);
+// (By value: GCC 13 and later take the result for a part of what is passed by reference.)
+const Codec& FindCodec(std::string name);
 }
 
 #endif
