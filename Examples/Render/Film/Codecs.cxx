@@ -89,13 +89,13 @@ std::string CodecNameFor(const FilmOptions& film, const std::string& output)
   return container.Takes(film.PresetCodec) ? film.PresetCodec : container.Codecs.front();
 }
 
-const Codec& FindCodec(std::string name)
+const Codec* FindCodec(const std::string& name)
 {
   for (const Codec& codec : Codecs())
   {
     if (codec.Name == name)
     {
-      return codec;
+      return &codec;
     }
   }
   throw std::logic_error("no codec is named " + name);

@@ -43,8 +43,7 @@ std::vector<std::string> CodecNames();
 std::string CodecNameFor(const FilmOptions& film, const std::string& output);
 
 // The codec of a name, which must be one of a container's.
-// (By value: GCC 13 and later take the result for a part of what is passed by reference.)
-const Codec& FindCodec(std::string name);
+const Codec* FindCodec(const std::string& name); // never nullptr
 }
 
 #endif

@@ -80,7 +80,7 @@ void CheckFfmpeg(const Options& o)
       bool well = false;
       encoders = RunToEnd({ "ffmpeg", "-hide_banner", "-encoders" }, well)->GetOutput();
     }
-    const Codec& codec = FindCodec(CodecNameFor(o.Film, output));
+    const Codec& codec = *FindCodec(CodecNameFor(o.Film, output));
     if (!HasEncoder(encoders, codec.Encoder))
     {
       Fail(output + ": the ffmpeg that is installed cannot encode " + codec.Name + " (no " +

@@ -107,7 +107,7 @@ FilmFile::FilmFile(
   , Path(path)
   , Index(index)
   , Kind(*FindContainer(path))
-  , Coding(FindCodec(CodecNameFor(o.Film, path)))
+  , Coding(*FindCodec(CodecNameFor(o.Film, path)))
 {
   if (o.Film.Resume && Exists(path) && !Exists(path + ".parts"))
   {

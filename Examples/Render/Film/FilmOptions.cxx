@@ -78,7 +78,7 @@ void CheckVideo(const Options& o, const std::string& output)
     FailUsage("--codec " + codec + " does not go into " + container.Ending + "; choose one of " +
       Join(container.Codecs) + ", or another ending");
   }
-  CheckQuality(o.Film, FindCodec(codec));
+  CheckQuality(o.Film, *FindCodec(codec));
   if (HasTwoEyes(o) && FindStereoLayout(o.Layout).MultiView)
   {
     FailUsage("--layout " + o.Layout + " is for pictures; choose another layout for a film");
