@@ -33,8 +33,16 @@ constexpr double MostTimesLonger2 = 8 * 8;
 
 constexpr double Longer2 = ChordLimits::MostLonger * ChordLimits::MostLonger;
 
-// Radians, that a triangle of several chords is long at the most.
-constexpr double LongestSplit = 1;
+// How many times its nearest distance a triangle of several chords is long at the most; and up to
+// which an edge comes nearer than its ends by an eighth of the square of that.
+constexpr double LongestSplit = 4;
+constexpr double LongestEven = 1;
+
+// Of more chords it is asked whether they are long enough in the picture.
+constexpr int ManyChords = 16;
+
+// Nor is one tried after the other: so many chords more are a share of those that did not do.
+constexpr int MoreChords = 4;
 
 double Longest2(const vec3& a, const vec3& b, const vec3& c)
 {
@@ -225,6 +233,12 @@ bool Classifier::FitChords(const vec3& p, const vec3& q, int chords, bool sample
 {
   const vec3 step = (q - p) / double(chords);
   const double step2 = glm::dot(step, step);
+  // of equal ones the farthest looks shortest
+  if (chords > ManyChords &&
+    !(this->V.Limits->IsLongEnough(p, p + step) && this->V.Limits->IsLongEnough(q - step, q)))
+  {
+    return false;
+  }
   double before = this->LimitAt(p) * glm::dot(p, p);
   vec3 last = p;
   for (int i = 1; i <= chords; i++)
@@ -282,7 +296,7 @@ int Classifier::SeveralChordsOf(const vec3& from, const vec3& to, double times2)
   {
     return few;
   }
-  for (int chords = least; chords <= MostChords; chords++)
+  for (int chords = least; chords <= MostChords; chords += 1 + chords / MoreChords)
   {
     if (this->FitChords(from, to, chords, false))
     {
@@ -292,6 +306,32 @@ int Classifier::SeveralChordsOf(const vec3& from, const vec3& to, double times2)
   return this->FitChords(from, to, MostChords, true) ? MostChords : 0;
 }
 
+// Squared, from the eye to the nearest place of the edge p, q.
+double EdgeDistance2(const vec3& p, const vec3& q)
+{
+  const vec3 way = q - p;
+  const double share = std::clamp(-glm::dot(p, way) / glm::dot(way, way), 0.0, 1.0);
+  const vec3 at = p + share * way;
+  return glm::dot(at, at);
+}
+
+// Whether a triangle stays outside the near sphere. Of a long one each place is nearer to a long
+// edge than the shortest one is long.
+bool Classifier::IsFarEnough(const vec3 p[3], double nearest2, double angle2) const
+{
+  if (angle2 <= LongestEven * LongestEven)
+  {
+    return nearest2 > (1 + 0.5 * angle2) * this->Inner2;
+  }
+  const double edges2 =
+    std::min({ EdgeDistance2(p[0], p[1]), EdgeDistance2(p[1], p[2]), EdgeDistance2(p[2], p[0]) });
+  const vec3 ab = p[1] - p[0];
+  const vec3 bc = p[2] - p[1];
+  const vec3 ca = p[0] - p[2];
+  const double shortest2 = std::min({ glm::dot(ab, ab), glm::dot(bc, bc), glm::dot(ca, ca) });
+  return std::sqrt(edges2) - std::sqrt(shortest2) > std::sqrt(this->Inner2);
+}
+
 // Whether nothing speaks against it but how long the edges are.
 bool Classifier::MayProject(const vec3 p[3]) const
 {
@@ -299,10 +339,8 @@ bool Classifier::MayProject(const vec3 p[3]) const
   const double nearest2 = std::min({ away2[0], away2[1], away2[2] });
   const double farthest2 = std::max({ away2[0], away2[1], away2[2] });
   const double angle2 = Longest2(p[0], p[1], p[2]) / nearest2;
-  // an edge comes nearer than its ends by an eighth of its squared angle
-  const double least = 1 + 0.5 * angle2;
-  return nearest2 > least * this->Inner2 && farthest2 < this->Outer2 &&
-    angle2 <= LongestSplit * LongestSplit &&
+  return farthest2 < this->Outer2 && angle2 <= LongestSplit * LongestSplit &&
+    this->IsFarEnough(p, nearest2, angle2) &&
     !this->MayTear(p, std::sqrt(farthest2), std::sqrt(angle2));
 }
 

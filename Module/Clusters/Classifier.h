@@ -46,7 +46,7 @@ public:
 
   // Chords that stand for an edge, at the most; and for one of a triangle whose edges all have
   // several.
-  static constexpr int MostChords = 16;
+  static constexpr int MostChords = 32;
   static constexpr int MostRows = 4;
 
   explicit Classifier(const ClassifierView& view);
@@ -56,7 +56,7 @@ public:
   DrawClass OfCluster(const Box& box, double radius, double edge) const;
 
   // Of a triangle: a class of its own; and for the edge opposite to each corner the chords that
-  // stand for it, 1 to 16 for parts of it that are alike, or 0, where so few do not do. Both
+  // stand for it, 1 to 32 for parts of it that are alike, or 0, where so few do not do. Both
   // triangles at an edge have the same there, so that what is drawn in two ways meets.
   struct Triangle
   {
@@ -71,6 +71,7 @@ private:
   double LimitAt(const vec3& p) const;
   bool FitChords(const vec3& p, const vec3& q, int chords, bool sampled) const;
   bool MayProject(const vec3 p[3]) const;
+  bool IsFarEnough(const vec3 p[3], double nearest2, double angle2) const;
   void LeaveDiscontinuousEdges(const vec3 p[3], Triangle& t) const;
   bool MayTear(const vec3 p[3], double farthest, double angle) const;
   bool SphereMayTear(const vec3& centre, double radius, double angle) const;

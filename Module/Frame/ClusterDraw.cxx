@@ -74,7 +74,8 @@ void ClusterDraw::Load(KindDraw& draw, bool numbered)
 bool ClusterDraw::IsOwn() const
 {
   return this->Chosen == All ||
-    this->Draws[this->Chosen].IsWhole(this->Mesh.GetNumberOfTriangles());
+    (this->Chosen != Cut && // which has chords
+      this->Draws[this->Chosen].IsWhole(this->Mesh.GetNumberOfTriangles()));
 }
 
 void ClusterDraw::DrawRuns(const KindDraw& draw, std::size_t firstIndex)

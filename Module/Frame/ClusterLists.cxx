@@ -102,6 +102,17 @@ unsigned int CodeOf(const Classifier::Triangle& triangle)
   }
   return static_cast<unsigned int>(code);
 }
+
+// How many times a triangle of this code is drawn.
+int PartsOf(unsigned int code)
+{
+  int most = 1;
+  for (int i = 0; KindOf(code) == ClusterDraw::Cut && i < 3; i++)
+  {
+    most = std::max(most, wfvChordsInCode(i, static_cast<int>(code >> KindBits)));
+  }
+  return (most + WFV_ROWS_OF_PART - 1) / WFV_ROWS_OF_PART;
+}
 }
 
 bool ClusterDraw::IsWorthIt(vtkPolyData* data, bool strips)
@@ -238,7 +249,8 @@ void ClusterDraw::AddMixed(int cluster)
   const vtkIdType end = this->Mesh.GetEnd(cluster);
   const auto codes = this->Codes.begin();
   const int kind = KindOf(codes[first]);
-  if (std::all_of(codes + first, codes + end, [kind](auto code) { return KindOf(code) == kind; }))
+  const auto isRun = [kind](auto code) { return KindOf(code) == kind && PartsOf(code) == 1; };
+  if (std::all_of(codes + first, codes + end, isRun))
   {
     this->Draws[kind].AddRun(first, end - first);
     return;
@@ -246,7 +258,7 @@ void ClusterDraw::AddMixed(int cluster)
   for (vtkIdType i = first; i < end; i++)
   {
     KindDraw& draw = this->Draws[KindOf(codes[i])];
-    draw.Singles.push_back(static_cast<unsigned int>(i));
+    draw.Singles.insert(draw.Singles.end(), PartsOf(codes[i]), static_cast<unsigned int>(i));
     draw.Triangles++;
   }
 }
@@ -301,8 +313,13 @@ std::vector<unsigned int> ClusterDraw::KindDraw::ListAll() const
 std::vector<unsigned int> ClusterDraw::ListChords(const std::vector<unsigned int>& triangles) const
 {
   std::vector<unsigned int> chords(triangles.size());
-  std::transform(triangles.begin(), triangles.end(), chords.begin(),
-    [this](unsigned int triangle) { return this->Codes[triangle] >> KindBits; });
+  int part = 0;
+  for (std::size_t i = 0; i < triangles.size(); i++)
+  {
+    part = i > 0 && triangles[i] == triangles[i - 1] ? part + 1 : 0;
+    chords[i] =
+      (this->Codes[triangles[i]] >> KindBits) | static_cast<unsigned int>(wfvCodeOfPart(part));
+  }
   return chords;
 }
 }

@@ -4,6 +4,7 @@
 #include "Clusters/Classifier.h"
 #include "Compat/StockEdits.h"
 #include "Shaders/ShaderArrays.h"
+#include "Shaders/Limits.h"
 #include "Shaders/ShaderText.h"
 #include "Shaders/Fp64Text.h"
 #include "Shaders/lines/LineShaders.h"
@@ -94,7 +95,7 @@ std::string CutSource(const std::vector<Varying>& varyings)
       : "w.x * " + v.Name + "[0] + w.y * " + v.Name + "[1] + w.z * " + v.Name + "[2];\n";
   }
   constexpr int rows = wfv::Classifier::MostRows;
-  constexpr int vertices = std::max(2 * wfv::Classifier::MostChords + 1, rows * (rows + 2));
+  constexpr int vertices = std::max(2 * wfv::WFV_ROWS_OF_PART + 2, rows * (rows + 2));
   return "// WideFoV: outputs between three corners\n" + Define("WFV_CUT_VERTICES", vertices) +
     declarations + "void wfvWriteMix(vec3 w)\n{\n" + body + "}\n" + edge_chords_glsl +
     cut_triangles_glsl;

@@ -26,6 +26,10 @@ constexpr double BesidePoleOff = 16;
 // Over the distance of an edge's middle from the chord: the farthest place is beside the middle.
 constexpr double MiddleSafety = 1.25;
 
+// Pixels, and tolerances besides, that a chord of several is long at least.
+constexpr double LeastChord = 1;
+constexpr double LeastChordOff = 2;
+
 // Tolerances, that the middle of an edge is drawn from its place along the chord at the most: by as
 // much colours and textures move.
 constexpr double Along = 4;
@@ -188,6 +192,12 @@ bool ChordLimits::IsNearChord(const vec3& p, const vec3& q) const
   const double off = std::abs(chord.x * middle.y - chord.y * middle.x);
   return MiddleSafety * off <= this->Tolerance * glm::length(chord) &&
     MiddleSafety * glm::length(middle - 0.5 * chord) <= Along * this->Tolerance;
+}
+
+bool ChordLimits::IsLongEnough(const vec3& p, const vec3& q) const
+{
+  return glm::length(this->PlaceOf(q) - this->PlaceOf(p)) >=
+    LeastChord + LeastChordOff * this->Tolerance;
 }
 
 bool ChordLimits::AreNearChord(const std::array<vec3, 5>& places) const

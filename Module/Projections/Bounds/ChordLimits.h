@@ -53,6 +53,10 @@ public:
   bool IsNearChord(const vec3& p, const vec3& q) const;
   static constexpr double MostLonger = 4;
 
+  // Whether a chord from p to q is so long in the picture that the fragment stage finds it by its
+  // ray, which looks beside the chord by as much as the tolerance.
+  bool IsLongEnough(const vec3& p, const vec3& q) const;
+
   // Whether places of an edge, its ends and three between at equal steps, as rays see them, are in
   // the picture at equal steps of its chord.
   bool AreNearChord(const std::array<vec3, 5>& places) const;

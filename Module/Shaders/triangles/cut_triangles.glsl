@@ -87,17 +87,20 @@ vec3 wfvNode(int i, int j, ivec3 chords, int most)
                : vec3(most - i - j, j, i) / float(most);
 }
 
-// A strip of so many rows, the last of which is a corner; or a grid, so many rows of strips. One text emits
+// A strip of so many rows, the last of which is a corner, or a part of it; or a grid, so many rows of strips. One text emits
 // them all, for where all is inlined text is what compilers take long for.
 void main()
 {
   ivec3 chords = max(wfvReadChords(), 1);
   int most = max(chords.x, max(chords.y, chords.z));
   bool strip = min(chords.x, min(chords.y, chords.z)) == 1;
+  int first = strip ? wfvPartInCode(wfvReadCode()) * WFV_ROWS_OF_PART : 0;
   for (int j = 0; j < (strip ? 1 : most); j++)
   {
-    int last = 2 * (strip ? most : most - j);
-    for (int v = 0; v <= last; v++)
+    // a part that goes on ends with both ends of its last row
+    bool goesOn = strip && first + WFV_ROWS_OF_PART < most;
+    int last = goesOn ? 2 * (first + WFV_ROWS_OF_PART) + 1 : 2 * (strip ? most : most - j);
+    for (int v = 2 * first; v <= last; v++)
     {
       bool left = (v & 1) == 0;
       wfvEmitWeighed(strip ? wfvOnStrip(v / 2, left, chords, most)

@@ -5,8 +5,13 @@
 uniform usamplerBuffer wfvChords;
 uniform bool wfvHasChords; // of this draw; else no chord stands for an edge
 
+int wfvReadCode()
+{
+  return wfvHasChords ? int(texelFetch(wfvChords, gl_PrimitiveIDIn).x) : 0;
+}
+
 ivec3 wfvReadChords()
 {
-  int code = wfvHasChords ? int(texelFetch(wfvChords, gl_PrimitiveIDIn).x) : 0;
+  int code = wfvReadCode();
   return ivec3(wfvChordsInCode(0, code), wfvChordsInCode(1, code), wfvChordsInCode(2, code));
 }
