@@ -37,7 +37,7 @@ class Site(unittest.TestCase):
     def test_shows_what_the_commands_drew(self):
         with open(os.path.join(OUT, "Documentation", "tasks", "dome.html"), encoding="utf-8") as stream:
             page = stream.read()
-        for name in ("dome", "eyes-left", "eyes-right", "frame-0001", "frame-0050"):
+        for name in ("dome", "eyes-left", "eyes-right", "rise-0001", "rise-0050"):
             # Sphinx numbers the pictures of one name
             found = re.search(r'src="(\.\./\.\./_images/%s\d*\.png)"' % name, page)
             self.assertTrue(found, name)
