@@ -22,11 +22,6 @@ namespace
 // Sine of the smallest angle between up and the direction of view.
 constexpr double SmallestSine = 1e-6;
 
-double Length(const Vector3& v)
-{
-  return std::hypot(v[0], v[1], v[2]);
-}
-
 bool Parallel(const Vector3& a, const Vector3& b)
 {
   return Length(Cross(a, b)) < SmallestSine;

@@ -59,11 +59,6 @@ struct Frame
   Vector3 Back;
 };
 
-double Dot(const Vector3& a, const Vector3& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 // Of a view along `direction`; up is what is nearest to `up`.
 Frame FrameOf(const Vector3& direction, const Vector3& up)
 {
@@ -95,7 +90,7 @@ void AddPoints(const SceneProp& prop, vtkIdType stride, Cloud& cloud)
     Vector3 p;
     prop.Surface->GetPoint(i, p.data());
     const Vector3 arm = p - cloud.Middle;
-    const double length = std::sqrt(Dot(arm, arm));
+    const double length = Length(arm);
     const double grown = length + prop.Margin;
     cloud.Points.push_back(cloud.Middle + (length > 0 ? grown / length : 0) * arm);
     cloud.Radius = std::max(cloud.Radius, grown);

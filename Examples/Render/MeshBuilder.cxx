@@ -33,9 +33,19 @@ Vector3 Cross(const Vector3& a, const Vector3& b)
   return { { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] } };
 }
 
+double Dot(const Vector3& a, const Vector3& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+double Length(const Vector3& v)
+{
+  return std::hypot(v[0], v[1], v[2]);
+}
+
 Vector3 Unit(const Vector3& v)
 {
-  const double length = std::hypot(v[0], v[1], v[2]);
+  const double length = Length(v);
   return length > 0 ? (1 / length) * v : Vector3{ { 0, 0, 1 } };
 }
 

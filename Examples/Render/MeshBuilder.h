@@ -21,6 +21,8 @@ Vector3 operator+(const Vector3& a, const Vector3& b);
 Vector3 operator-(const Vector3& a, const Vector3& b);
 Vector3 operator*(double s, const Vector3& v);
 Vector3 Cross(const Vector3& a, const Vector3& b);
+double Dot(const Vector3& a, const Vector3& b);
+double Length(const Vector3& v);
 Vector3 Unit(const Vector3& v); // (0, 0, 1) where v is 0
 
 class MeshBuilder

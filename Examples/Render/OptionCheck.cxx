@@ -7,6 +7,7 @@
 #include "FirstView.h"
 #include "ImageOutput.h"
 #include "LensView.h"
+#include "MeshBuilder.h"
 #include "Messages.h"
 #include "OptionValues.h"
 #include "OutputFiles.h"
@@ -118,11 +119,6 @@ void CompleteView(Options& o, const FieldsOfView& given)
   {
     FailUsage(complaint);
   }
-}
-
-double Length(const Vector3& v)
-{
-  return std::hypot(v[0], v[1], v[2]);
 }
 
 void CheckCamera(const Options& o)

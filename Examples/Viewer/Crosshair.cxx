@@ -24,11 +24,6 @@ constexpr float BorderWidth = 4; // pixels
 // for the other one within a thousandth of the parallax.
 constexpr double Behind = 1.001;
 
-double Length(const Vector3& v)
-{
-  return std::hypot(v[0], v[1], v[2]);
-}
-
 struct Ray
 {
   Vector3 Origin;

@@ -19,16 +19,6 @@ constexpr double SmallestHorizontal = 1e-9;
 // Cosine of the azimuth within which a drag raises the eye as far as it takes: 60 degrees.
 constexpr double FullEffect = 0.5;
 
-double Dot(const Vector3& a, const Vector3& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-double Length(const Vector3& v)
-{
-  return std::sqrt(Dot(v, v));
-}
-
 // To (-pi, pi].
 double Wrapped(double angle)
 {

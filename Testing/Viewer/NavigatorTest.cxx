@@ -32,11 +32,6 @@ Vector3 Direction()
   return { { r * std::cos(a), r * std::sin(a), z } };
 }
 
-double Dot(const Vector3& a, const Vector3& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 double Apart(const Vector3& a, const Vector3& b)
 {
   const Vector3 d = a - b;

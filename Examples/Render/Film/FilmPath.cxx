@@ -3,7 +3,7 @@
 
 #include "Angles.h"
 #include "Film/StreamFlight.h"
-#include "Film/Vectors.h"
+#include "MeshBuilder.h"
 #include "Messages.h"
 #include "NumberLines.h"
 
@@ -103,12 +103,12 @@ void Way::SetTimes()
   double angle = 0;
   for (std::size_t i = 1; i < this->Knots.size(); i++)
   {
-    distance += Norm(this->Knots[i].Eye - this->Knots[i - 1].Eye);
+    distance += Length(this->Knots[i].Eye - this->Knots[i - 1].Eye);
     angle += AngleBetween(this->Knots[i].Turn, this->Knots[i - 1].Turn);
   }
   for (std::size_t i = 1; i < this->Knots.size(); i++)
   {
-    const double far = Norm(this->Knots[i].Eye - this->Knots[i - 1].Eye);
+    const double far = Length(this->Knots[i].Eye - this->Knots[i - 1].Eye);
     const double wide = AngleBetween(this->Knots[i].Turn, this->Knots[i - 1].Turn);
     this->Knots[i].Time = this->Knots[i - 1].Time + (distance > 0 ? far / distance : 0) +
       (angle > 0 ? wide / angle : 0);
@@ -181,7 +181,7 @@ FilmPath Orbit(const Scene& scene, const Options& o, Pose pose)
   const Vector3 up = pose.Up;
   const Vector3 arm = pose.Eye - centre;
   const double size = std::hypot(b[1] - b[0], b[3] - b[2], b[5] - b[4]);
-  if (Norm(arm - Dot(arm, up) * up) <= SmallestSine * size)
+  if (Length(arm - Dot(arm, up) * up) <= SmallestSine * size)
   {
     pose.Eye = centre + -(size > 0 ? size : 1) * pose.Direction;
   }
@@ -215,8 +215,8 @@ std::vector<Pose> ReadPoses(const std::string& path, const Vector3& up)
     {
       pose.Up = { { v[6], v[7], v[8] } };
     }
-    if (!(Norm(pose.Direction) > 0) || !(Norm(pose.Up) > 0) ||
-      Norm(Cross(Unit(pose.Direction), Unit(pose.Up))) < SmallestSine)
+    if (!(Length(pose.Direction) > 0) || !(Length(pose.Up) > 0) ||
+      Length(Cross(Unit(pose.Direction), Unit(pose.Up))) < SmallestSine)
     {
       Fail(line.Where + ": the direction is no direction, or parallel to up; correct it");
     }

@@ -2,7 +2,7 @@
 #include "StreamFlight.h"
 
 #include "Datasets.h"
-#include "Film/Vectors.h"
+#include "MeshBuilder.h"
 #include "Messages.h"
 #include "VectorField.h"
 
@@ -28,7 +28,7 @@ double LengthOf(const Line& line)
   double length = 0;
   for (std::size_t i = 1; i < line.size(); i++)
   {
-    length += Norm(line[i] - line[i - 1]);
+    length += Length(line[i] - line[i - 1]);
   }
   return length;
 }
@@ -66,7 +66,7 @@ Line Even(const Line& line, int count)
   double gone = 0; // up to line[i - 1]
   for (std::size_t i = 1; i < line.size(); i++)
   {
-    const double here = Norm(line[i] - line[i - 1]);
+    const double here = Length(line[i] - line[i - 1]);
     while (here > 0 && static_cast<int>(even.size()) < count - 1 &&
       static_cast<double>(even.size()) * step <= gone + here)
     {
@@ -99,9 +99,9 @@ void SetUps(std::vector<Pose>& poses, const Vector3& up)
   Vector3 last = up;
   for (Pose& pose : poses)
   {
-    const bool clear = Norm(Cross(pose.Direction, up)) > SineOfParallel;
+    const bool clear = Length(Cross(pose.Direction, up)) > SineOfParallel;
     const Vector3 right = Cross(pose.Direction, clear ? up : last);
-    pose.Up = Norm(right) > SineOfParallel
+    pose.Up = Length(right) > SineOfParallel
       ? Cross(Unit(right), pose.Direction)
       : Unit(Cross(Cross(pose.Direction, { { 0.3, 0.5, 0.8 } }), pose.Direction)); // any
     last = pose.Up;
