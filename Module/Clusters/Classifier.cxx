@@ -44,12 +44,21 @@ constexpr int ManyChords = 16;
 // Nor is one tried after the other: so many chords more are a share of those that did not do.
 constexpr int MoreChords = 4;
 
-double Longest2(const vec3& a, const vec3& b, const vec3& c)
+// Squared, from the eye to the nearest place of the edge p, q.
+double EdgeDistance2(const vec3& p, const vec3& q)
 {
-  const vec3 ab = b - a;
-  const vec3 bc = c - b;
-  const vec3 ca = a - c;
-  return std::max({ glm::dot(ab, ab), glm::dot(bc, bc), glm::dot(ca, ca) });
+  const vec3 way = q - p;
+  const double share = std::clamp(-glm::dot(p, way) / glm::dot(way, way), 0.0, 1.0);
+  const vec3 at = p + share * way;
+  return glm::dot(at, at);
+}
+
+// The squared lengths of the edges, by the corner opposite.
+vec3 Lengths2(const vec3 p[3])
+{
+  const vec3 edges[3] = { p[2] - p[1], p[0] - p[2], p[1] - p[0] };
+  return vec3(
+    glm::dot(edges[0], edges[0]), glm::dot(edges[1], edges[1]), glm::dot(edges[2], edges[2]));
 }
 }
 
@@ -303,16 +312,7 @@ int Classifier::SeveralChordsOf(const vec3& from, const vec3& to, double times2)
       return chords;
     }
   }
-  return this->FitChords(from, to, MostChords, true) ? MostChords : 0;
-}
-
-// Squared, from the eye to the nearest place of the edge p, q.
-double EdgeDistance2(const vec3& p, const vec3& q)
-{
-  const vec3 way = q - p;
-  const double share = std::clamp(-glm::dot(p, way) / glm::dot(way, way), 0.0, 1.0);
-  const vec3 at = p + share * way;
-  return glm::dot(at, at);
+  return few < MostChords && this->FitChords(from, to, MostChords, true) ? MostChords : 0;
 }
 
 // Whether a triangle stays outside the near sphere. Of a long one each place is nearer to a long
@@ -325,10 +325,8 @@ bool Classifier::IsFarEnough(const vec3 p[3], double nearest2, double angle2) co
   }
   const double edges2 =
     std::min({ EdgeDistance2(p[0], p[1]), EdgeDistance2(p[1], p[2]), EdgeDistance2(p[2], p[0]) });
-  const vec3 ab = p[1] - p[0];
-  const vec3 bc = p[2] - p[1];
-  const vec3 ca = p[0] - p[2];
-  const double shortest2 = std::min({ glm::dot(ab, ab), glm::dot(bc, bc), glm::dot(ca, ca) });
+  const vec3 lengths2 = Lengths2(p);
+  const double shortest2 = std::min({ lengths2.x, lengths2.y, lengths2.z });
   return std::sqrt(edges2) - std::sqrt(shortest2) > std::sqrt(this->Inner2);
 }
 
@@ -338,7 +336,8 @@ bool Classifier::MayProject(const vec3 p[3]) const
   const double away2[3] = { glm::dot(p[0], p[0]), glm::dot(p[1], p[1]), glm::dot(p[2], p[2]) };
   const double nearest2 = std::min({ away2[0], away2[1], away2[2] });
   const double farthest2 = std::max({ away2[0], away2[1], away2[2] });
-  const double angle2 = Longest2(p[0], p[1], p[2]) / nearest2;
+  const vec3 lengths2 = Lengths2(p);
+  const double angle2 = std::max({ lengths2.x, lengths2.y, lengths2.z }) / nearest2;
   return farthest2 < this->Outer2 && angle2 <= LongestSplit * LongestSplit &&
     this->IsFarEnough(p, nearest2, angle2) &&
     !this->MayTear(p, std::sqrt(farthest2), std::sqrt(angle2));

@@ -87,8 +87,8 @@ vec3 wfvNode(int i, int j, ivec3 chords, int most)
                : vec3(most - i - j, j, i) / float(most);
 }
 
-// A strip of so many rows, the last of which is a corner, or a part of it; or a grid, so many rows of strips. One text emits
-// them all, for where all is inlined text is what compilers take long for.
+// A strip of so many rows, the last of which is a corner, or a part of it; or a grid, so many rows of
+// strips. One text emits them all, for where all is inlined text is what compilers take long for.
 void main()
 {
   ivec3 chords = max(wfvReadChords(), 1);
