@@ -95,6 +95,27 @@ vtkSmartPointer<vtkPolyData> MakeWall()
   return mesh;
 }
 
+// Slats above and ahead, so long that their edges curve in the picture: several chords each.
+vtkSmartPointer<vtkPolyData> MakeSlats()
+{
+  constexpr int Slats = 300;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> triangles;
+  for (vtkIdType i = 0; i <= Slats; ++i)
+  {
+    points->InsertNextPoint(-0.6, 1.2, -0.8 - 1.2 * i / Slats);
+    points->InsertNextPoint(0.6, 1.2, -0.8 - 1.2 * i / Slats);
+  }
+  for (vtkIdType i = 0; i < 2 * Slats; ++i)
+  {
+    triangles->InsertNextCell({ i, i + 1, i + 2 });
+  }
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  mesh->SetPoints(points);
+  mesh->SetPolys(triangles);
+  return mesh;
+}
+
 Shot WidestShot(const char* projection, double nearest, double farthest)
 {
   Shot shot;
@@ -255,6 +276,23 @@ TEST(Projected, LargeMeshesAreClassifiedAnew)
     ExpectSame(other.Draw(MakeLargeShot(-0.4)), second);
     ExpectSame(picture.Draw(MakeLargeShot(0.3)), first);
   }
+}
+
+// A mesh of which all triangles are cut keeps the tolerance, as one does of which some are.
+TEST(Projected, MeshesAreCutAsAWhole)
+{
+  const vtkSmartPointer<vtkPolyData> mesh = MakeSlats();
+  Drawing picture;
+  picture.SetMesh(mesh);
+  picture.SetTolerance(0.25);
+  picture.SetTechnique(vtkWideFoVPass::AUTO);
+  const Shot shot = WidestShot("equirectangular", 0.05, 4);
+  const reference::DrawnPicture drawn = picture.Draw(shot);
+  EXPECT_FALSE(picture.WasMixed());
+  const reference::RayCaster caster(mesh, picture.GetView(), picture.GetPose());
+  const reference::Metrics m = reference::Compare(drawn, caster, 0.25);
+  EXPECT_GT(m.Mismatched, 0); // by chords, not by rays
+  EXPECT_LE(m.MaxPx, 0.25) << Details(shot, picture.GetView(), m);
 }
 
 // Along chords floors are told apart that lie BentDepth behind each other. The check can tell: by
