@@ -115,6 +115,8 @@ SUBJECTS = {
     "vtkScalarBarWidget": ("vtkScalarBarRepresentation",),
     "vtkButtonWidget": ("vtkProp3DButtonRepresentation",),
     "vtkHandleWidget": ("vtkPointHandleRepresentation3D",),
+    # without an image its corners are where the memory happens to say
+    "vtkLogoWidget": ("vtkLogoRepresentation",),
     "vtkDistanceWidget": ("vtkDistanceRepresentation3D",),
     "vtkAngleWidget": ("vtkAngleRepresentation3D",),
 }
