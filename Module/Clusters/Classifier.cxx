@@ -23,6 +23,10 @@ constexpr double LeastAhead = 0.02;
 constexpr double LeastRadii = 1.5;
 constexpr double LeastEdges = 4;
 
+// Of the angle that an edge has, seen from that axis: by no more do the places turn about the
+// circle that its points are seen from, beyond LeastRadii.
+constexpr double TurningOfPlaces = 2.2;
+
 // Over the sine of the angle between a point's direction and that of the ray that meets it: what
 // the level distance and the height add, where the former is LeastRadii or more.
 constexpr double AsideSafety = 1.4;
@@ -51,6 +55,14 @@ double EdgeDistance2(const vec3& p, const vec3& q)
   const double share = std::clamp(-glm::dot(p, way) / glm::dot(way, way), 0.0, 1.0);
   const vec3 at = p + share * way;
   return glm::dot(at, at);
+}
+
+// Whether a triangle comes so near to the half plane behind the eye.
+bool IsAtSeam(const vec3 p[3], double beside)
+{
+  return std::min({ p[0].x, p[1].x, p[2].x }) <= beside &&
+    std::max({ p[0].x, p[1].x, p[2].x }) >= -beside &&
+    std::max({ p[0].z, p[1].z, p[2].z }) >= -beside;
 }
 
 // The squared lengths of the edges, by the corner opposite.
@@ -111,9 +123,7 @@ bool Classifier::MayTear(const vec3 p[3], double farthest, double angle) const
   switch (this->Axis)
   {
     case Family::Meridian:
-      return std::min({ p[0].x, p[1].x, p[2].x }) <= beside &&
-        std::max({ p[0].x, p[1].x, p[2].x }) >= -beside &&
-        std::max({ p[0].z, p[1].z, p[2].z }) >= -beside;
+      return IsAtSeam(p, beside) && this->EyesMayTear(p, beside - this->V.EyeRadius);
     case Family::Planar:
       return std::max({ p[0].z, p[1].z, p[2].z }) > -LeastAhead * farthest - beside;
     case Family::Faces:
@@ -133,6 +143,40 @@ bool Classifier::MayTear(const vec3 p[3], double farthest, double angle) const
     default:
       return true;
   }
+}
+
+// Of a map of meridians, whether an eye whose rays begin on a circle may see a triangle at the
+// seam: its points are seen from near the places of the circle that its corners are.
+bool Classifier::EyesMayTear(const vec3 p[3], double beside) const
+{
+  const vec3 lengths2 = Lengths2(p);
+  const double longest = std::sqrt(std::max({ lengths2.x, lengths2.y, lengths2.z }));
+  const double level = std::sqrt(std::min({ this->AxisDistance2(p[0]), this->AxisDistance2(p[1]),
+                         this->AxisDistance2(p[2]) })) -
+    longest;
+  const bool fades = this->V.View.stereo.y > this->V.View.stereo.x;
+  if (!(this->V.EyeRadius > 0) || fades || !(level > LeastRadii * this->V.EyeRadius))
+  {
+    return true;
+  }
+  const double turning = this->V.EyeRadius * std::min(2.0, TurningOfPlaces * longest / level);
+  bool tears = false;
+  for (const int eye : { WFV_EYE_LEFT, WFV_EYE_RIGHT })
+  {
+    const vec3 seen[3] = { this->SeenBy(eye, p[0]), this->SeenBy(eye, p[1]),
+      this->SeenBy(eye, p[2]) };
+    tears = tears || IsAtSeam(seen, beside + turning);
+  }
+  return tears;
+}
+
+// Where an eye whose rays begin on a circle sees a point, as if from the origin.
+vec3 Classifier::SeenBy(int eye, const vec3& p) const
+{
+  WfvView v = this->V.View;
+  v.eye = eye;
+  const auto s = this->V.Stereo->See(p, v);
+  return s.distance * s.direction;
 }
 
 bool Classifier::SphereMayTear(const vec3& c, double radius, double angle) const
@@ -223,17 +267,30 @@ bool Classifier::HasChordFromEyes(const vec3& p, const vec3& q, double limit2) c
   bool near = true;
   for (const int eye : { WFV_EYE_LEFT, WFV_EYE_RIGHT })
   {
-    WfvView v = this->V.View;
-    v.eye = eye;
     std::array<vec3, 5> seen;
     for (std::size_t i = 0; i < seen.size(); i++)
     {
-      const auto s = this->V.Stereo->See(p + 0.25 * double(i) * way, v);
-      seen[i] = s.distance * s.direction;
+      seen[i] = this->SeenBy(eye, p + 0.25 * double(i) * way);
     }
     near = near && this->V.Limits->AreNearChord(seen);
   }
   return near;
+}
+
+// Whether a chord stands for a part of an edge.
+bool Classifier::IsChord(const vec3& p, const vec3& q, double limit2, bool sampled) const
+{
+  if (this->V.EyeRadius > 0 && sampled)
+  {
+    return this->HasChordFromEyes(p, q, limit2);
+  }
+  const vec3 way = q - p;
+  const double length2 = glm::dot(way, way);
+  if (length2 <= limit2)
+  {
+    return !(this->V.EyeRadius > 0) || !this->CurvesFromEye(p, q);
+  }
+  return sampled && length2 <= Longer2 * limit2 && this->V.Limits->IsNearChord(p, q);
 }
 
 // Seen from the eye no part of an edge looks longer than it would at its nearer end. sampled: parts
@@ -241,7 +298,6 @@ bool Classifier::HasChordFromEyes(const vec3& p, const vec3& q, double limit2) c
 bool Classifier::FitChords(const vec3& p, const vec3& q, int chords, bool sampled) const
 {
   const vec3 step = (q - p) / double(chords);
-  const double step2 = glm::dot(step, step);
   // of equal ones the farthest looks shortest
   if (chords > ManyChords &&
     !(this->V.Limits->IsLongEnough(p, p + step) && this->V.Limits->IsLongEnough(q - step, q)))
@@ -255,8 +311,7 @@ bool Classifier::FitChords(const vec3& p, const vec3& q, int chords, bool sample
     const vec3 at = i < chords ? p + double(i) * step : q;
     const double here = this->LimitAt(at) * glm::dot(at, at);
     const double limit2 = std::min(before, here);
-    const bool asked = sampled && step2 <= Longer2 * limit2;
-    if (!(step2 <= limit2) && !(asked && this->V.Limits->IsNearChord(last, at)))
+    if (!this->IsChord(last, at, limit2, sampled))
     {
       return false;
     }
@@ -284,12 +339,7 @@ int Classifier::ChordsOf(const vec3& p, const vec3& q, double limit2) const
   const bool ordered = p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : p.z < q.z;
   const vec3& from = ordered ? p : q;
   const vec3& to = ordered ? q : p;
-  if (own)
-  {
-    // where each pixel's ray begins elsewhere, the fragment stage does not find one of several
-    return this->HasChordFromEyes(from, to, limit2) ? 1 : 0;
-  }
-  if (length2 <= Longer2 * limit2 && this->V.Limits->IsNearChord(from, to))
+  if (this->IsChord(from, to, limit2, true))
   {
     return 1;
   }

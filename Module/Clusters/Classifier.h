@@ -69,11 +69,14 @@ private:
   int ChordsOf(const vec3& p, const vec3& q, double limit2) const;
   int SeveralChordsOf(const vec3& from, const vec3& to, double times2) const;
   double LimitAt(const vec3& p) const;
+  bool IsChord(const vec3& p, const vec3& q, double limit2, bool sampled) const;
   bool FitChords(const vec3& p, const vec3& q, int chords, bool sampled) const;
   bool MayProject(const vec3 p[3]) const;
   bool IsFarEnough(const vec3 p[3], double nearest2, double angle2) const;
   void LeaveDiscontinuousEdges(const vec3 p[3], Triangle& t) const;
   bool MayTear(const vec3 p[3], double farthest, double angle) const;
+  bool EyesMayTear(const vec3 p[3], double beside) const;
+  vec3 SeenBy(int eye, const vec3& p) const;
   bool SphereMayTear(const vec3& centre, double radius, double angle) const;
   bool IsOnOneFace(const vec3 p[3], double beside) const;
   double AxisDistance2(const vec3& p) const;

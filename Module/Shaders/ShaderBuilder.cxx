@@ -75,8 +75,9 @@ bool CoversTriangles(const Request& r)
 }
 
 // Triangles carry every output on, mixed between the corners.
-std::string CutSource(const std::vector<Varying>& varyings)
+std::string CutSource(const Request& r, const std::vector<Varying>& varyings)
 {
+  const bool seen = r.Stereo && !r.Stereo->Traits.OneCenter;
   std::string declarations;
   std::string body;
   for (const Varying& v : varyings)
@@ -97,14 +98,15 @@ std::string CutSource(const std::vector<Varying>& varyings)
   constexpr int rows = wfv::Classifier::MostRows;
   constexpr int vertices = std::max(2 * wfv::WFV_ROWS_OF_PART + 2, rows * (rows + 2));
   return "// WideFoV: outputs between three corners\n" + Define("WFV_CUT_VERTICES", vertices) +
-    declarations + "void wfvWriteMix(vec3 w)\n{\n" + body + "}\n" + edge_chords_glsl +
-    cut_triangles_glsl;
+    Define("WFV_SEEN_VERTICES", seen) + (seen ? stereo_vertex_glsl : "") + declarations +
+    "void wfvWriteMix(vec3 w)\n{\n" + body + "}\n" + edge_chords_glsl + cut_triangles_glsl;
 }
 
-// True where an eye whose rays begin in several places is served by moving the vertices.
+// True where an eye whose rays begin in several places is served by moving the vertices: those of
+// what is cut are moved behind the cut.
 bool MovesVertices(const Request& r)
 {
-  return r.Stereo && !r.Stereo->Traits.OneCenter && !CoversTriangles(r) &&
+  return r.Stereo && !r.Stereo->Traits.OneCenter && !CoversTriangles(r) && !CutsTriangles(r) &&
     !wfv::quadric::Draws(r.Kind) && !wfv::line::Draws(r);
 }
 
@@ -140,7 +142,7 @@ std::string PrimitiveSource(const Request& r, const std::vector<Varying>& varyin
   }
   if (CutsTriangles(r))
   {
-    return CutSource(varyings);
+    return CutSource(r, varyings);
   }
   if (r.Kind == Primitive::Lines)
   {

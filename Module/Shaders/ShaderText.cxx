@@ -111,14 +111,13 @@ std::string ViewSource(const Request& r)
     Define("WFV_STRAIGHT_SEAM", r.Projection->StraightSeam) +
     Define("WFV_FLAT_RIM", r.Projection->FlatRim) + Define("WFV_EXACT", IsExact(r)) +
     Define("WFV_BY_RAYS", r.ByRays) + Define("WFV_MEETS_CHORDS", r.MeetsChords && AllRayTested(r)) +
-    Define("WFV_SEVERAL_CHORDS", r.SeveralChords && AllRayTested(r) && !NonCentral(r)) +
-    Define("WFV_FP64", r.Fp64) + Define("WFV_DEPTH_MAPPING(v)", r.DepthMapping) +
-    Define("WFV_MULTISAMPLE", r.Multisample) + Define("WFV_WIDE_LINES", r.WideLines) +
-    Define("WFV_EDGES", r.Edges || r.DebugView) + Define("WFV_EDGE_FLAGS", r.EdgeFlags) +
-    Define("WFV_DEBUG_VIEW", r.DebugView) + "#define WFV_TILTED " + (r.Tilted ? "true" : "false") +
-    "\n#define WFV_LENSED " + (r.Lensed ? "true" : "false") + "\n" + "#define WFV_FADES " +
-    (r.Fades ? "true" : "false") + "\n" + "#define WFV_ANGLES " +
-    (meridian ? "wfvMeridianAngles" : "wfvAzimuthalAngles") + "\n" +
+    Define("WFV_SEVERAL_CHORDS", r.SeveralChords && AllRayTested(r)) + Define("WFV_FP64", r.Fp64) +
+    Define("WFV_DEPTH_MAPPING(v)", r.DepthMapping) + Define("WFV_MULTISAMPLE", r.Multisample) +
+    Define("WFV_WIDE_LINES", r.WideLines) + Define("WFV_EDGES", r.Edges || r.DebugView) +
+    Define("WFV_EDGE_FLAGS", r.EdgeFlags) + Define("WFV_DEBUG_VIEW", r.DebugView) +
+    "#define WFV_TILTED " + (r.Tilted ? "true" : "false") + "\n#define WFV_LENSED " +
+    (r.Lensed ? "true" : "false") + "\n" + "#define WFV_FADES " + (r.Fades ? "true" : "false") +
+    "\n" + "#define WFV_ANGLES " + (meridian ? "wfvMeridianAngles" : "wfvAzimuthalAngles") + "\n" +
     Define("WFV_NON_CENTRAL", NonCentral(r)) +
     Define("WFV_NON_CENTRAL_IMPOSTORS", NonCentralImpostors(r)) +
     Define("WFV_CURVED_RAYS", CurvedRays(r)) + Define("WFV_RUNS", r.Runs) +

@@ -210,12 +210,16 @@ bool ChordLimits::AreNearChord(const std::array<vec3, 5>& places) const
   }
   const vec2 from = this->PlaceOf(places[0]);
   const vec2 chord = this->PlaceOf(places[4]) - from;
-  double off = 0;
+  double across = 0; // times the length of the chord
+  double along = 0;
   for (std::size_t i = 1; i < 4; i++)
   {
-    off = std::max(off, glm::length(this->PlaceOf(places[i]) - from - 0.25 * double(i) * chord));
+    const vec2 off = this->PlaceOf(places[i]) - from - 0.25 * double(i) * chord;
+    across = std::max(across, std::abs(chord.x * off.y - chord.y * off.x));
+    along = std::max(along, glm::length(off));
   }
-  return MiddleSafety * off <= this->Tolerance;
+  return MiddleSafety * across <= this->Tolerance * glm::length(chord) &&
+    MiddleSafety * along <= Along * this->Tolerance;
 }
 
 float ChordLimits::NearSingularity(const vec3& direction, double aside) const

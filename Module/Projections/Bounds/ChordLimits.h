@@ -57,8 +57,7 @@ public:
   // ray, which looks beside the chord by as much as the tolerance.
   bool IsLongEnough(const vec3& p, const vec3& q) const;
 
-  // Whether places of an edge, its ends and three between at equal steps, as rays see them, are in
-  // the picture at equal steps of its chord.
+  // The same, of its ends and three places between at equal steps, as rays see them.
   bool AreNearChord(const std::array<vec3, 5>& places) const;
 
   // Radians from a rim, a seam or a border of two faces: nearer, a pixel's neighbours may be no

@@ -176,6 +176,36 @@ vec2 wfvNcEasy(vec3 lengths, float longest)
 // Angles from the circle over those from the origin, squared, at the most: beyond two radii.
 const float WFV_NC_WIDER = 1.25;
 
+#if WFV_MERIDIAN
+// Of the angle that a triangle's longest edge has, seen from the axis of the circle: by no more do the
+// places turn about the circle that its points are seen from, beyond WFV_NC_NEAREST radii.
+const float WFV_NC_TURNING = 2.2;
+
+// Relative to distances: what float32 rounds of a place.
+const float WFV_NC_ROUNDING = 1e-5;
+
+// True unless this eye sees nothing of the triangle across the seam: its points are seen from near the
+// places that its corners are.
+bool wfvNcSeesSeam()
+{
+  float r = 1.0001 * wfvNcRadius();
+  vec3 up = wfvUpright(wfvView);
+  float longest =
+    max(length(wfvP[2] - wfvP[1]), max(length(wfvP[0] - wfvP[2]), length(wfvP[1] - wfvP[0])));
+  float level = min(length(cross(wfvP[0], up)),
+    min(length(cross(wfvP[1], up)), length(cross(wfvP[2], up)))) - longest;
+  vec3 a = wfvSeenPlace(wfvP[0]);
+  vec3 b = wfvSeenPlace(wfvP[1]);
+  vec3 c = wfvSeenPlace(wfvP[2]);
+  vec3 low = min(a, min(b, c));
+  vec3 high = max(a, max(b, c));
+  float aside = r * min(2.0, WFV_NC_TURNING * longest / max(level, 1e-30)) +
+    WFV_NC_ROUNDING * max(wfvTaxiLength(low), wfvTaxiLength(high));
+  bool far = level > WFV_NC_NEAREST * r;
+  return !far || !(low.x > aside || high.x < -aside || high.z < -aside);
+}
+#endif
+
 // True unless nothing of the triangle is seen across the seam, from anywhere on the circle.
 bool wfvNcReachesSeam()
 {
@@ -194,7 +224,12 @@ bool wfvNcReachesSeam()
   }
   return false;
 #elif WFV_MERIDIAN
-  return !(low.x > r || high.x < -r || high.z < -r);
+  bool near = !(low.x > r || high.x < -r || high.z < -r);
+  for (int i = near && !WFV_FADES ? 1 : 0; i > 0; i--) // see wfvMustCover
+  {
+    near = wfvNcSeesSeam();
+  }
+  return near;
 #else
   return false;
 #endif

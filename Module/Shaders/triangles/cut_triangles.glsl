@@ -44,7 +44,11 @@ vec3 wfvMix(vec3 weights)
 
 void wfvEmitWeighed(vec3 weights)
 {
+#if WFV_SEEN_VERTICES
+  gl_Position = wfvProjectVertex(wfvSeenVertex(vec4(wfvMix(weights), 1.0)).xyz);
+#else
   gl_Position = wfvProjectVertex(wfvMix(weights));
+#endif
   wfvWriteMix(weights);
   gl_PrimitiveID = gl_PrimitiveIDIn;
   EmitVertex();
