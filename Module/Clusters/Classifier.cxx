@@ -435,6 +435,28 @@ Classifier::Triangle Classifier::OfTriangle(const vec3& a, const vec3& b, const 
   return t;
 }
 
+// The least of LimitAt in a sphere, or 0 where an edge of this length may curve too much.
+double Classifier::LimitFromEyes(const vec3& centre, double radius, double edge) const
+{
+  const double distance = glm::length(centre);
+  const double nearest = distance - radius;
+  const double level = std::sqrt(this->AxisDistance2(centre)) - radius;
+  const double r = this->V.EyeRadius;
+  if (!(level > LeastRadii * r && level * level > (1 + LeastEdges * LeastEdges) * edge * edge))
+  {
+    return 0;
+  }
+  const double off = r * edge * edge / (level * level) / nearest;
+  const double stretch = this->V.Limits->MostStretchAround(centre, radius / distance);
+  if (!(off * stretch <= EyeShare * this->V.Tolerance))
+  {
+    return 0;
+  }
+  const double larger = 1 + AsideSafety * r / level;
+  const double sine = radius / distance + AsideSafety * r / nearest;
+  return this->V.Limits->LeastAround(centre, sine) / (larger * larger);
+}
+
 DrawClass Classifier::OfCluster(const Box& box, double radius, double edge) const
 {
   Box seen = box;
@@ -453,12 +475,13 @@ DrawClass Classifier::OfCluster(const Box& box, double radius, double edge) cons
   const double distance = glm::length(centre);
   const double nearest = distance - radius;
   const double farthest = distance + radius;
-  if (!(nearest > 0 && nearest * nearest > this->Inner2 && farthest * farthest < this->Outer2) ||
-    this->V.EyeRadius > 0)
+  if (!(nearest > 0 && nearest * nearest > this->Inner2 && farthest * farthest < this->Outer2))
   {
     return DrawClass::Mixed;
   }
-  const double limit = this->V.Limits->LeastAround(centre, radius / distance);
+  const double limit = this->V.EyeRadius > 0
+    ? this->LimitFromEyes(centre, radius, edge)
+    : this->V.Limits->LeastAround(centre, radius / distance);
   const bool all = !this->V.Limits->IsBesideSingularity(centre, radius / distance) &&
     edge * edge <= limit * nearest * nearest &&
     !this->SphereMayTear(centre, radius, ChordLimits::LongestChord);

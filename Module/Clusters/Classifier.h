@@ -70,6 +70,7 @@ private:
   int SeveralChordsOf(const vec3& from, const vec3& to, double times2) const;
   double LimitAt(const vec3& p) const;
   bool IsChord(const vec3& p, const vec3& q, double limit2, bool sampled) const;
+  double LimitFromEyes(const vec3& centre, double radius, double edge) const;
   bool FitChords(const vec3& p, const vec3& q, int chords, bool sampled) const;
   bool MayProject(const vec3 p[3]) const;
   bool IsFarEnough(const vec3 p[3], double nearest2, double angle2) const;

@@ -105,18 +105,20 @@ float LimitOf(const LocalCurvature& table, std::size_t cell, const vec2& half, d
   return static_cast<float>(std::min(limit, longest));
 }
 
-std::vector<float> LeastAroundEach(const std::vector<float>& limits)
+// better: which of two values is taken.
+template <typename Better>
+std::vector<float> BestAroundEach(const std::vector<float>& values, Better better)
 {
   const std::vector<LocalCurvature::Around>& neighbours = LocalCurvature::GetNeighbours();
-  std::vector<float> least(limits);
-  for (std::size_t cell = 0; cell < limits.size(); cell++)
+  std::vector<float> best(values);
+  for (std::size_t cell = 0; cell < values.size(); cell++)
   {
     for (const std::size_t other : neighbours[cell])
     {
-      least[cell] = std::min(least[cell], limits[other]);
+      best[cell] = better(best[cell], values[other]);
     }
   }
-  return least;
+  return best;
 }
 }
 
@@ -161,15 +163,20 @@ ChordLimits::ChordLimits(const Projection& projection, const WfvView& view,
 
 void ChordLimits::SpreadLimits()
 {
+  const auto lesser = [](float a, float b) { return std::min(a, b); };
+  const auto greater = [](float a, float b) { return std::max(a, b); };
   std::vector<float> least(this->Limits);
+  std::vector<float> most(this->Stretches);
   for (int ring = 0; ring < Rings; ring++)
   {
     // one more than twice as far, for across the faces' borders cells do not lie in rows
     for (int i = 0; i <= 1 << ring; i++)
     {
-      least = LeastAroundEach(least);
+      least = BestAroundEach(least, lesser);
+      most = BestAroundEach(most, greater);
     }
     this->Least[ring] = least;
+    this->MostStretches[ring] = most;
   }
 }
 
@@ -241,15 +248,29 @@ float ChordLimits::LeastAround(const vec3& direction, double sine) const
   {
     return 0;
   }
-  double widest = NarrowestCell;
-  for (int ring = 0; ring < Rings; ring++, widest *= 2)
+  const int ring = RingOf(sine);
+  if (ring == Rings)
   {
-    if (sine <= widest)
-    {
-      const float least = this->Least[ring][LocalCurvature::CellOf(direction)];
-      return least < Coarse ? std::max(least, this->NearSingularity(direction, sine)) : least;
-    }
+    return 0;
   }
-  return 0;
+  const float least = this->Least[ring][LocalCurvature::CellOf(direction)];
+  return least < Coarse ? std::max(least, this->NearSingularity(direction, sine)) : least;
+}
+
+float ChordLimits::MostStretchAround(const vec3& direction, double sine) const
+{
+  const int ring = RingOf(sine);
+  return ring == Rings ? std::numeric_limits<float>::infinity()
+                       : this->MostStretches[ring][LocalCurvature::CellOf(direction)];
+}
+
+int ChordLimits::RingOf(double sine)
+{
+  int ring = 0;
+  for (double widest = NarrowestCell; ring < Rings && !(sine <= widest); widest *= 2)
+  {
+    ring++;
+  }
+  return ring;
 }
 }

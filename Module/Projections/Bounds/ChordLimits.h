@@ -46,6 +46,10 @@ public:
     return this->Stretches[LocalCurvature::CellOf(direction)];
   }
 
+  // The most of all directions that are no farther from this one than an angle whose sine this is;
+  // infinite where the angle is too large to say.
+  float MostStretchAround(const vec3& direction, double sine) const;
+
   // Whether the middle of the way from p to q is so near the chord of an edge that the edge is:
   // what At says holds for edges of all directions, and of most is half as long as they might be;
   // and so near the middle of that chord that colours are where they belong. For edges up to
@@ -86,7 +90,8 @@ private:
   // aside: the sine of an angle to go nearer.
   float NearSingularity(const vec3& direction, double aside = 0) const;
 
-  void SpreadLimits(); // to Least
+  void SpreadLimits();            // to Least and MostStretches
+  static int RingOf(double sine); // Rings where none is so wide
 
   vec2 PlaceOf(const vec3& p) const; // pixels
 
@@ -103,6 +108,7 @@ private:
   std::vector<float> Limits;
   std::vector<float> Least[Rings];
   std::vector<float> Stretches;
+  std::vector<float> MostStretches[Rings];
 };
 }
 

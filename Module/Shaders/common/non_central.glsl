@@ -139,11 +139,12 @@ void wfvNcSet(vec4 a, bool pole)
   wfvNcBand = wfvNcLatitudes(a.yw);
   float r = wfvNcRadius();
   vec2 levels = wfvNcLevels();
-  if (WFV_TILTED || WFV_FADES || pole || !(levels.x > (1.0 + WFV_NC_SLACK) * r))
+  if (WFV_TILTED || WFV_FADES || pole)
   {
     return;
   }
-  vec2 ways = sqrt((levels - r) * (levels + r));
+  // nothing is seen that is nearer to the axis than the circle
+  vec2 ways = sqrt(max((levels - r) * (levels + r), 0.0));
   vec2 turns = vec2(wfvAtan2(r, ways.y), wfvAtan2(r, ways.x));
   wfvNcTurns = wfvToRight(wfvView) > 0.0 ? -turns.yx : turns;
   wfvNcTurns += vec2(-WFV_ANGLE_PAD, WFV_ANGLE_PAD);
