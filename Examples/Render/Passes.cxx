@@ -2,11 +2,14 @@
 #include "Passes.h"
 
 #include <vtkCameraPass.h>
+#include <vtkCullerCollection.h>
+#include <vtkFrustumCoverageCuller.h>
 #include <vtkLightsPass.h>
 #include <vtkNew.h>
 #include <vtkOpaquePass.h>
 #include <vtkPanoramicProjectionPass.h>
 #include <vtkRenderPassCollection.h>
+#include <vtkRenderer.h>
 #include <vtkSequencePass.h>
 #include <vtkTranslucentPass.h>
 #include <vtkWideFoVPass.h>
@@ -40,6 +43,21 @@ vtkSmartPointer<vtkPanoramicProjectionPass> MakeCubeMapPass(const Options& o)
     pass->SetProjectionTypeToEquirectangular();
   }
   return pass;
+}
+
+void SetCubeMapPass(vtkRenderer* renderer, vtkPanoramicProjectionPass* pass)
+{
+  renderer->SetPass(pass);
+  renderer->GetCullers()->RemoveAllItems();
+}
+
+void SetWidePass(vtkRenderer* renderer, vtkWideFoVPass* pass)
+{
+  renderer->SetPass(pass);
+  if (renderer->GetCullers()->GetNumberOfItems() == 0)
+  {
+    renderer->AddCuller(vtkNew<vtkFrustumCoverageCuller>());
+  }
 }
 
 bool DrawsPerspective(const Options& o)

@@ -56,7 +56,7 @@ void Fill(Stage& stage, const Scene& scene, const Options& o)
   if (o.Technique == Technique::CubeMap)
   {
     stage.Renderer = vtkSmartPointer<vtkRenderer>::New();
-    stage.Renderer->SetPass(MakeCubeMapPass(o));
+    SetCubeMapPass(stage.Renderer, MakeCubeMapPass(o));
   }
   else
   {

@@ -100,7 +100,7 @@ void ViewerStage::ApplyCubeMap(const Options& o)
     this->CubeMapPass = MakeCubeMapPass(o);
     this->CubeMapOf = wanted;
   }
-  this->Renderer->SetPass(this->CubeMapPass);
+  SetCubeMapPass(this->Renderer, this->CubeMapPass);
 }
 
 void ViewerStage::Apply(const Options& o, const std::array<int, 2>& size)
@@ -113,7 +113,7 @@ void ViewerStage::Apply(const Options& o, const std::array<int, 2>& size)
   else
   {
     SetUpWidePass(this->WidePass, o);
-    this->Renderer->SetPass(this->WidePass);
+    SetWidePass(this->Renderer, this->WidePass);
   }
   this->Renderer->SetBackground(o.Background[0], o.Background[1], o.Background[2]);
   SetCamera(this->Renderer, *this->What, o);

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Clusters/Classifier.h"
 
-#include "Projections/StereoModel.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace wfv
 {
@@ -17,23 +16,6 @@ constexpr double Beside = 1e-5;
 // Cosine of the angle from the axis of a perspective: nearer to the plane of the eye no chord has
 // a bound.
 constexpr double LeastAhead = 0.02;
-
-// Of rays that begin on a circle: how many of its radii, and of its edges, a triangle is away from
-// the circle's axis at least. Nearer ones are ray-tested.
-constexpr double LeastRadii = 1.5;
-constexpr double LeastEdges = 4;
-
-// Of the angle that an edge has, seen from that axis: by no more do the places turn about the
-// circle that its points are seen from, beyond LeastRadii.
-constexpr double TurningOfPlaces = 2.2;
-
-// Over the sine of the angle between a point's direction and that of the ray that meets it: what
-// the level distance and the height add, where the former is LeastRadii or more.
-constexpr double AsideSafety = 1.4;
-
-// And how many times longer than a bound for all directions says an edge may be, squared, where
-// places of it are looked at.
-constexpr double MostTimesLonger2 = 8 * 8;
 
 constexpr double Longer2 = ChordLimits::MostLonger * ChordLimits::MostLonger;
 
@@ -55,14 +37,6 @@ double EdgeDistance2(const vec3& p, const vec3& q)
   const double share = std::clamp(-glm::dot(p, way) / glm::dot(way, way), 0.0, 1.0);
   const vec3 at = p + share * way;
   return glm::dot(at, at);
-}
-
-// Whether a triangle comes so near to the half plane behind the eye.
-bool IsAtSeam(const vec3 p[3], double beside)
-{
-  return std::min({ p[0].x, p[1].x, p[2].x }) <= beside &&
-    std::max({ p[0].x, p[1].x, p[2].x }) >= -beside &&
-    std::max({ p[0].z, p[1].z, p[2].z }) >= -beside;
 }
 
 // The squared lengths of the edges, by the corner opposite.
@@ -89,9 +63,10 @@ bool ClassifierView::operator==(const ClassifierView& o) const
 Classifier::Classifier(const ClassifierView& view)
   : V(view)
   , Axis(view.Map->Axis)
+  , Circle(view.View, view.Stereo, view.EyeRadius, view.Limits.get(), view.Tolerance)
 {
   constexpr double dip = 1 + ChordLimits::LongestChord * ChordLimits::LongestChord;
-  const double inner = std::max(view.View.radii.x * dip, LeastRadii * view.EyeRadius);
+  const double inner = std::max(view.View.radii.x * dip, EyeCircle::LeastRadii * view.EyeRadius);
   const double outer = view.View.radii.y * (1 - 10 * Beside);
   this->Inner2 = inner * inner;
   this->Outer2 = outer * outer;
@@ -123,7 +98,9 @@ bool Classifier::MayTear(const vec3 p[3], double farthest, double angle) const
   switch (this->Axis)
   {
     case Family::Meridian:
-      return IsAtSeam(p, beside) && this->EyesMayTear(p, beside - this->V.EyeRadius);
+      return IsAtSeam(p, beside) &&
+        (!this->HasCircle() ||
+          this->Circle.MaySeeAtSeam(p, angle * farthest, beside - this->V.EyeRadius));
     case Family::Planar:
       return std::max({ p[0].z, p[1].z, p[2].z }) > -LeastAhead * farthest - beside;
     case Family::Faces:
@@ -143,40 +120,6 @@ bool Classifier::MayTear(const vec3 p[3], double farthest, double angle) const
     default:
       return true;
   }
-}
-
-// Of a map of meridians, whether an eye whose rays begin on a circle may see a triangle at the
-// seam: its points are seen from near the places of the circle that its corners are.
-bool Classifier::EyesMayTear(const vec3 p[3], double beside) const
-{
-  const vec3 lengths2 = Lengths2(p);
-  const double longest = std::sqrt(std::max({ lengths2.x, lengths2.y, lengths2.z }));
-  const double level = std::sqrt(std::min({ this->AxisDistance2(p[0]), this->AxisDistance2(p[1]),
-                         this->AxisDistance2(p[2]) })) -
-    longest;
-  const bool fades = this->V.View.stereo.y > this->V.View.stereo.x;
-  if (!(this->V.EyeRadius > 0) || fades || !(level > LeastRadii * this->V.EyeRadius))
-  {
-    return true;
-  }
-  const double turning = this->V.EyeRadius * std::min(2.0, TurningOfPlaces * longest / level);
-  bool tears = false;
-  for (const int eye : { WFV_EYE_LEFT, WFV_EYE_RIGHT })
-  {
-    const vec3 seen[3] = { this->SeenBy(eye, p[0]), this->SeenBy(eye, p[1]),
-      this->SeenBy(eye, p[2]) };
-    tears = tears || IsAtSeam(seen, beside + turning);
-  }
-  return tears;
-}
-
-// Where an eye whose rays begin on a circle sees a point, as if from the origin.
-vec3 Classifier::SeenBy(int eye, const vec3& p) const
-{
-  WfvView v = this->V.View;
-  v.eye = eye;
-  const auto s = this->V.Stereo->See(p, v);
-  return s.distance * s.direction;
 }
 
 bool Classifier::SphereMayTear(const vec3& c, double radius, double angle) const
@@ -203,92 +146,23 @@ bool Classifier::SphereMayTear(const vec3& c, double radius, double angle) const
   }
 }
 
-// The squared distance of a point from the axis of the circle that rays begin on.
-double Classifier::AxisDistance2(const vec3& p) const
-{
-  const WfvView& v = this->V.View;
-  const double height = glm::dot(p, vec3(0, v.tilt.x, -v.tilt.y));
-  return std::max(0.0, glm::dot(p, p) - height * height);
-}
-
-// Whether the distance of an edge from that axis is little beside its length.
-bool Classifier::IsNearAxis(const vec3& p, double edge2) const
-{
-  return !(this->AxisDistance2(p) - edge2 > LeastEdges * LeastEdges * edge2);
-}
-
-// Seen by rays that begin on a circle an edge is no great circle: from each place another ray
-// looks, by as much as the circle turns between them. True where that moves it by too much.
-bool Classifier::CurvesFromEye(const vec3& p, const vec3& q) const
-{
-  const vec3 way = q - p;
-  const double edge2 = glm::dot(way, way);
-  if (this->IsNearAxis(p, edge2))
-  {
-    return true;
-  }
-  const double level2 = this->AxisDistance2(p) - edge2;
-  const double off = this->V.EyeRadius * edge2 / level2 / glm::length(p);
-  return !(off * this->V.Limits->StretchAt(p) <= EyeShare * this->V.Tolerance);
-}
-
-// Rays that begin on a circle look aside of the direction from its middle, and see an edge under a
-// larger angle than it does.
 double Classifier::LimitAt(const vec3& p) const
 {
-  if (!(this->V.EyeRadius > 0))
-  {
-    return this->V.Limits->At(p);
-  }
-  const double level = std::sqrt(this->AxisDistance2(p));
-  if (!(level > LeastRadii * this->V.EyeRadius))
-  {
-    return 0;
-  }
-  const double sine = AsideSafety * this->V.EyeRadius / glm::length(p);
-  const double larger = 1 + AsideSafety * this->V.EyeRadius / level;
-  return this->V.Limits->LeastAround(p, sine) / (larger * larger);
-}
-
-// Whether the chord of an edge stands for it in the pictures of both eyes, whose rays begin on a
-// circle. limit2: as of ChordsOf.
-bool Classifier::HasChordFromEyes(const vec3& p, const vec3& q, double limit2) const
-{
-  const vec3 way = q - p;
-  const double length2 = glm::dot(way, way);
-  if (length2 <= limit2 && !this->CurvesFromEye(p, q))
-  {
-    return true;
-  }
-  if (!(length2 <= MostTimesLonger2 * limit2) || this->IsNearAxis(p, length2))
-  {
-    return false;
-  }
-  bool near = true;
-  for (const int eye : { WFV_EYE_LEFT, WFV_EYE_RIGHT })
-  {
-    std::array<vec3, 5> seen;
-    for (std::size_t i = 0; i < seen.size(); i++)
-    {
-      seen[i] = this->SeenBy(eye, p + 0.25 * double(i) * way);
-    }
-    near = near && this->V.Limits->AreNearChord(seen);
-  }
-  return near;
+  return this->HasCircle() ? this->Circle.LimitAt(p) : this->V.Limits->At(p);
 }
 
 // Whether a chord stands for a part of an edge.
 bool Classifier::IsChord(const vec3& p, const vec3& q, double limit2, bool sampled) const
 {
-  if (this->V.EyeRadius > 0 && sampled)
+  if (this->HasCircle() && sampled)
   {
-    return this->HasChordFromEyes(p, q, limit2);
+    return this->Circle.HasChord(p, q, limit2);
   }
   const vec3 way = q - p;
   const double length2 = glm::dot(way, way);
   if (length2 <= limit2)
   {
-    return !(this->V.EyeRadius > 0) || !this->CurvesFromEye(p, q);
+    return !this->HasCircle() || this->Circle.IsShort(p, length2, limit2);
   }
   return sampled && length2 <= Longer2 * limit2 && this->V.Limits->IsNearChord(p, q);
 }
@@ -326,8 +200,7 @@ int Classifier::ChordsOf(const vec3& p, const vec3& q, double limit2) const
 {
   const vec3 way = q - p;
   const double length2 = glm::dot(way, way);
-  const bool own = this->V.EyeRadius > 0;
-  if (length2 <= limit2 && !own)
+  if (length2 <= limit2 && !this->HasCircle())
   {
     return 1;
   }
@@ -435,28 +308,6 @@ Classifier::Triangle Classifier::OfTriangle(const vec3& a, const vec3& b, const 
   return t;
 }
 
-// The least of LimitAt in a sphere, or 0 where an edge of this length may curve too much.
-double Classifier::LimitFromEyes(const vec3& centre, double radius, double edge) const
-{
-  const double distance = glm::length(centre);
-  const double nearest = distance - radius;
-  const double level = std::sqrt(this->AxisDistance2(centre)) - radius;
-  const double r = this->V.EyeRadius;
-  if (!(level > LeastRadii * r && level * level > (1 + LeastEdges * LeastEdges) * edge * edge))
-  {
-    return 0;
-  }
-  const double off = r * edge * edge / (level * level) / nearest;
-  const double stretch = this->V.Limits->MostStretchAround(centre, radius / distance);
-  if (!(off * stretch <= EyeShare * this->V.Tolerance))
-  {
-    return 0;
-  }
-  const double larger = 1 + AsideSafety * r / level;
-  const double sine = radius / distance + AsideSafety * r / nearest;
-  return this->V.Limits->LeastAround(centre, sine) / (larger * larger);
-}
-
 DrawClass Classifier::OfCluster(const Box& box, double radius, double edge) const
 {
   Box seen = box;
@@ -479,9 +330,8 @@ DrawClass Classifier::OfCluster(const Box& box, double radius, double edge) cons
   {
     return DrawClass::Mixed;
   }
-  const double limit = this->V.EyeRadius > 0
-    ? this->LimitFromEyes(centre, radius, edge)
-    : this->V.Limits->LeastAround(centre, radius / distance);
+  const double limit = this->HasCircle() ? this->Circle.LimitAround(centre, radius, edge)
+                                         : this->V.Limits->LeastAround(centre, radius / distance);
   const bool all = !this->V.Limits->IsBesideSingularity(centre, radius / distance) &&
     edge * edge <= limit * nearest * nearest &&
     !this->SphereMayTear(centre, radius, ChordLimits::LongestChord);

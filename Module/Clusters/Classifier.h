@@ -3,6 +3,7 @@
 #ifndef WideFoVClassifier_h
 #define WideFoVClassifier_h
 
+#include "Clusters/EyeCircle.h"
 #include "Projections/Bounds/ChordLimits.h"
 #include "Projections/Bounds/Visibility.h"
 
@@ -40,10 +41,6 @@ struct ClassifierView
 class WFV_EXPORT Classifier
 {
 public:
-  // Of the tolerance: what the turning of the eyes' circle may take, beside what the map itself
-  // curvature.
-  static constexpr double EyeShare = 0.2;
-
   // Chords that stand for an edge, at the most; and for one of a triangle whose edges all have
   // several.
   static constexpr int MostChords = 32;
@@ -70,23 +67,19 @@ private:
   int SeveralChordsOf(const vec3& from, const vec3& to, double times2) const;
   double LimitAt(const vec3& p) const;
   bool IsChord(const vec3& p, const vec3& q, double limit2, bool sampled) const;
-  double LimitFromEyes(const vec3& centre, double radius, double edge) const;
   bool FitChords(const vec3& p, const vec3& q, int chords, bool sampled) const;
   bool MayProject(const vec3 p[3]) const;
   bool IsFarEnough(const vec3 p[3], double nearest2, double angle2) const;
   void LeaveDiscontinuousEdges(const vec3 p[3], Triangle& t) const;
   bool MayTear(const vec3 p[3], double farthest, double angle) const;
-  bool EyesMayTear(const vec3 p[3], double beside) const;
-  vec3 SeenBy(int eye, const vec3& p) const;
   bool SphereMayTear(const vec3& centre, double radius, double angle) const;
   bool IsOnOneFace(const vec3 p[3], double beside) const;
-  double AxisDistance2(const vec3& p) const;
-  bool IsNearAxis(const vec3& p, double edge2) const;
-  bool CurvesFromEye(const vec3& p, const vec3& q) const;
-  bool HasChordFromEyes(const vec3& p, const vec3& q, double limit2) const;
+
+  bool HasCircle() const { return this->Circle.GetRadius() > 0; }
 
   const ClassifierView& V;
   Family Axis;
+  EyeCircle Circle;
   double Inner2; // squared distances: nothing is projected beyond
   double Outer2;
   double RimCosine; // of the angle at which a round map ends

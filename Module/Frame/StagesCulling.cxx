@@ -254,9 +254,7 @@ bool wfv::Stages::GetClassifierView(
     stage != this->Projected && (!this->ByPixels || own) &&
     this->Projection->Axis != wfv::Family::Sampled && !actor->HasTranslucentPolygonalGeometry();
   view.Tolerance = this->Tolerance;
-  view.Limits = projects
-    ? this->GetLimits(own ? (1 - wfv::Classifier::EyeShare) * this->Tolerance : this->Tolerance)
-    : nullptr;
+  view.Limits = projects ? this->GetLimits(this->Tolerance) : nullptr;
   return true;
 }
 

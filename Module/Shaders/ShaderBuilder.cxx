@@ -154,13 +154,12 @@ std::string PrimitiveSource(const Request& r, const std::vector<Varying>& varyin
   // exact wherever the geometry stage cuts
   return InvocationsSource(r, varyings, KnownOf(r)) + CornerOutputs(varyings, 3, KnownOf(r)) +
     preclip_outputs_glsl + preclip_write_glsl + preclip_emit_glsl + preclip_planes_glsl +
-    (NonCentral(r)      ? non_central_glsl
-        : CurvedRays(r) ? curved_cover_glsl
-                        : "") +
-    preclip_cover_glsl + preclip_narrow_glsl + CoverSource(*r.Projection) +
-    (r.DebugView ? preclip_kinds_glsl : "") + (r.MeetsChords ? edge_chords_glsl : "") +
-    preclip_seen_glsl + preclip_easy_glsl + preclip_measure_glsl +
-    (IsExact(r) ? preclip_exact_glsl : preclip_chords_glsl) + preclip_triangles_glsl;
+    (NonCentral(r) ? std::string(non_central_glsl) + non_central_edges_glsl : "") +
+    (CurvedRays(r) ? curved_cover_glsl : "") + preclip_cover_glsl + preclip_narrow_glsl +
+    CoverSource(*r.Projection) + (r.DebugView ? preclip_kinds_glsl : "") +
+    (r.MeetsChords ? edge_chords_glsl : "") + preclip_seen_glsl + preclip_easy_glsl +
+    preclip_measure_glsl + (IsExact(r) ? preclip_exact_glsl : preclip_chords_glsl) +
+    preclip_triangles_glsl;
 }
 
 // Corners that a vertex stage projects and those that a geometry stage does are of one mesh: they

@@ -102,7 +102,7 @@ void SetUp(BenchEntry& entry, const widefov::Scene& scene)
   entry.Start = widefov::MakePose(scene, o);
   if (cubemap)
   {
-    entry.Renderer->SetPass(widefov::MakeCubeMapPass(o));
+    widefov::SetCubeMapPass(entry.Renderer, widefov::MakeCubeMapPass(o));
   }
 }
 }

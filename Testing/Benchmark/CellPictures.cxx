@@ -123,7 +123,7 @@ reference::DrawnPicture DrawCubeMapCells(const BenchEntry& entry, const BenchSce
   }
   const vtkSmartPointer<vtkPanoramicProjectionPass> pass = widefov::MakeCubeMapPass(o);
   pass->SetInterpolate(false);
-  renderer->SetPass(pass);
+  widefov::SetCubeMapPass(renderer, pass);
   widefov::SetCamera(renderer, scene.Scene, o);
   window->AddRenderer(renderer);
   window->Render();

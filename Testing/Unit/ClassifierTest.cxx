@@ -124,8 +124,7 @@ struct Classified
     this->V.Culls = false;
     this->V.EyeRadius = own ? wfvFromMiddle(v) : 0;
     this->V.Stereo = own ? model : nullptr;
-    this->V.Limits = std::make_shared<ChordLimits>(
-      p, v, LocalCurvature(p, v), Size, own ? (1 - Classifier::EyeShare) * tolerance : tolerance);
+    this->V.Limits = std::make_shared<ChordLimits>(p, v, LocalCurvature(p, v), Size, tolerance);
     this->Classes.reset(new Classifier(this->V));
   }
 
