@@ -59,11 +59,11 @@ int vtkWideFoVStatisticsActor::RenderOverlay(vtkViewport* viewport)
 {
   std::string text = this->Pass ? this->Pass->GetStatistics() : "";
   auto* const renderer = vtkRenderer::SafeDownCast(viewport);
-  if (!text.empty() && renderer)
+  const double took = renderer ? renderer->GetLastRenderTimeInSeconds() : -1; // none was before
+  if (!text.empty() && took >= 0)
   {
     char line[64];
-    std::snprintf(line, sizeof(line), "\nthe frame before: %.1f ms",
-      1000 * renderer->GetLastRenderTimeInSeconds());
+    std::snprintf(line, sizeof(line), "\nthe frame before: %.1f ms", 1000 * took);
     text += line;
   }
   this->SetInput(text.c_str());
