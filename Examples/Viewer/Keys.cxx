@@ -38,11 +38,14 @@ const std::vector<Binding>& Bindings()
     { GLFW_KEY_DOWN, false, Action::TurnDown },
     { GLFW_KEY_HOME, false, Action::Reset },
     { GLFW_KEY_F2, false, Action::Screenshot },
+    { GLFW_KEY_F3, false, Action::SaveSession },
     { GLFW_KEY_K, false, Action::AddPose },
     { GLFW_KEY_C, false, Action::PrintCommand },
     { GLFW_KEY_X, false, Action::ToggleCrosshair },
     { GLFW_KEY_B, false, Action::ToggleDome },
-    { GLFW_KEY_SPACE, false, Action::TogglePause },
+    { GLFW_KEY_SPACE, false, Action::TogglePlay },
+    { GLFW_KEY_PERIOD, false, Action::NextStep },
+    { GLFW_KEY_COMMA, false, Action::PreviousStep },
     { GLFW_KEY_I, false, Action::ToggleText },
     { GLFW_KEY_N, false, Action::ToggleNumbers },
     { GLFW_KEY_F1, false, Action::ToggleHelp },
@@ -77,8 +80,10 @@ constexpr HelpLine Lines[] = {
   { "L", "next stereo layout (Shift: back)" },
   { "X", "3D crosshair on and off" },
   { "B", "on a dome, seen from a seat" },
-  { "Space", "stop and play the head poses" },
+  { "Space", "play and stop time, and head poses" },
+  { ", .", "time step back, ahead" },
   { "F2", "screenshot, a file in this folder" },
+  { "F3", "save all this in the session's file" },
   { "K", "add this pose to the list" },
   { "C", "print the command that draws this" },
   { "I", "text on and off" },
@@ -138,6 +143,8 @@ bool Repeats(Action action)
     case Action::TurnRight:
     case Action::TurnUp:
     case Action::TurnDown:
+    case Action::NextStep:
+    case Action::PreviousStep:
       return true;
     default:
       return false;

@@ -40,7 +40,12 @@ std::string StateLine(const ViewerState& s, const Options& o)
     { "cursor", s.Cursor }, { "under_cursor", nullptr }, { "full_screen", s.FullScreen },
     { "help", s.Help }, { "text", s.Text }, { "numbers", s.Numbers }, { "message", s.Message },
     { "screen", nullptr }, { "room_scale", o.RoomScale }, { "pose", nullptr },
-    { "paused", s.Paused }, { "crosshair", nullptr }, { "panel", nullptr } };
+    { "paused", s.Paused }, { "crosshair", nullptr }, { "panel", nullptr }, { "time", nullptr } };
+  if (s.Time)
+  {
+    json["time"] = { { "step", s.Time->Step }, { "steps", s.Time->Steps }, { "time", s.Time->Time },
+      { "playing", s.Time->Plays } };
+  }
   if (s.HasPanel)
   {
     json["panel"] = s.Widgets;

@@ -62,14 +62,18 @@ bool AddRange(const Scene& scene, std::array<double, 2>& range)
 }
 
 FilmScenes::FilmScenes(const Options& o)
-  : Look(o.Look)
+  : Look(LookOf(o))
   , Strict(o.Film.Strict)
 {
   this->FindFiles(o);
   if (!this->Series)
   {
-    this->Shown = LoadScene(o);
+    this->Shown = LoadFixed(o);
     this->ShownStep = 0;
+  }
+  else if (o.Time)
+  {
+    this->FirstStep = this->Series->StepFor(*o.Time);
   }
   this->Look.OfSeries = this->Series.has_value();
   if (this->Series && !this->Look.Range)
@@ -107,6 +111,12 @@ void FilmScenes::FindFiles(const Options& o)
       "--film time needs data that change with time: a .pvd or .series file, several files, "
       "numbered files such as flow_%04d.vtp, or an .ex2 file with several steps");
   }
+  if (!this->Series && o.Time)
+  {
+    FailUsage(
+      "--time needs data that change with time: a .pvd or .series file, numbered files such "
+      "as flow_%04d.vtp, or an .ex2 file with several steps");
+  }
   if (this->Series)
   {
     this->Fixed = ReadScene(fixed);
@@ -127,12 +137,7 @@ Scene FilmScenes::ReadStep(std::size_t number) const
     prop.Index += static_cast<int>(this->Fixed.Props.size());
     scene.Props.push_back(prop);
   }
-  ApplyLook(scene, this->Look);
-  const std::string error = MessageCatcher::TakeFirstError();
-  if (!error.empty())
-  {
-    Fail("the data cannot be prepared: " + error + "; check them");
-  }
+  Prepare(scene, this->Look);
   return scene;
 }
 
