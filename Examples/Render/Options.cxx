@@ -102,6 +102,22 @@ void DeclareDrawing(CLI::App& app, Options& o)
   group.Flag("--debug-view", o.DebugView, "primitives coloured by what happened to them");
 }
 
+void DeclareBackground(Group& group, Options& o)
+{
+  group.Add("--background", "COLOUR", "0,0,0",
+    "where there is nothing: R,G,B from 0 to 1, a name, or #rrggbb",
+    [&o](const std::string& option, const std::string& value) {
+      o.Background = ParseColor(option, value);
+    });
+  group.Add("--zenith", "COLOUR", "", "colour straight up; --background is that of the horizon",
+    [&o](const std::string& option, const std::string& value) {
+      o.Zenith = ParseColor(option, value);
+    });
+  group.Name("--sky", "FILE", o.Sky,
+    "picture of all directions, twice as wide as high: .hdr .exr "
+    ".jpg .png .tif");
+}
+
 void DeclareData(CLI::App& app, Options& o)
 {
   Group group(app, "Data");
@@ -131,18 +147,7 @@ void DeclareData(CLI::App& app, Options& o)
   group.Number("--volume-opacity", "F", o.Look.VolumeOpacity, OpacityFactor,
     "of volumes: times as much light is taken on the same way");
   group.Flag("--scalar-bar", o.Look.ScalarBar, "draw the colour map's bar into the picture");
-  group.Add("--background", "COLOUR", "0,0,0",
-    "where there is nothing: R,G,B from 0 to 1, a name, or #rrggbb",
-    [&o](const std::string& option, const std::string& value) {
-      o.Background = ParseColor(option, value);
-    });
-  group.Add("--zenith", "COLOUR", "", "colour straight up; --background is that of the horizon",
-    [&o](const std::string& option, const std::string& value) {
-      o.Zenith = ParseColor(option, value);
-    });
-  group.Name("--sky", "FILE", o.Sky,
-    "picture of all directions, twice as wide as high: .hdr .exr "
-    ".jpg .png .tif");
+  DeclareBackground(group, o);
   group.Name("--vectors", "NAME", o.Look.Vectors, "arrow glyphs of this vector array");
   group.Name("--streamlines", "NAME", o.Look.StreamLines, "stream tubes of this vector array");
 }

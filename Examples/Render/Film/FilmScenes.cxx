@@ -82,6 +82,18 @@ FilmScenes::FilmScenes(const Options& o)
   }
 }
 
+void FilmScenes::CheckTime(const Options& o) const
+{
+  const bool film = o.Film.Kind == "time";
+  if (!this->Series && (film || o.Time))
+  {
+    FailUsage(std::string(film ? "--film time" : "--time") +
+      " needs data that change with time: a .pvd or .series file, " +
+      (film ? "several files, " : "") +
+      "numbered files such as flow_%04d.vtp, or an .ex2 file with several steps");
+  }
+}
+
 void FilmScenes::FindFiles(const Options& o)
 {
   std::vector<std::string> fixed;
@@ -105,18 +117,7 @@ void FilmScenes::FindFiles(const Options& o)
     this->Series = DataSeries::OfFiles(fixed);
     fixed.clear();
   }
-  if (!this->Series && o.Film.Kind == "time")
-  {
-    FailUsage(
-      "--film time needs data that change with time: a .pvd or .series file, several files, "
-      "numbered files such as flow_%04d.vtp, or an .ex2 file with several steps");
-  }
-  if (!this->Series && o.Time)
-  {
-    FailUsage(
-      "--time needs data that change with time: a .pvd or .series file, numbered files such "
-      "as flow_%04d.vtp, or an .ex2 file with several steps");
-  }
+  this->CheckTime(o);
   if (this->Series)
   {
     this->Fixed = ReadScene(fixed);

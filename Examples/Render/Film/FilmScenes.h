@@ -42,6 +42,7 @@ public:
   const Scene& GetScene(std::size_t step);
 
 private:
+  void CheckTime(const Options& options) const;
   void FindFiles(const Options& options);
   void FindRange();
   bool TryStep(std::size_t step);
