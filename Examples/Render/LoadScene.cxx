@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LoadScene.h"
 
+#include "Film/FilmScenes.h"
 #include "MessageCatcher.h"
 #include "Messages.h"
 #include "Normals.h"
@@ -17,7 +18,32 @@ namespace
 constexpr std::array<int, 2> RoomForBar{ { 200, 100 } };
 }
 
-Scene LoadScene(const Options& options)
+Look LookOf(const Options& options)
+{
+  Look look = options.Look;
+  // what stock VTK's pass and the float channels do not show
+  look.UsualVolume =
+    look.UsualVolume && options.Technique != Technique::CubeMap && options.Aov.empty();
+  look.UsualBar =
+    look.UsualBar && options.Size[0] >= RoomForBar[0] && options.Size[1] >= RoomForBar[1];
+  return look;
+}
+
+void Prepare(Scene& scene, const Look& look)
+{
+  ApplyLook(scene, look);
+  if (scene.FromFiles && look.Smooth)
+  {
+    SmoothNormals(scene);
+  }
+  const std::string error = MessageCatcher::TakeFirstError();
+  if (!error.empty())
+  {
+    Fail("the data cannot be prepared: " + error + "; check them");
+  }
+}
+
+Scene LoadFixed(const Options& options)
 {
   Scene scene;
   if (!options.Scene.empty())
@@ -30,22 +56,13 @@ Scene LoadScene(const Options& options)
     scene = ReadScene(options.Files);
   }
   const Progress progress("preparing the data");
-  Look look = options.Look;
-  // what stock VTK's pass and the float channels do not show
-  look.UsualVolume =
-    look.UsualVolume && options.Technique != Technique::CubeMap && options.Aov.empty();
-  look.UsualBar =
-    look.UsualBar && options.Size[0] >= RoomForBar[0] && options.Size[1] >= RoomForBar[1];
-  ApplyLook(scene, look);
-  if (scene.FromFiles && options.Look.Smooth)
-  {
-    SmoothNormals(scene);
-  }
-  const std::string error = MessageCatcher::TakeFirstError();
-  if (!error.empty())
-  {
-    Fail("the data cannot be prepared: " + error + "; check them");
-  }
+  Prepare(scene, LookOf(options));
   return scene;
+}
+
+Scene LoadScene(const Options& options)
+{
+  FilmScenes scenes(options);
+  return scenes.GetScene(scenes.GetFirstStep());
 }
 }

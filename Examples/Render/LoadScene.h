@@ -9,8 +9,17 @@
 namespace widefov
 {
 // Reads the files, or makes the built-in scene, and gives it the look that the options ask
-// for. Throws a Failure with ExitFailed.
+// for; of data that change with time the step of --time. Throws a Failure with ExitFailed.
 Scene LoadScene(const Options& options);
+
+// The same of data that do not change.
+Scene LoadFixed(const Options& options);
+
+// The look that the options ask for, as far as they can show it.
+Look LookOf(const Options& options);
+
+// Gives what was read that look. Throws a Failure with ExitFailed.
+void Prepare(Scene& scene, const Look& look);
 }
 
 #endif

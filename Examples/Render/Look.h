@@ -25,12 +25,13 @@ struct Look
   bool PointsAsSpheres = false;
   bool Smooth = true; // normals for surfaces of files that have none
   bool ScalarBar = false;
-  bool UsualBar = true;    // a bar of the colours of files that nobody chose
-  std::string Vectors;     // array drawn as arrows
-  std::string StreamLines; // array drawn as stream tubes
-  bool Surface = true;     // under these
-  bool Volume = false;     // what fills space as a volume
-  bool UsualVolume = true; // images of files as volumes, where nobody says anything
+  bool UsualBar = true;     // a bar of the colours of files that nobody chose
+  std::string Vectors;      // array drawn as arrows
+  std::string StreamLines;  // array drawn as stream tubes
+  bool Surface = true;      // under these
+  bool Volume = false;      // what fills space as a volume
+  double VolumeOpacity = 1; // times as much light is taken on the same way
+  bool UsualVolume = true;  // images of files as volumes, where nobody says anything
 };
 }
 

@@ -19,6 +19,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cmath>
+
 namespace widefov
 {
 namespace
@@ -26,6 +28,7 @@ namespace
 using Group = OptionGroup;
 
 const Range FieldOfView{ 0, 360, true };
+const Range OpacityFactor{ 0.001, 1000 };
 
 void DeclareLens(Group& group, Options& o)
 {
@@ -99,6 +102,22 @@ void DeclareDrawing(CLI::App& app, Options& o)
   group.Flag("--debug-view", o.DebugView, "primitives coloured by what happened to them");
 }
 
+void DeclareBackground(Group& group, Options& o)
+{
+  group.Add("--background", "COLOUR", "0,0,0",
+    "where there is nothing: R,G,B from 0 to 1, a name, or #rrggbb",
+    [&o](const std::string& option, const std::string& value) {
+      o.Background = ParseColor(option, value);
+    });
+  group.Add("--zenith", "COLOUR", "", "colour straight up; --background is that of the horizon",
+    [&o](const std::string& option, const std::string& value) {
+      o.Zenith = ParseColor(option, value);
+    });
+  group.Name("--sky", "FILE", o.Sky,
+    "picture of all directions, twice as wide as high: .hdr .exr "
+    ".jpg .png .tif");
+}
+
 void DeclareData(CLI::App& app, Options& o)
 {
   Group group(app, "Data");
@@ -107,6 +126,11 @@ void DeclareData(CLI::App& app, Options& o)
       o.Scene = Choose(option, value, SceneNames());
     });
   Completions()["--scene"] = SceneNames();
+  group.Add("--time", "T", "the first step",
+    "of data that change with time, such as .pvd: the step that is seen then",
+    [&o](const std::string& option, const std::string& value) {
+      o.Time = ParseNumber(option, value, { -HUGE_VAL, HUGE_VAL });
+    });
   group.Name("--color-by", "NAME[:COMPONENT]", o.Look.ColorBy, "array that gives the colour");
   group.Choice("--colormap", o.Look.ColorMap, ColorMapNames(), {}, "colours");
   group.Add("--range", "A,B", "of the data", "values at the ends of the colour map",
@@ -120,19 +144,10 @@ void DeclareData(CLI::App& app, Options& o)
   group.Number("--point-size", "PX", o.Look.PointSize, { 0, 100, true }, "size of points, pixels");
   group.Flag("--lines-as-tubes", o.Look.LinesAsTubes, "lines are round, --line-width wide");
   group.Flag("--points-as-spheres", o.Look.PointsAsSpheres, "points are round, --point-size wide");
+  group.Number("--volume-opacity", "F", o.Look.VolumeOpacity, OpacityFactor,
+    "of volumes: times as much light is taken on the same way");
   group.Flag("--scalar-bar", o.Look.ScalarBar, "draw the colour map's bar into the picture");
-  group.Add("--background", "COLOUR", "0,0,0",
-    "where there is nothing: R,G,B from 0 to 1, a name, or #rrggbb",
-    [&o](const std::string& option, const std::string& value) {
-      o.Background = ParseColor(option, value);
-    });
-  group.Add("--zenith", "COLOUR", "", "colour straight up; --background is that of the horizon",
-    [&o](const std::string& option, const std::string& value) {
-      o.Zenith = ParseColor(option, value);
-    });
-  group.Name("--sky", "FILE", o.Sky,
-    "picture of all directions, twice as wide as high: .hdr .exr "
-    ".jpg .png .tif");
+  DeclareBackground(group, o);
   group.Name("--vectors", "NAME", o.Look.Vectors, "arrow glyphs of this vector array");
   group.Name("--streamlines", "NAME", o.Look.StreamLines, "stream tubes of this vector array");
 }

@@ -50,9 +50,10 @@ Technique TechniqueOf(const std::string& name);
 struct Options
 {
   std::vector<std::string> Files;
-  std::string Scene;  // a built-in scene instead of files
-  std::string Config; // file of options that the command line does not give
-  std::string Preset; // gives those that neither gives; empty: none
+  std::string Scene;          // a built-in scene instead of files
+  std::optional<double> Time; // of data that change; none: the first step
+  std::string Config;         // file of options that the command line does not give
+  std::string Preset;         // gives those that neither gives; empty: none
 
   std::string Projection = "equirectangular";
   bool HasProjection = false;

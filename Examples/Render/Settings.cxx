@@ -17,7 +17,8 @@ namespace widefov
 namespace
 {
 // What stands for nothing else in a file: these print instead of drawing, or name the file itself.
-const std::vector<std::string> CommandLineOnly{ "--help", "--config", "--version", "--completion" };
+const std::vector<std::string> CommandLineOnly{ "--help", "--config", "--version", "--completion",
+  "--session" };
 
 // Of a line that says nothing: it may be that of a binary file.
 constexpr std::size_t LongestQuote = 60;

@@ -40,7 +40,7 @@ ShownScene ShowScene(vtkRenderer* renderer, const Scene& scene, const Look& look
     shown.Actors.push_back(MakeActor(prop, look));
     renderer->AddActor(shown.Actors.back());
   }
-  shown.Volumes = MakeVolumes(scene);
+  shown.Volumes = MakeVolumes(scene, look);
   for (vtkVolume* const volume : shown.Volumes)
   {
     renderer->AddVolume(volume);

@@ -5,6 +5,7 @@
 #include "Messages.h"
 #include "Progress.h"
 
+#include <vtkAbstractVolumeMapper.h>
 #include <vtkColorTransferFunction.h>
 #include <vtkDataArray.h>
 #include <vtkFloatArray.h>
@@ -195,12 +196,17 @@ void SetLook(vtkVolumeProperty* property, const SceneVolume& v)
   opacity->AddPoint(high, Densest(v));
   property->SetColor(vtkColorTransferFunction::SafeDownCast(v.ColorMap));
   property->SetScalarOpacity(opacity);
-  property->SetScalarOpacityUnitDistance(WayShare * v.Data->GetLength());
   property->SetInterpolationTypeToLinear();
 }
 }
 
-std::vector<vtkSmartPointer<vtkVolume>> MakeVolumes(const Scene& scene)
+void SetOpacity(vtkVolume* volume, double factor)
+{
+  const double size = volume->GetMapper()->GetDataSetInput()->GetLength();
+  volume->GetProperty()->SetScalarOpacityUnitDistance(WayShare * size / factor);
+}
+
+std::vector<vtkSmartPointer<vtkVolume>> MakeVolumes(const Scene& scene, const Look& look)
 {
   std::vector<vtkSmartPointer<vtkVolume>> volumes;
   for (const SceneVolume& v : scene.Volumes)
@@ -216,6 +222,7 @@ std::vector<vtkSmartPointer<vtkVolume>> MakeVolumes(const Scene& scene)
     auto volume = vtkSmartPointer<vtkVolume>::New();
     volume->SetMapper(mapper);
     SetLook(volume->GetProperty(), v);
+    SetOpacity(volume, look.VolumeOpacity);
     volumes.push_back(volume);
   }
   return volumes;

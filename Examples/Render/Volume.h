@@ -23,7 +23,10 @@ void ChooseVolumes(Scene& scene, const Look& look);
 void TakeVolumes(Scene& scene);
 
 // One a volume of the scene.
-std::vector<vtkSmartPointer<vtkVolume>> MakeVolumes(const Scene& scene);
+std::vector<vtkSmartPointer<vtkVolume>> MakeVolumes(const Scene& scene, const Look& look);
+
+// Another opacity of what MakeVolumes made: the look's VolumeOpacity.
+void SetOpacity(vtkVolume* volume, double factor);
 }
 
 #endif

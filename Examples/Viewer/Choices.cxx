@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Choices.h"
 
+#include "EyeDistance.h"
 #include "Messages.h"
 #include "OptionCheck.h"
 #include "StereoLayout.h"
@@ -177,6 +178,40 @@ bool SetView(Options& o, const wfv::ViewOptions& view, bool tiled)
   Options next = o;
   next.View = view;
   return Take(o, next, tiled);
+}
+
+bool SetPreset(
+  Options& o, Fields& fields, const wfv::Preset& preset, const Scene& scene, bool tiled)
+{
+  const wfv::Projection& p = *wfv::FindProjection(preset.Projection);
+  const wfv::StereoModel& model = preset.TwoEyes ? wfv::UsualStereo(p) : wfv::NoStereo();
+  Options next = o;
+  next.Projection = preset.Projection;
+  next.View.HorizontalFov = std::min(preset.HorizontalFov, p.MaxHorizontalFov);
+  next.View.VerticalFov = std::min(preset.VerticalFov, p.MaxVerticalFov);
+  next.View.Lens = wfv::ViewOptions().Lens;
+  next.View.Measured = wfv::MeasuredPicture();
+  next.View.Tilt = preset.Tilt;
+  next.View.Stereo.Model = &model;
+  next.View.Stereo.PoleFade = preset.PoleFade;
+  next.Stereo = model.Name;
+  next.EyesByDepth = preset.TwoEyes;
+  const Fields own(next);
+  own.Apply(next);
+  GiveUpTechnique(next);
+  if (!WhyNot(next, tiled).empty())
+  {
+    next.DebugView = false;
+    next.Depth = "linear";
+  }
+  if (!Take(o, next, tiled))
+  {
+    return false;
+  }
+  FitEyes(o, scene);
+  o.EyesByDepth = false; // once
+  fields = own;
+  return true;
 }
 
 bool FitsWindow(const Options& options)

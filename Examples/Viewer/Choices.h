@@ -5,6 +5,8 @@
 
 #include "Fields.h"
 #include "Options.h"
+#include "Scene.h"
+#include "Stereo/Presets.h"
 
 #include <string>
 #include <vector>
@@ -31,6 +33,11 @@ bool SetProjection(
 bool SetTechnique(Options& options, const std::string& name, bool tiled = false);
 bool SetStereo(Options& options, const std::string& name, bool tiled = false);
 bool SetView(Options& options, const wfv::ViewOptions& view, bool tiled = false);
+
+// Takes projection, fields of view, tilt and eyes of a preset; their distance is fitted to the
+// scene. The size stays.
+bool SetPreset(Options& options, Fields& fields, const wfv::Preset& preset, const Scene& scene,
+  bool tiled = false);
 
 // Takes the next (step 1) or the previous (-1) projection.
 void StepProjection(Options& options, const Fields& fields, int step, bool tiled = false);

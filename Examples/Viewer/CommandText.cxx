@@ -5,15 +5,28 @@
 #include "StereoOptions.h"
 
 #include <cstdio>
-#include <utility>
+#include <tuple>
 
 namespace widefov
 {
 namespace
 {
+using List = std::vector<Setting>;
+
+void Add(List& list, const std::string& option, const std::string& value = "")
+{
+  list.push_back({ option, value, "" });
+}
+
 // So that a shell takes it as one word.
 std::string Quoted(const std::string& text)
 {
+  constexpr const char* plain =
+    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./,+-";
+  if (text.find_first_not_of(plain) == std::string::npos)
+  {
+    return text;
+  }
   std::string quoted = "'";
   for (const char c : text)
   {
@@ -29,51 +42,53 @@ std::string Exactly(double value)
   return text;
 }
 
-std::string Exactly(const Vector3& v)
+template <class Numbers>
+std::string Exactly(const Numbers& numbers)
 {
-  return Exactly(v[0]) + "," + Exactly(v[1]) + "," + Exactly(v[2]);
-}
-
-std::string FieldOfViewText(const Options& o)
-{
-  const wfv::Projection& p = *wfv::FindProjection(o.Projection);
-  if (p.Axis == wfv::Family::Sampled)
+  std::string text;
+  for (const double number : numbers)
   {
-    return o.UnevenLens ? " --lens-file " + Quoted(o.LensFile)
-                        : " --direction-map " + Quoted(o.DirectionMap);
-  }
-  if (p.Axis != wfv::Family::Azimuthal)
-  {
-    return " --hfov " + Exactly(o.View.HorizontalFov) + " --vfov " + Exactly(o.View.VerticalFov);
-  }
-  std::string text = " --fov " + Exactly(o.View.HorizontalFov);
-  if (o.View.Measured.IsSet() && o.Circle.empty())
-  {
-    return text + " --lens-file " + Quoted(o.LensFile);
-  }
-  for (std::size_t i = 0; i < o.Circle.size() && o.View.Measured.IsSet(); i++)
-  {
-    text += (i > 0 ? "," : " --circle ") + Exactly(o.Circle[i]);
-  }
-  if (o.View.Lens != wfv::ViewOptions().Lens)
-  {
-    text += " --lens ";
-    for (std::size_t i = 0; i < o.View.Lens.size(); i++)
-    {
-      text += (i > 0 ? "," : "") + Exactly(o.View.Lens[i]);
-    }
+    text += (text.empty() ? "" : ",") + Exactly(number);
   }
   return text;
 }
 
-std::string LookText(const Look& look)
+void AddFieldOfView(const Options& o, List& list)
+{
+  const wfv::Projection& p = *wfv::FindProjection(o.Projection);
+  if (p.Axis == wfv::Family::Sampled)
+  {
+    Add(list, o.UnevenLens ? "--lens-file" : "--direction-map",
+      o.UnevenLens ? o.LensFile : o.DirectionMap);
+    return;
+  }
+  if (p.Axis != wfv::Family::Azimuthal)
+  {
+    Add(list, "--hfov", Exactly(o.View.HorizontalFov));
+    Add(list, "--vfov", Exactly(o.View.VerticalFov));
+    return;
+  }
+  Add(list, "--fov", Exactly(o.View.HorizontalFov));
+  if (o.View.Measured.IsSet())
+  {
+    o.Circle.empty() ? Add(list, "--lens-file", o.LensFile)
+                     : Add(list, "--circle", Exactly(o.Circle));
+  }
+  const bool ideal = o.View.Lens == wfv::ViewOptions().Lens;
+  if (!ideal && !(o.View.Measured.IsSet() && o.Circle.empty()))
+  {
+    Add(list, "--lens", Exactly(o.View.Lens));
+  }
+}
+
+void AddLook(const Look& look, List& list)
 {
   const Look standard;
-  std::string text;
-  const auto name = [&text](
+  const auto name = [&list](
                       const char* option, const std::string& value, const std::string& usual) {
-    text += value == usual ? "" : " " + std::string(option) + " " + Quoted(value);
+    value == usual ? void() : Add(list, option, value);
   };
+  const auto flag = [&list](const char* option, bool given) { given ? Add(list, option) : void(); };
   name("--color-by", look.ColorBy, standard.ColorBy);
   name("--colormap", look.ColorMap, standard.ColorMap);
   name("--representation", look.Representation, standard.Representation);
@@ -81,132 +96,154 @@ std::string LookText(const Look& look)
   name("--streamlines", look.StreamLines, standard.StreamLines);
   name("--line-width", Exactly(look.LineWidth), Exactly(standard.LineWidth));
   name("--point-size", Exactly(look.PointSize), Exactly(standard.PointSize));
-  text +=
-    look.Range ? " --range " + Exactly((*look.Range)[0]) + "," + Exactly((*look.Range)[1]) : "";
-  text += look.LinesAsTubes ? " --lines-as-tubes" : "";
-  text += look.PointsAsSpheres ? " --points-as-spheres" : "";
-  text += look.ScalarBar ? " --scalar-bar" : "";
-  text += look.Colors ? "" : " --no-colors";
-  text += look.UsualBar ? "" : " --no-scalar-bar";
-  text += look.Smooth ? "" : " --no-smooth";
-  text += look.Surface ? "" : " --no-surface";
-  text += look.Volume ? " --volume" : "";
-  text += look.UsualVolume ? "" : " --no-volume";
-  return text;
+  name("--volume-opacity", Exactly(look.VolumeOpacity), Exactly(standard.VolumeOpacity));
+  name("--range", look.Range ? Exactly(*look.Range) : "", "");
+  flag("--lines-as-tubes", look.LinesAsTubes);
+  flag("--points-as-spheres", look.PointsAsSpheres);
+  flag("--scalar-bar", look.ScalarBar);
+  flag("--no-colors", !look.Colors);
+  flag("--no-scalar-bar", !look.UsualBar);
+  flag("--no-smooth", !look.Smooth);
+  flag("--no-surface", !look.Surface);
+  flag("--volume", look.Volume);
+  flag("--no-volume", !look.UsualVolume);
 }
 
-std::string GlassesText(const Options& o)
+void AddGlasses(const Options& o, List& list)
 {
   static const Options standard;
-  const bool usual = o.AnaglyphMask == standard.AnaglyphMask;
-  const std::string colors =
-    AnaglyphColors()[o.AnaglyphMask[0] - 1] + "," + AnaglyphColors()[o.AnaglyphMask[1] - 1];
-  return (usual ? "" : " --anaglyph " + colors) +
-    (o.AnaglyphSaturation == standard.AnaglyphSaturation
-        ? ""
-        : " --anaglyph-saturation " + Exactly(o.AnaglyphSaturation));
+  if (o.AnaglyphMask != standard.AnaglyphMask)
+  {
+    Add(list, "--anaglyph",
+      AnaglyphColors()[o.AnaglyphMask[0] - 1] + "," + AnaglyphColors()[o.AnaglyphMask[1] - 1]);
+  }
+  if (o.AnaglyphSaturation != standard.AnaglyphSaturation)
+  {
+    Add(list, "--anaglyph-saturation", Exactly(o.AnaglyphSaturation));
+  }
 }
 
 // The numbers that the model has.
-std::string NumbersText(const Options& o)
+void AddNumbers(const Options& o, List& list)
 {
   using Number = wfv::StereoNumber;
   const wfv::StereoOptions& s = o.View.Stereo;
   const bool fades = s.PoleFade[0] < s.PoleFade[1];
-  const std::pair<Number, std::string> all[] = { { Number::InterpupillaryDistance,
-                                                   " --ipd " + Exactly(s.InterpupillaryDistance) },
-    { Number::PoleFade,
-      fades ? " --pole-fade " + Exactly(s.PoleFade[0]) + "," + Exactly(s.PoleFade[1]) : "" },
-    { Number::Iod, " --iod " + Exactly(s.Iod) },
-    { Number::Distance, " --distance " + Exactly(s.Distance) },
-    { Number::Offset, " --offset " + Exactly(s.Offset) },
-    { Number::Separation, " --separation " + Exactly(s.Separation) },
-    { Number::Convergence, " --convergence " + Exactly(s.Convergence) } };
-  std::string text;
-  for (const auto& [number, option] : all)
+  const std::tuple<Number, const char*, std::string> all[] = {
+    { Number::InterpupillaryDistance, "--ipd", Exactly(s.InterpupillaryDistance) },
+    { Number::PoleFade, "--pole-fade", fades ? Exactly(s.PoleFade) : "" },
+    { Number::Iod, "--iod", Exactly(s.Iod) },
+    { Number::Distance, "--distance", Exactly(s.Distance) },
+    { Number::Offset, "--offset", Exactly(s.Offset) },
+    { Number::Separation, "--separation", Exactly(s.Separation) },
+    { Number::Convergence, "--convergence", Exactly(s.Convergence) }
+  };
+  for (const auto& [number, option, value] : all)
   {
-    text += StereoOf(o).Has(number) ? option : "";
+    if (StereoOf(o).Has(number) && !value.empty())
+    {
+      Add(list, option, value);
+    }
   }
-  return text;
 }
 
-std::string StereoText(const Options& o)
+void AddStereo(const Options& o, List& list)
 {
   const wfv::StereoOptions& s = o.View.Stereo;
   if (!HasTwoEyes(o))
   {
-    return "";
+    return;
   }
-  const std::string text = " --stereo " + o.Stereo + " --layout " + o.Layout +
-    (o.Layout == "anaglyph" ? GlassesText(o) : "");
+  Add(list, "--stereo", o.Stereo);
+  Add(list, "--layout", o.Layout);
+  if (o.Layout == "anaglyph")
+  {
+    AddGlasses(o, list);
+  }
   if (o.Screens.empty())
   {
-    return text + NumbersText(o);
+    AddNumbers(o, list);
+    return;
   }
-  return text + " --ipd " + Exactly(s.InterpupillaryDistance) +
-    (ShowsCube(o) ? " --offset " + Exactly(s.Offset) : "");
+  Add(list, "--ipd", Exactly(s.InterpupillaryDistance));
+  if (ShowsCube(o))
+  {
+    Add(list, "--offset", Exactly(s.Offset));
+  }
 }
 
-std::string DrawingText(const Options& o)
+void AddDrawing(const Options& o, List& list)
 {
-  std::string text = " --technique " + o.TechniqueName + " --tolerance " + Exactly(o.Tolerance) +
-    " --samples " + std::to_string(o.Samples) + " --depth " + o.Depth;
+  Add(list, "--technique", o.TechniqueName);
+  Add(list, "--tolerance", Exactly(o.Tolerance));
+  Add(list, "--samples", std::to_string(o.Samples));
+  Add(list, "--depth", o.Depth);
   if (o.Technique == Technique::CubeMap)
   {
-    text += " --cubemap-resolution " + std::to_string(o.CubeMapResolution);
+    Add(list, "--cubemap-resolution", std::to_string(o.CubeMapResolution));
   }
-  text += o.HasClip ? " --clip " + Exactly(o.View.Radii[0]) + "," + Exactly(o.View.Radii[1]) : "";
-  text += o.ExactPerspective ? " --exact-perspective" : "";
-  text += o.DebugView ? " --debug-view" : "";
-  text += StereoText(o) + " --background " + Exactly(o.Background);
-  text += o.Zenith ? " --zenith " + Exactly(*o.Zenith) : "";
-  return text + (o.Sky.empty() ? "" : " --sky " + Quoted(o.Sky));
-}
+  o.HasClip ? Add(list, "--clip", Exactly(o.View.Radii)) : void();
+  o.ExactPerspective ? Add(list, "--exact-perspective") : void();
+  o.DebugView ? Add(list, "--debug-view") : void();
+  AddStereo(o, list);
+  Add(list, "--background", Exactly(o.Background));
+  o.Zenith ? Add(list, "--zenith", Exactly(*o.Zenith)) : void();
+  o.Sky.empty() ? void() : Add(list, "--sky", o.Sky);
 }
 
-namespace
-{
 // What is seen, and how large: of screens only where they are all alike.
-std::string ViewText(const Options& o)
+void AddView(const Options& o, List& list)
 {
-  std::string text;
   if (o.Screens.empty() || ShowsCube(o))
   {
-    text +=
-      " --projection " + o.Projection + FieldOfViewText(o) + " --tilt " + Exactly(o.View.Tilt);
+    Add(list, "--projection", o.Projection);
+    AddFieldOfView(o, list);
+    Add(list, "--tilt", Exactly(o.View.Tilt));
   }
   if (o.Screens.empty() || o.HasSize)
   {
-    text += " --size " + std::to_string(o.Size[0]) + "x" + std::to_string(o.Size[1]);
+    Add(list, "--size", std::to_string(o.Size[0]) + "x" + std::to_string(o.Size[1]));
   }
-  return text;
 }
 
-std::string RoomText(const Options& o)
+void AddRoom(const Options& o, List& list)
 {
-  return (o.Screens.empty() ? "" : " --screens " + Quoted(o.Screens)) +
-    (o.Poses.empty() ? "" : " --pose " + Quoted(o.Poses)) +
-    (o.RoomScale == 1 ? "" : " --room-scale " + Exactly(o.RoomScale));
+  o.Screens.empty() ? void() : Add(list, "--screens", o.Screens);
+  o.Poses.empty() ? void() : Add(list, "--pose", o.Poses);
+  o.RoomScale == 1 ? void() : Add(list, "--room-scale", Exactly(o.RoomScale));
 }
+}
+
+std::vector<Setting> SettingsOf(const Options& given, const Options& now)
+{
+  List list;
+  given.Scene.empty() ? void() : Add(list, "--scene", given.Scene);
+  for (const std::string& file : given.Files)
+  {
+    Add(list, "FILE", file);
+  }
+  given.Time ? Add(list, "--time", Exactly(*given.Time)) : void();
+  AddLook(now.Look, list);
+  AddView(now, list);
+  AddRoom(now, list);
+  if (now.Eye && now.Direction && now.Up)
+  {
+    Add(list, "--eye", Exactly(*now.Eye));
+    Add(list, "--direction", Exactly(*now.Direction));
+    Add(list, "--up", Exactly(*now.Up));
+  }
+  AddDrawing(now, list);
+  return list;
 }
 
 std::string CommandText(const Options& given, const Options& now)
 {
   std::string text = "widefov-render";
-  if (!given.Scene.empty())
+  for (const Setting& setting : SettingsOf(given, now))
   {
-    text += " --scene " + given.Scene;
+    text += setting.Option == "FILE" ? "" : " " + setting.Option;
+    text += setting.Value.empty() ? "" : " " + Quoted(setting.Value);
   }
-  for (const std::string& file : given.Files)
-  {
-    text += " " + Quoted(file);
-  }
-  text += LookText(now.Look) + ViewText(now) + RoomText(now);
-  if (now.Eye && now.Direction && now.Up)
-  {
-    text += " --eye " + Exactly(*now.Eye) + " --direction " + Exactly(*now.Direction) + " --up " +
-      Exactly(*now.Up);
-  }
-  return text + DrawingText(now) + " --output picture.png";
+  return text + " --output picture.png";
 }
 }

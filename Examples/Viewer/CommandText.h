@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The command that draws what the window shows.
+// What the window shows, as options and as the command that draws it.
 #ifndef WideFoVCommandText_h
 #define WideFoVCommandText_h
 
 #include "Options.h"
+#include "Settings.h"
 
 #include <string>
+#include <vector>
 
 namespace widefov
 {
-// A command line of widefov-render for a shell: `now` is what is shown, `given` what the
-// viewer was started with.
+// Options that both programs take: `now` is what is shown, `given` what the viewer was started
+// with.
+std::vector<Setting> SettingsOf(const Options& given, const Options& now);
+
+// A command line of widefov-render with these, for a shell.
 std::string CommandText(const Options& given, const Options& now);
 }
 

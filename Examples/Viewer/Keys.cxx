@@ -15,45 +15,44 @@ struct Binding
   Action What;
 };
 
-const std::vector<Binding>& Bindings()
-{
-  static const std::vector<Binding> bindings{
-    { GLFW_KEY_P, false, Action::NextProjection },
-    { GLFW_KEY_P, true, Action::PreviousProjection },
-    { GLFW_KEY_T, false, Action::NextTechnique },
-    { GLFW_KEY_T, true, Action::PreviousTechnique },
-    { GLFW_KEY_V, false, Action::ToggleDebugView },
-    { GLFW_KEY_O, false, Action::NextStereo },
-    { GLFW_KEY_O, true, Action::PreviousStereo },
-    { GLFW_KEY_L, false, Action::NextLayout },
-    { GLFW_KEY_L, true, Action::PreviousLayout },
-    { GLFW_KEY_EQUAL, false, Action::ZoomIn },
-    { GLFW_KEY_EQUAL, true, Action::ZoomIn },
-    { GLFW_KEY_KP_ADD, false, Action::ZoomIn },
-    { GLFW_KEY_MINUS, false, Action::ZoomOut },
-    { GLFW_KEY_KP_SUBTRACT, false, Action::ZoomOut },
-    { GLFW_KEY_LEFT, false, Action::TurnLeft },
-    { GLFW_KEY_RIGHT, false, Action::TurnRight },
-    { GLFW_KEY_UP, false, Action::TurnUp },
-    { GLFW_KEY_DOWN, false, Action::TurnDown },
-    { GLFW_KEY_HOME, false, Action::Reset },
-    { GLFW_KEY_F2, false, Action::Screenshot },
-    { GLFW_KEY_K, false, Action::AddPose },
-    { GLFW_KEY_C, false, Action::PrintCommand },
-    { GLFW_KEY_X, false, Action::ToggleCrosshair },
-    { GLFW_KEY_B, false, Action::ToggleDome },
-    { GLFW_KEY_SPACE, false, Action::TogglePause },
-    { GLFW_KEY_I, false, Action::ToggleText },
-    { GLFW_KEY_N, false, Action::ToggleNumbers },
-    { GLFW_KEY_F1, false, Action::ToggleHelp },
-    { GLFW_KEY_TAB, false, Action::TogglePanel },
-    { GLFW_KEY_F11, false, Action::ToggleFullScreen },
-    { GLFW_KEY_M, false, Action::NextMonitor },
-    { GLFW_KEY_ESCAPE, false, Action::Leave },
-    { GLFW_KEY_Q, false, Action::Quit },
-  };
-  return bindings;
-}
+constexpr Binding Bindings[] = {
+  { GLFW_KEY_P, false, Action::NextProjection },
+  { GLFW_KEY_P, true, Action::PreviousProjection },
+  { GLFW_KEY_T, false, Action::NextTechnique },
+  { GLFW_KEY_T, true, Action::PreviousTechnique },
+  { GLFW_KEY_V, false, Action::ToggleDebugView },
+  { GLFW_KEY_O, false, Action::NextStereo },
+  { GLFW_KEY_O, true, Action::PreviousStereo },
+  { GLFW_KEY_L, false, Action::NextLayout },
+  { GLFW_KEY_L, true, Action::PreviousLayout },
+  { GLFW_KEY_EQUAL, false, Action::ZoomIn },
+  { GLFW_KEY_EQUAL, true, Action::ZoomIn },
+  { GLFW_KEY_KP_ADD, false, Action::ZoomIn },
+  { GLFW_KEY_MINUS, false, Action::ZoomOut },
+  { GLFW_KEY_KP_SUBTRACT, false, Action::ZoomOut },
+  { GLFW_KEY_LEFT, false, Action::TurnLeft },
+  { GLFW_KEY_RIGHT, false, Action::TurnRight },
+  { GLFW_KEY_UP, false, Action::TurnUp },
+  { GLFW_KEY_DOWN, false, Action::TurnDown },
+  { GLFW_KEY_HOME, false, Action::Reset },
+  { GLFW_KEY_F2, false, Action::Screenshot },
+  { GLFW_KEY_F3, false, Action::SaveSession },
+  { GLFW_KEY_K, false, Action::AddPose },
+  { GLFW_KEY_C, false, Action::PrintCommand },
+  { GLFW_KEY_X, false, Action::ToggleCrosshair },
+  { GLFW_KEY_B, false, Action::ToggleDome },
+  { GLFW_KEY_SPACE, false, Action::TogglePlay },
+  { GLFW_KEY_PERIOD, false, Action::NextStep },
+  { GLFW_KEY_COMMA, false, Action::PreviousStep },
+  { GLFW_KEY_I, false, Action::ToggleText },
+  { GLFW_KEY_N, false, Action::ToggleNumbers },
+  { GLFW_KEY_F1, false, Action::ToggleHelp },
+  { GLFW_KEY_TAB, false, Action::TogglePanel },
+  { GLFW_KEY_F11, false, Action::ToggleFullScreen },
+  { GLFW_KEY_M, false, Action::NextMonitor },
+  { GLFW_KEY_ESCAPE, false, Action::Leave },
+  { GLFW_KEY_Q, false, Action::Quit },
+};
 
 // What a person reads; the test of the documentation reads it, too.
 struct HelpLine
@@ -77,8 +76,10 @@ constexpr HelpLine Lines[] = {
   { "L", "next stereo layout (Shift: back)" },
   { "X", "3D crosshair on and off" },
   { "B", "on a dome, seen from a seat" },
-  { "Space", "stop and play the head poses" },
+  { "Space", "play and stop time, and head poses" },
+  { ", .", "time step back, ahead" },
   { "F2", "screenshot, a file in this folder" },
+  { "F3", "save all this in the session's file" },
   { "K", "add this pose to the list" },
   { "C", "print the command that draws this" },
   { "I", "text on and off" },
@@ -96,7 +97,7 @@ constexpr std::size_t TextWidth = 35;
 
 std::optional<Action> ActionOf(int key, bool shift)
 {
-  for (const Binding& binding : Bindings())
+  for (const Binding& binding : Bindings)
   {
     if (binding.Key == key && binding.Shift == shift)
     {
@@ -138,6 +139,8 @@ bool Repeats(Action action)
     case Action::TurnRight:
     case Action::TurnUp:
     case Action::TurnDown:
+    case Action::NextStep:
+    case Action::PreviousStep:
       return true;
     default:
       return false;

@@ -29,10 +29,13 @@ enum class Action
   Reset,
   Screenshot,
   AddPose,
+  SaveSession,
   PrintCommand,
   ToggleCrosshair,
   ToggleDome,
-  TogglePause,
+  TogglePlay, // time steps and head poses
+  NextStep,   // of time
+  PreviousStep,
   ToggleText,
   ToggleNumbers, // what a frame took
   ToggleHelp,

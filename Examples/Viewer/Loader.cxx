@@ -4,10 +4,10 @@
 #include "CameraSetup.h"
 #include "EyeDistance.h"
 #include "FirstView.h"
-#include "LoadScene.h"
+#include "Messages.h"
 
 #include <filesystem>
-#include <future>
+#include <optional>
 #include <thread>
 #include <utility>
 
@@ -19,16 +19,37 @@ namespace
 constexpr std::uintmax_t FewBytes = 1 << 20;
 }
 
-bool TakesLong(const Options& o)
+bool AreLarge(const std::vector<std::string>& files)
 {
   std::uintmax_t bytes = 0;
-  for (const std::string& file : o.Files)
+  for (const std::string& file : files)
   {
     std::error_code error;
     const std::uintmax_t size = std::filesystem::file_size(file, error);
     bytes += error ? 0 : size; // what is not there is said at once
   }
   return bytes > FewBytes;
+}
+
+bool TakesLong(const Options& o)
+{
+  std::vector<std::string> all = o.Files;
+  for (const std::string& file : o.Files)
+  {
+    try
+    {
+      const std::optional<DataSeries> series = DataSeries::Find(file);
+      for (const TimeStep& step : series ? series->GetSteps() : std::vector<TimeStep>())
+      {
+        all.insert(all.end(), step.Files.begin(), step.Files.end());
+      }
+    }
+    catch (const Failure&)
+    {
+      return false; // who reads it says so
+    }
+  }
+  return AreLarge(all);
 }
 
 std::string NameOf(const Options& o)
@@ -41,53 +62,36 @@ std::string NameOf(const Options& o)
   return name;
 }
 
-Scene LoadFitted(Options& o, bool fits)
+Loaded LoadFitted(Options& o, bool fits)
 {
-  Scene scene = LoadScene(o);
+  auto steps = std::make_shared<FilmScenes>(o);
+  Loaded loaded;
+  loaded.What = steps->GetScene(steps->GetFirstStep());
+  if (steps->GetSeries())
+  {
+    loaded.Steps = steps;
+  }
   if (fits)
   {
-    ChooseView(o, scene);
+    ChooseView(o, loaded.What);
   }
-  MakePose(scene, o); // complains
+  MakePose(loaded.What, o); // complains
   if (fits)
   {
-    FitEyes(o, scene);
+    FitEyes(o, loaded.What);
   }
-  return scene;
+  return loaded;
 }
 
-struct Loader::Work
+Loader::Loader(std::function<void()> work)
 {
-  Options Fitted;
-  std::promise<Scene> Promise;
-  std::future<Scene> Result = Promise.get_future();
-};
-
-Loader::Loader(const Options& options, bool fits)
-  : Shared(std::make_shared<Work>())
-{
-  this->Shared->Fitted = options;
-  std::thread([fits, work = this->Shared] {
-    try
-    {
-      work->Promise.set_value(LoadFitted(work->Fitted, fits));
-    }
-    catch (...)
-    {
-      work->Promise.set_exception(std::current_exception());
-    }
-  }).detach();
+  std::packaged_task<void()> task(std::move(work));
+  this->Done = task.get_future();
+  std::thread(std::move(task)).detach();
 }
 
 bool Loader::Wait(std::chrono::milliseconds time)
 {
-  return this->Shared->Result.wait_for(time) == std::future_status::ready;
-}
-
-Scene Loader::Take(Options& options)
-{
-  Scene scene = this->Shared->Result.get();
-  options = this->Shared->Fitted;
-  return scene;
+  return this->Done.wait_for(time) == std::future_status::ready;
 }
 }

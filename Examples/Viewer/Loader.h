@@ -3,43 +3,55 @@
 #ifndef WideFoVLoader_h
 #define WideFoVLoader_h
 
+#include "Film/FilmScenes.h"
 #include "Options.h"
 #include "Scene.h"
 
 #include <chrono>
+#include <functional>
+#include <future>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace widefov
 {
 // True where reading what the options name takes longer than people notice: large files.
 bool TakesLong(const Options& options);
 
+// The same of these files alone.
+bool AreLarge(const std::vector<std::string>& files);
+
 // What is read, for people.
 std::string NameOf(const Options& options);
 
+// What was read: a scene, and what reads the other steps of data that change with time.
+struct Loaded
+{
+  Scene What;
+  std::shared_ptr<FilmScenes> Steps; // none: they do not change
+};
+
 // Reads them, and with `fits` sets the distance between two eyes for them (FitEyes). Throws what
 // LoadScene throws, and what is wrong with the place that they are to be looked at from.
-Scene LoadFitted(Options& options, bool fits);
+Loaded LoadFitted(Options& options, bool fits);
 
-// Does that in a thread of its own. Nothing else may use VTK meanwhile: its messages are of one
-// program. One that is not done when this object goes is left to itself, and must not outlive the
+// Does something in a thread of its own. Nothing else may use VTK meanwhile: its messages are of
+// one program. What is not done when this object goes is left to itself, and must not outlive the
 // program's data: end the program then.
 class Loader
 {
 public:
-  Loader(const Options& options, bool fits);
+  explicit Loader(std::function<void()> work);
 
-  // Waits so long at most. True where all is read, or failed.
+  // Waits so long at most. True where it is done, or failed.
   bool Wait(std::chrono::milliseconds time);
 
-  // Once, after Wait was true. The options are set to what they are then. Throws what LoadFitted
-  // threw.
-  Scene Take(Options& options);
+  // Once, after Wait was true. Throws what it threw.
+  void Finish() { this->Done.get(); }
 
 private:
-  struct Work;
-  std::shared_ptr<Work> Shared;
+  std::future<void> Done;
 };
 }
 

@@ -11,6 +11,12 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 
+Json Describe(const ViewerState::TimeState& time)
+{
+  return { { "step", time.Step }, { "steps", time.Steps }, { "time", time.Time },
+    { "playing", time.Plays } };
+}
+
 Json Describe(const FrameCost& cost)
 {
   Json json{ { "ms", cost.Milliseconds }, { "draws", nullptr }, { "props", nullptr },
@@ -40,10 +46,11 @@ std::string StateLine(const ViewerState& s, const Options& o)
     { "cursor", s.Cursor }, { "under_cursor", nullptr }, { "full_screen", s.FullScreen },
     { "help", s.Help }, { "text", s.Text }, { "numbers", s.Numbers }, { "message", s.Message },
     { "screen", nullptr }, { "room_scale", o.RoomScale }, { "pose", nullptr },
-    { "paused", s.Paused }, { "crosshair", nullptr }, { "panel", nullptr } };
-  if (s.HasPanel)
+    { "paused", s.Paused }, { "crosshair", nullptr },
+    { "panel", s.HasPanel ? Json(s.Widgets) : Json(nullptr) }, { "time", nullptr } };
+  if (s.Time)
   {
-    json["panel"] = s.Widgets;
+    json["time"] = Describe(*s.Time);
   }
   if (s.UnderCursor)
   {

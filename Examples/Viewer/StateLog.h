@@ -23,6 +23,14 @@ struct ViewerState
   std::string Screen;                       // that the cursor is in; empty: there are none
   std::optional<std::size_t> Pose;          // number of the head's, from 1
   bool Paused = false;
+  struct TimeState
+  {
+    std::size_t Step = 1; // from 1
+    std::size_t Steps = 1;
+    double Time = 0;
+    bool Plays = false;
+  };
+  std::optional<TimeState> Time;      // nothing where the data do not change
   std::optional<Vector3> Crosshair;   // world; nothing where it is not shown
   std::optional<Vector3> UnderCursor; // direction in the world, where the map has one
   double Yaw = 0;                     // degrees

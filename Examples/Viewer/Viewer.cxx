@@ -39,7 +39,7 @@ std::string Viewer::ListOfRecent(const ViewerOptions& o)
   return o.Log.empty() && o.Frames == 0 && !o.HasStandardInput ? Recent::UsualFile() : "";
 }
 
-Viewer::Viewer(const ViewerOptions& options, std::optional<Scene> scene, Room& room, Wall& windows,
+Viewer::Viewer(const ViewerOptions& options, std::optional<Loaded> scene, Room& room, Wall& windows,
   StateLog& log)
   : Given(options)
   , Opened(ListOfRecent(options))
@@ -94,6 +94,7 @@ void Viewer::Run()
       this->Open(std::exchange(this->WantedFiles, {}));
     }
     this->Play();
+    this->PlayTime();
     this->Advance();
     this->Dirty = this->Windows.TakeDamage() || this->Dirty || this->Given.Frames > 0;
     this->Show();
@@ -174,6 +175,12 @@ double Viewer::GetPatience() const
   {
     const double pose = std::min(*pause, LongestWait);
     seconds = seconds < 0 ? pose : std::min(seconds, pose);
+  }
+  if (const std::optional<double> pause =
+        this->Time ? this->Time->GetPause(TimeLine::Clock::now()) : std::nullopt)
+  {
+    const double step = std::min(*pause, LongestWait);
+    seconds = seconds < 0 ? step : std::min(seconds, step);
   }
   return seconds;
 }

@@ -5,12 +5,14 @@
 
 #include "Fields.h"
 #include "Keys.h"
+#include "Loader.h"
 #include "Navigator.h"
 #include "Panel.h"
 #include "Recent.h"
 #include "Room.h"
 #include "Scene.h"
 #include "StateLog.h"
+#include "TimeLine.h"
 #include "ViewerOptions.h"
 #include "Wall.h"
 
@@ -29,7 +31,7 @@ class Viewer
 public:
   // Without a scene the data are read first, beside the window; then this throws what LoadScene
   // throws. The room, the windows and the log must outlive this.
-  Viewer(const ViewerOptions& options, std::optional<Scene> scene, Room& room, Wall& windows,
+  Viewer(const ViewerOptions& options, std::optional<Loaded> scene, Room& room, Wall& windows,
     StateLog& log);
 
   // Until the window is closed, or so many frames are drawn. Throws a Failure with
@@ -59,13 +61,22 @@ private:
   bool IsDone() const;
 
   // Data. As LoadFitted, beside the window where it takes long.
-  Scene Read(Options& options, bool fits);
+  Loaded Read(Options& options, bool fits);
+  void ReadBeside(const std::string& what, const std::function<void()>& work);
   void AttendWhileReading();
-  void SetScene(Scene scene);
+  void SetScene(Loaded loaded);
   bool Change(Options options);
   static std::string ListOfRecent(const ViewerOptions& options);
   void Open(const std::vector<std::string>& files);
   void AddPose();
+  void SaveSession();
+
+  // Time.
+  void PlayTime();
+  void ShowStep(std::size_t step);
+  bool StepTime(Action action);
+  void TogglePlay();
+  std::string TextOfTime() const;
 
   // The panel.
   void TogglePanel();
@@ -78,9 +89,12 @@ private:
   bool ChooseNumbers(wfv::StereoOptions& stereo);
   void ChooseLook();
   void ChooseFile();
+  void ChooseTime();
   void ChooseRest();
   bool Choose(const std::string& what, std::string& value, const std::vector<std::string>& from);
   bool Slide(const std::string& what, double& value, double least, double most);
+  void ChooseOpacity();
+  void ChoosePreset();
   void Press(const char* label, Action action);
   void Check(const char* label, bool on, Action action);
   void Locate(const std::string& widget);
@@ -102,7 +116,6 @@ private:
   void ZoomRoom(double factor);
   void ToggleCrosshair();
   void ToggleDome();
-  void TogglePause();
   void Leave();
   void TakeScreenshot();
   void Restart();
@@ -122,6 +135,7 @@ private:
 
   ViewerOptions Given;
   Scene What;
+  std::optional<TimeLine> Time;      // of data that change
   Recent Opened;                     // files
   std::vector<std::string> Recently; // when the panel was shown
   Room& Around;
@@ -149,6 +163,7 @@ private:
   std::vector<Action> Pressed;                         // on the panel
   std::optional<Options> Wanted;                       // that the data are to be read for
   std::vector<std::string> WantedFiles;                // that are to be opened
+  std::optional<std::size_t> WantedStep;               // of time
 
   Drag Dragging = Drag::None;
   Place At; // the pointer

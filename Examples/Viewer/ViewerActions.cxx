@@ -17,7 +17,8 @@ constexpr double TurnStep = 5; // degrees, an arrow key
 
 void Viewer::Do(Action action)
 {
-  if (this->StepScreens(action) || this->DoView(action) || this->DoText(action))
+  if (this->StepTime(action) || this->StepScreens(action) || this->DoView(action) ||
+    this->DoText(action))
   {
     this->Changed();
     return;
@@ -30,6 +31,9 @@ void Viewer::Do(Action action)
     case Action::AddPose:
       this->AddPose();
       break;
+    case Action::SaveSession:
+      this->SaveSession();
+      break;
     case Action::PrintCommand:
       std::cout << CommandText(this->Given.Picture, this->ForFiles()) << std::endl;
       this->Say("the command is on standard output");
@@ -37,8 +41,8 @@ void Viewer::Do(Action action)
     case Action::ToggleCrosshair:
       this->ToggleCrosshair();
       break;
-    case Action::TogglePause:
-      this->TogglePause();
+    case Action::TogglePlay:
+      this->TogglePlay();
       break;
     default:
       this->DoWindow(action);

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the viewer reads while its window is open, and the list of poses that it writes.
 #include "CameraSetup.h"
-#include "LoadScene.h"
+#include "CommandText.h"
 #include "Loader.h"
 #include "Messages.h"
 #include "PoseList.h"
+#include "Session.h"
 #include "Viewer.h"
 
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <new>
+#include <utility>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -23,6 +25,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds Glance{ 30 }; // between looks at the window
 constexpr double Unnoticed = 0.2;                 // seconds for which nothing is said
+
+constexpr const char* UsualSession = "widefov-viewer-session.conf";
 
 std::string ProgressText(const std::string& what, double seconds)
 {
@@ -40,17 +44,24 @@ bool Quits(const WindowEvent& event)
 }
 }
 
-// The window goes on being moved, made larger and closed; what is in it stays as it was. Who leaves
-// then leaves no time to remove what standard input was written to.
-Scene Viewer::Read(Options& options, bool fits)
+Loaded Viewer::Read(Options& options, bool fits)
 {
   if (this->Given.HasStandardInput || !TakesLong(options))
   {
     return LoadFitted(options, fits);
   }
-  Loader loader(options, fits);
+  const auto read = std::make_shared<std::pair<Options, Loaded>>(options, Loaded());
+  this->ReadBeside(NameOf(options), [read, fits] { read->second = LoadFitted(read->first, fits); });
+  options = read->first;
+  return read->second;
+}
+
+// The window goes on being moved, made larger and closed; what is in it stays as it was. Who leaves
+// then leaves no time to remove what standard input was written to.
+void Viewer::ReadBeside(const std::string& what, const std::function<void()>& work)
+{
+  Loader loader(work);
   std::unique_ptr<Panel> own;
-  const std::string what = NameOf(options);
   this->Windows.SetTitle("reading " + what);
   const Clock::time_point start = Clock::now();
   while (!loader.Wait(Glance))
@@ -60,7 +71,8 @@ Scene Viewer::Read(Options& options, bool fits)
     {
       own = this->Windows.MakePanel();
     }
-    if (Panel* const over = own ? own.get() : this->Shown.get())
+    Panel* const over = own ? own.get() : this->Shown.get();
+    if (over != nullptr && passed.count() > Unnoticed)
     {
       over->LayoutText(ProgressText(what, passed.count()));
       this->Windows.ShowAgain(*over);
@@ -71,7 +83,7 @@ Scene Viewer::Read(Options& options, bool fits)
   this->Dragging = Drag::None;
   this->Unsettled = LayoutsToSettle; // of the widgets, in the place of these lines
   this->Changed();
-  return loader.Take(options);
+  loader.Finish();
 }
 
 void Viewer::AttendWhileReading()
@@ -90,9 +102,16 @@ void Viewer::AttendWhileReading()
   }
 }
 
-void Viewer::SetScene(Scene scene)
+void Viewer::SetScene(Loaded loaded)
 {
-  this->What = std::move(scene);
+  const bool plays = this->Time && this->Time->IsPlaying();
+  this->What = std::move(loaded.What);
+  this->Time.reset();
+  if (loaded.Steps)
+  {
+    this->Time.emplace(std::move(loaded.Steps), this->Given.TimeRate);
+    this->Time->Play(plays, TimeLine::Clock::now());
+  }
   double b[6];
   if (SceneBounds(this->What, b))
   {
@@ -113,11 +132,11 @@ bool Viewer::Change(Options options)
   try
   {
     const bool other = options.Files != this->Given.Picture.Files;
-    Scene scene = this->Read(options, other);
-    const Navigator start = StartOf(scene, options);
+    Loaded loaded = this->Read(options, other);
+    const Navigator start = StartOf(loaded.What, options);
     this->Given.Picture = options;
     this->Now.Look = options.Look;
-    this->SetScene(std::move(scene));
+    this->SetScene(std::move(loaded));
     if (other)
     {
       this->Head = start;
@@ -149,6 +168,7 @@ void Viewer::Open(const std::vector<std::string>& files)
   Options next = this->Given.Picture;
   next.Files = files;
   next.Scene.clear();
+  next.Time.reset();
   next.Look.ColorBy.clear();
   next.Look.Vectors.clear();
   next.Look.StreamLines.clear();
@@ -172,6 +192,34 @@ void Viewer::AddPose()
     const std::size_t number = AppendPose(
       this->Given.PoseList, this->Head.GetEye(), this->Head.GetDirection(), this->Head.GetUp());
     this->Say("pose " + std::to_string(number) + " of " + this->Given.PoseList);
+  }
+  catch (const Failure& failure)
+  {
+    widefov::SayError(failure.what()); // no reason to lose the view
+    this->Say(failure.what());
+  }
+}
+
+void Viewer::SaveSession()
+{
+  try
+  {
+    if (this->Given.HasStandardInput)
+    {
+      Fail("what came from standard input cannot be kept in a session; write it to a file first");
+    }
+    Options now = this->ForFiles();
+    now.Layout = this->Now.Layout;
+    std::vector<Setting> settings = SettingsOf(this->Given.Picture, now);
+    settings.push_back({ "--poses", this->Given.PoseList, "" });
+    for (const auto& [flag, on] : { std::pair("--full-screen", this->Windows.IsFullScreen()),
+           std::pair("--no-text", !this->ShowsText), std::pair("--panel", this->Shown != nullptr) })
+    {
+      settings.push_back({ flag, on ? "yes" : "no", "" });
+    }
+    const std::string path = this->Given.Session.empty() ? UsualSession : this->Given.Session;
+    WriteSession(path, settings);
+    this->Say("saved: " + path);
   }
   catch (const Failure& failure)
   {

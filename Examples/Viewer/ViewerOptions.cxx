@@ -6,11 +6,14 @@
 #include "Messages.h"
 #include "OptionCheck.h"
 #include "OptionGroup.h"
+#include "OutputFiles.h"
 #include "PresetChoice.h"
+#include "Settings.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <utility>
@@ -51,14 +54,35 @@ void DeclareWindow(CLI::App& app, ViewerOptions& o)
   group.Number("--pose-rate", "HZ", o.PoseRate, { 0, 1000 },
     "poses of --pose a second; 0: as their times say");
   group.Flag("--pose-once", o.PoseOnce, "stay with the last pose instead of beginning anew");
+  group.Number("--time-rate", "HZ", o.TimeRate, { 0.001, 1000 },
+    "time steps a second, on average, that are played");
   group.Number("--update-rate", "HZ", o.UpdateRate, { 0, 1000 },
     "frames a second for which a moving picture is drawn smaller; 0: never");
   group.Flag("--no-text", o.NoText, "begin without the text on the picture");
   group.Flag("--panel", o.Panel, "begin with the panel");
   group.Name("--poses", "FILE", o.PoseList,
     "that key K adds a line to: eye, direction and up (widefov-viewer-poses.txt)");
+  group.Name(
+    "--session", "FILE", o.Session, "begin with what this file says, and write it by the key F3");
   group.Name("--log", "FILE", o.Log, "the state after each frame and click, a JSON object a line");
   group.Integer("--frames", o.Frames, 0, 1000000, "end after so many frames; 0: when closed");
+}
+
+// Goes before --config, and behind the command line.
+void TakeSession(CLI::App& app, const ViewerOptions& o)
+{
+  if (o.Session.empty())
+  {
+    return;
+  }
+  std::error_code error;
+  if (std::filesystem::exists(o.Session, error))
+  {
+    ApplySettings(app, ReadSettings(o.Session));
+    return;
+  }
+  CheckWritable(o.Session);
+  Say(o.Session + " is not there yet; the key F3 writes it");
 }
 
 void CheckRoom(const ViewerOptions& o)
@@ -112,6 +136,7 @@ std::optional<int> ParseViewerOptions(int argc, char** argv, ViewerOptions& o)
   {
     return done;
   }
+  TakeSession(app, o);
   CompleteFromPreset(app, o.Picture, Target::Window);
   CheckScene(o.Picture, fov);
   CheckRoom(o);

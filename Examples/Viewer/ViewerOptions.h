@@ -20,9 +20,11 @@ struct ViewerOptions
   bool NoText = false;
   bool Panel = false;
   std::string PoseList = "widefov-viewer-poses.txt"; // that a key adds to
+  std::string Session;                               // read at the start; a key writes it
   double PoseRate = 0;                               // head poses a second; 0: as their times say
   bool PoseOnce = false;                             // the last pose stays
-  double UpdateRate = 10;        // frames a second that moving keeps to; 0: drawn as when still
+  double TimeRate = 10;                              // time steps a second, on average
+  double UpdateRate = 20;        // frames a second that moving keeps to; 0: drawn as when still
   std::string Log;               // of states, one JSON object a line
   int Frames = 0;                // draw so many and end; 0: until the window is closed
   bool HasStandardInput = false; // among the files, under the name of a temporary one

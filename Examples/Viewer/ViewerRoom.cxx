@@ -80,17 +80,6 @@ void Viewer::Play()
   }
 }
 
-void Viewer::TogglePause()
-{
-  if (!this->Around.GetNumber())
-  {
-    this->Say("there are no head poses to play; begin with --pose FILE");
-    return;
-  }
-  this->Paused = !this->Paused;
-  this->Changed();
-}
-
 void Viewer::ToggleCrosshair()
 {
   if (!this->ShowsCrosshair && this->Now.Technique == Technique::CubeMap)

@@ -10,6 +10,7 @@
 #include "StereoChoice.h"
 #include "StereoLayout.h"
 #include "StereoOptions.h"
+#include "Volume.h"
 
 #include <Gl.h>
 #include <vtkOpenGLState.h>
@@ -85,6 +86,14 @@ void ViewerStage::SetScene(const Scene& scene, const Look& look)
   if (this->Bar)
   {
     this->Renderer->AddViewProp(this->Bar);
+  }
+}
+
+void ViewerStage::SetVolumeOpacity(double factor)
+{
+  for (vtkVolume* const volume : this->Shown.Volumes)
+  {
+    SetOpacity(volume, factor);
   }
 }
 

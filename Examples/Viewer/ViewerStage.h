@@ -78,6 +78,9 @@ public:
   // What the next frames show, instead of what they showed before. The scene must outlive this.
   void SetScene(const Scene& scene, const Look& look);
 
+  // Of its volumes: the look's VolumeOpacity.
+  void SetVolumeOpacity(double factor);
+
   // Largest width and height that this OpenGL draws, pixels.
   std::array<int, 2> GetLimits() const { return this->Limits; }
 

@@ -60,10 +60,16 @@ void Viewer::Log(const std::string& event)
   state.Screen = part.Screen ? part.Screen->Name : "";
   state.Pose = this->Around.GetNumber();
   state.Paused = this->Paused;
+  if (this->Time)
+  {
+    state.Time = ViewerState::TimeState{ this->Time->GetStep() + 1, this->Time->GetCount(),
+      this->Time->GetTime(), this->Time->IsPlaying() };
+  }
   state.Crosshair = this->ShowsCrosshair ? this->Cross.At : std::nullopt;
   state.Yaw = this->Head.GetYaw();
   state.Pitch = this->Head.GetPitch();
-  state.Pending = this->Dirty || !this->Held.empty() || (this->Shown && this->Unsettled > 0);
+  state.Pending =
+    this->Dirty || !this->Held.empty() || this->WantedStep || (this->Shown && this->Unsettled > 0);
   state.FullScreen = this->Windows.IsFullScreen();
   state.Help = this->ShowsHelp;
   state.Text = this->ShowsText;
@@ -88,6 +94,7 @@ std::string Viewer::TextFor(const FrameCost& cost) const
   {
     text += "  pose " + std::to_string(*pose) + (this->Paused ? ", stopped" : "");
   }
+  text += this->TextOfTime();
   text += this->ShowsNumbers ? NumbersOf(this->Now, cost) : "";
   const std::string hint = HasPanels() ? "F1: keys, Tab: panel" : "F1: keys";
   return text + "\n" + (this->Message.empty() ? hint : this->Message);

@@ -5,6 +5,7 @@
 #include "Datasets.h"
 #include "StereoChoice.h"
 #include "StereoLayout.h"
+#include "Stereo/Presets.h"
 #include "Stereo/Stereo.h"
 #include "Viewer.h"
 
@@ -13,17 +14,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
 namespace widefov
 {
 namespace
 {
-constexpr float Border = 8;          // between the panel and the window
-constexpr float ItemWidth = 13.5F;   // letters' sizes
-constexpr float LargestShare = 0.5F; // of the window's width, at most
-constexpr float LeastAngle = 1;      // degrees
-constexpr float MostTilt = 90;       // degrees
+constexpr float Border = 8;           // between the panel and the window
+constexpr float ItemWidth = 13.5F;    // letters' sizes
+constexpr float LargestShare = 0.5F;  // of the window's width, at most
+constexpr float LeastAngle = 1;       // degrees
+constexpr float LeastOpacity = 0.05F; // of volumes, times what is usual
+constexpr float MostOpacity = 20;
+constexpr float MostTilt = 90; // degrees
 constexpr const char* OwnScalars = "(the data's own)";
 
 // Pixels of the window: left, top, right, bottom.
@@ -86,10 +90,12 @@ void Viewer::Widgets()
           ImGuiWindowFlags_NoSavedSettings))
   {
     ImGui::PushItemWidth(std::min(ItemWidth * ImGui::GetFontSize(), LargestShare * size.x));
+    this->ChoosePreset();
     this->ChooseView();
     this->ChooseEyes();
     this->ChooseLook();
     this->ChooseFile();
+    this->ChooseTime();
     this->ChooseRest();
     ImGui::PopItemWidth();
   }
@@ -157,6 +163,27 @@ void Viewer::Check(const char* label, bool on, Action action)
     this->Pressed.push_back(action);
   }
   this->Locate(label);
+}
+
+// The window keeps its size.
+void Viewer::ChoosePreset()
+{
+  std::vector<std::string> names;
+  for (const wfv::Preset& preset : wfv::Presets())
+  {
+    if (!preset.ViewTitle.empty())
+    {
+      names.push_back(preset.Name);
+    }
+  }
+  std::string name;
+  if (this->Around.HasScreens() || !this->Choose("preset", name, names))
+  {
+    return;
+  }
+  const bool done =
+    SetPreset(this->Now, this->Angles, *wfv::FindPreset(name), this->What, this->Windows.IsTiled());
+  this->Say(done ? "preset: " + name : name + " cannot be shown here");
 }
 
 // What the flat screens of a room show follows from their corners.
@@ -276,6 +303,7 @@ void Viewer::ChooseLook()
   {
     this->Wanted = next;
   }
+  this->ChooseOpacity();
   std::array<float, 3> color;
   std::copy(this->Now.Background.begin(), this->Now.Background.end(), color.begin());
   if (ImGui::ColorEdit3("background", color.data(), ImGuiColorEditFlags_NoInputs))
@@ -286,6 +314,23 @@ void Viewer::ChooseLook()
   this->Locate("background");
 }
 
+void Viewer::ChooseOpacity()
+{
+  if (this->What.Volumes.empty())
+  {
+    return;
+  }
+  auto factor = static_cast<float>(this->Given.Picture.Look.VolumeOpacity);
+  if (ImGui::SliderFloat("opacity", &factor, LeastOpacity, MostOpacity, "%.2f",
+        ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic))
+  {
+    this->Given.Picture.Look.VolumeOpacity = this->Now.Look.VolumeOpacity = factor;
+    this->Windows.SetVolumeOpacity(factor);
+    this->Changed();
+  }
+  this->Locate("opacity");
+}
+
 // The last ones first.
 void Viewer::ChooseFile()
 {
@@ -294,6 +339,25 @@ void Viewer::ChooseFile()
   {
     this->WantedFiles = { file };
   }
+}
+
+void Viewer::ChooseTime()
+{
+  if (!this->Time)
+  {
+    return;
+  }
+  const auto last = static_cast<int>(this->Time->GetCount()) - 1;
+  auto step = static_cast<int>(this->WantedStep.value_or(this->Time->GetStep()));
+  char text[64];
+  std::snprintf(text, sizeof(text), "%g", this->Time->GetTime());
+  if (ImGui::SliderInt("time", &step, 0, last, text, ImGuiSliderFlags_AlwaysClamp))
+  {
+    this->Time->Play(false, TimeLine::Clock::now());
+    this->WantedStep = static_cast<std::size_t>(step);
+  }
+  this->Locate("time");
+  this->Check("play", this->Time->IsPlaying(), Action::TogglePlay);
 }
 
 void Viewer::ChooseRest()
@@ -309,7 +373,9 @@ void Viewer::ChooseRest()
   ImGui::SameLine();
   this->Press("add pose", Action::AddPose);
   ImGui::SameLine();
+  this->Press("save session", Action::SaveSession);
   this->Press("command", Action::PrintCommand);
+  ImGui::SameLine();
   this->Press("beginning", Action::Reset);
   ImGui::SameLine();
   this->Press("full screen", Action::ToggleFullScreen);

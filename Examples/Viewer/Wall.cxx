@@ -76,6 +76,14 @@ void Wall::SetScene(const Scene& scene, const Look& look)
   }
 }
 
+void Wall::SetVolumeOpacity(double factor)
+{
+  for (const Pane& pane : this->Panes)
+  {
+    pane.Stage->SetVolumeOpacity(factor);
+  }
+}
+
 void Wall::SetTitle(const std::string& title)
 {
   for (const Pane& pane : this->Panes)

@@ -46,6 +46,9 @@ public:
   // What the next frames show. The scene must outlive this.
   void SetScene(const Scene& scene, const Look& look);
 
+  // Of its volumes: the look's VolumeOpacity.
+  void SetVolumeOpacity(double factor);
+
   // What stands in the titles behind the program's name.
   void SetTitle(const std::string& title);
 

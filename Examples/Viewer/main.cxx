@@ -46,7 +46,7 @@ int Run(int argc, char** argv)
   const StandardInput input(options.Picture.Files);
   options.Asked = options.Picture;
   options.HasStandardInput = files != options.Picture.Files;
-  std::optional<Scene> scene;
+  std::optional<Loaded> scene;
   if (options.HasStandardInput || !TakesLong(options.Picture))
   {
     scene = LoadFitted(options.Picture, true); // what is wrong is said before a window opens

@@ -106,6 +106,12 @@ TEST(Film, StepsAreSeenAsLongAsTheirTimesSay)
   EXPECT_EQ(uneven.StepAt(0.65), 1u);
   EXPECT_EQ(uneven.StepAt(0.67), 2u);
   EXPECT_EQ(DataSeries("one", { { 3, { "a" } } }).StepAt(0.9), 0u);
+  EXPECT_EQ(uneven.StepFor(-1), 0u);
+  EXPECT_EQ(uneven.StepFor(7.9), 1u);
+  EXPECT_EQ(uneven.StepFor(8), 2u);
+  EXPECT_NEAR(uneven.ShareOf(0), 1 / 12., 1e-12);
+  EXPECT_NEAR(uneven.ShareOf(1), 7 / 12., 1e-12);
+  EXPECT_NEAR(uneven.ShareOf(2), 4 / 12., 1e-12);
 }
 
 // ftyp, mdat, moov with one table of chunks.

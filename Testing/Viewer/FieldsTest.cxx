@@ -5,6 +5,8 @@
 #include "CommandText.h"
 #include "Fields.h"
 #include "Keys.h"
+#include "Messages.h"
+#include "Session.h"
 
 #include <gtest/gtest.h>
 
@@ -137,6 +139,14 @@ TEST(CommandText, QuotesForAShell)
   o.Scene.clear();
   o.Files = { "it's a file.vtk" };
   EXPECT_NE(CommandText(o, o).find("widefov-render 'it'\\''s a file.vtk'"), std::string::npos);
+}
+
+TEST(Session, KeepsEveryValueOnALineOfItsOwn)
+{
+  const std::string text =
+    SessionText({ { "FILE", "/data/it's \"it\" .vtk ", "" }, { "--no-smooth", "", "" } });
+  EXPECT_NE(text.find("\nfile = \"/data/it's \"it\" .vtk \"\nno-smooth\n"), std::string::npos);
+  EXPECT_THROW(SessionText({ { "FILE", "a\nb.vtk", "" } }), Failure);
 }
 
 TEST(Keys, EveryLetterOfTheHelpIsAKey)

@@ -214,9 +214,25 @@ std::size_t DataSeries::StepAt(double share) const
   }
   // what rounding takes must not make a step of equal ones come late
   const double now = first + (share + 1e-9) * span * count / (count - 1);
-  const auto after = std::upper_bound(this->Steps.begin(), this->Steps.end(), now,
-    [](double time, const TimeStep& step) { return time < step.Time; });
+  return this->StepFor(now);
+}
+
+std::size_t DataSeries::StepFor(double time) const
+{
+  const auto after = std::upper_bound(this->Steps.begin(), this->Steps.end(), time,
+    [](double t, const TimeStep& step) { return t < step.Time; });
   return after == this->Steps.begin() ? 0
                                       : static_cast<std::size_t>(after - this->Steps.begin()) - 1;
+}
+
+double DataSeries::ShareOf(std::size_t step) const
+{
+  const double count = static_cast<double>(this->Steps.size());
+  const double span = this->Steps.back().Time - this->Steps.front().Time;
+  if (!(span > 0) || step + 1 >= this->Steps.size())
+  {
+    return 1 / count;
+  }
+  return (this->Steps[step + 1].Time - this->Steps[step].Time) / span * (count - 1) / count;
 }
 }

@@ -38,6 +38,12 @@ public:
   // differ by more are seen longer; the last step is seen as long as one is on the average.
   std::size_t StepAt(double share) const;
 
+  // The step that is seen at that time: the last one that is not after it, or else the first.
+  std::size_t StepFor(double time) const;
+
+  // The share of the whole for which a step is seen, by StepAt.
+  double ShareOf(std::size_t step) const;
+
 private:
   std::string Name;
   std::vector<TimeStep> Steps;

@@ -104,11 +104,11 @@ void CheckFrames(const std::string& output)
 void CheckOthers(const Options& o)
 {
   if (!o.Aov.empty() || o.Frames > 0 || o.Tile || !o.DumpShaders.empty() || HasRoom(o) ||
-    o.Technique == Technique::CubeMap || o.ConvergeOnDepth || o.DryRun)
+    o.Technique == Technique::CubeMap || o.ConvergeOnDepth || o.DryRun || o.Time)
   {
     FailUsage(
       "--film goes with none of --aov, --frames, --tile, --dump-shaders, --screens, --pose, "
-      "--technique cubemap, --convergence auto, --offset auto and --dry-run; leave it out");
+      "--technique cubemap, --convergence auto, --offset auto, --time and --dry-run; leave it out");
   }
 }
 

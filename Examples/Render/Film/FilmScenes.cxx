@@ -62,19 +62,35 @@ bool AddRange(const Scene& scene, std::array<double, 2>& range)
 }
 
 FilmScenes::FilmScenes(const Options& o)
-  : Look(o.Look)
+  : Look(LookOf(o))
   , Strict(o.Film.Strict)
 {
   this->FindFiles(o);
   if (!this->Series)
   {
-    this->Shown = LoadScene(o);
+    this->Shown = LoadFixed(o);
     this->ShownStep = 0;
+  }
+  else if (o.Time)
+  {
+    this->FirstStep = this->Series->StepFor(*o.Time);
   }
   this->Look.OfSeries = this->Series.has_value();
   if (this->Series && !this->Look.Range)
   {
     this->FindRange();
+  }
+}
+
+void FilmScenes::CheckTime(const Options& o) const
+{
+  const bool film = o.Film.Kind == "time";
+  if (!this->Series && (film || o.Time))
+  {
+    FailUsage(std::string(film ? "--film time" : "--time") +
+      " needs data that change with time: a .pvd or .series file, " +
+      (film ? "several files, " : "") +
+      "numbered files such as flow_%04d.vtp, or an .ex2 file with several steps");
   }
 }
 
@@ -101,12 +117,7 @@ void FilmScenes::FindFiles(const Options& o)
     this->Series = DataSeries::OfFiles(fixed);
     fixed.clear();
   }
-  if (!this->Series && o.Film.Kind == "time")
-  {
-    FailUsage(
-      "--film time needs data that change with time: a .pvd or .series file, several files, "
-      "numbered files such as flow_%04d.vtp, or an .ex2 file with several steps");
-  }
+  this->CheckTime(o);
   if (this->Series)
   {
     this->Fixed = ReadScene(fixed);
@@ -127,12 +138,7 @@ Scene FilmScenes::ReadStep(std::size_t number) const
     prop.Index += static_cast<int>(this->Fixed.Props.size());
     scene.Props.push_back(prop);
   }
-  ApplyLook(scene, this->Look);
-  const std::string error = MessageCatcher::TakeFirstError();
-  if (!error.empty())
-  {
-    Fail("the data cannot be prepared: " + error + "; check them");
-  }
+  Prepare(scene, this->Look);
   return scene;
 }
 

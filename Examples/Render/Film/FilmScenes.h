@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a film shows at each time: the scene, step after step.
+// What is seen of data at each time: the scene, step after step.
 #ifndef WideFoVFilmScenes_h
 #define WideFoVFilmScenes_h
 
@@ -22,6 +22,9 @@ public:
   // ExitFailed where no step can be read, or one cannot and --strict is given.
   explicit FilmScenes(const Options& options);
 
+  // Nothing where the data do not change.
+  const std::optional<DataSeries>& GetSeries() const { return this->Series; }
+
   // 1 where the data do not change.
   std::size_t GetNumberOfSteps() const
   {
@@ -31,11 +34,15 @@ public:
   // The step that is seen when that share of the film, from 0 to below 1, is over.
   std::size_t StepAt(double share) const { return this->Series ? this->Series->StepAt(share) : 0; }
 
+  // The step of --time.
+  std::size_t GetFirstStep() const { return this->FirstStep; }
+
   // The scene of a step; of one that cannot be read that of the last before it that can, or else
   // of the first after it. It lasts until another one is asked for.
   const Scene& GetScene(std::size_t step);
 
 private:
+  void CheckTime(const Options& options) const;
   void FindFiles(const Options& options);
   void FindRange();
   bool TryStep(std::size_t step);
@@ -44,6 +51,7 @@ private:
   widefov::Look Look;
   bool Strict;
   std::optional<DataSeries> Series;
+  std::size_t FirstStep = 0;
   Scene Fixed; // what does not change, before it gets its look; all of it where nothing changes
   std::set<std::size_t> Broken;
   std::string FirstComplaint;
