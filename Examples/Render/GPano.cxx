@@ -14,6 +14,7 @@ wfvxmp::Panorama PanoramaOf(int width, int height, const PanoramaInfo& info)
   panorama.Height = height;
   panorama.HorizontalFov = info.HorizontalFov;
   panorama.VerticalFov = info.VerticalFov;
+  panorama.Pitch = info.Pitch;
   return panorama;
 }
 }
@@ -33,33 +34,17 @@ std::string GPanoXmp(int width, int height, const PanoramaInfo& info)
   return wfvxmp::PanoramaXmp(PanoramaOf(width, height, info));
 }
 
-std::string CroppedFields(int width, int height, const PanoramaInfo& info, const FieldText& write)
+std::vector<wfvxmp::Field> CroppedFields(int width, int height, const PanoramaInfo& info)
 {
-  std::string text;
-  for (const wfvxmp::Field& field : GPanoFields(width, height, info))
-  {
-    if (field.Name.rfind("Cropped", 0) == 0 || field.Name.rfind("FullPano", 0) == 0)
-    {
-      text += write(field.Name, field.Value);
-    }
-  }
-  return text;
+  return wfvxmp::CroppedFields(PanoramaOf(width, height, info));
 }
 
 std::string SphericalXmp(int width, int height, const PanoramaInfo& info)
 {
   const bool beside = info.StereoMode == "left-right";
-  std::string text = " xmlns:GSpherical=\"http://ns.google.com/videos/1.0/spherical/\""
-                     "\n GSpherical:Spherical=\"true\"\n GSpherical:Stitched=\"true\""
-                     "\n GSpherical:StitchingSoftware=\"VTKWideFoV\""
-                     "\n GSpherical:ProjectionType=\"equirectangular\""
-                     "\n GSpherical:StereoMode=\"" +
-    info.StereoMode + "\"";
-  const auto attribute = [](const std::string& name, const std::string& value) {
-    return "\n GSpherical:" + name + "=\"" + value + "\"";
-  };
-  text += CroppedFields(beside ? width / 2 : width, beside ? height : height / 2, info, attribute);
-  return wfvxmp::XmpPacket(text);
+  const int columns = beside ? width / 2 : width;
+  const int rows = beside ? height : height / 2;
+  return wfvxmp::SphericalXmp(PanoramaOf(columns, rows, info), info.StereoMode);
 }
 
 void InsertInPng(std::vector<unsigned char>& png, const std::vector<unsigned char>& chunk)

@@ -8,7 +8,6 @@
 #include "PanoramaXmp.h"
 #include "XmpInFiles.h"
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -29,9 +28,8 @@ std::string GPanoXmp(int width, int height, const PanoramaInfo& info);
 void InsertInPng(std::vector<unsigned char>& png, const std::vector<unsigned char>& chunk);
 
 // Those of the fields that spherical video has as well, for one eye of that many pixels: which part
-// of the whole sphere is shown. `write` makes text of each.
-using FieldText = std::function<std::string(const std::string& name, const std::string& value)>;
-std::string CroppedFields(int width, int height, const PanoramaInfo& info, const FieldText& write);
+// of the whole sphere is shown.
+std::vector<wfvxmp::Field> CroppedFields(int width, int height, const PanoramaInfo& info);
 
 // The metadata of spherical video (version 1, http://ns.google.com/videos/1.0/spherical/) as an
 // XMP packet, for a picture of two eyes: of that many pixels, both together.

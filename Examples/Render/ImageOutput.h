@@ -30,6 +30,7 @@ struct PanoramaInfo
   bool Equirectangular = false;
   double HorizontalFov = 360; // degrees
   double VerticalFov = 180;   // degrees
+  double Pitch = 0;           // degrees of the middle above the horizon
   std::string StereoMode;     // "left-right", "top-bottom": two pictures in one; empty: one
 };
 

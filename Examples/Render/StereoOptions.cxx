@@ -14,6 +14,7 @@
 #include <vtkWideFoVStereoWindow.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace widefov
@@ -339,7 +340,11 @@ PanoramaInfo DescribePanorama(const Options& o)
   // of colours for glasses, of squeezed pictures, or of the cube of a map that is looked at again,
   // viewers know nothing
   const bool plain = mono || (!ShowsCube(o) && (layout.IsOneEye() || !info.StereoMode.empty()));
-  info.Equirectangular = plain && o.Projection == "equirectangular";
+  // nor of what stands on its head, nor of two eyes that look up
+  const double steepest = info.StereoMode.empty() ? 90 : 0; // degrees
+  info.Pitch = o.View.Tilt;
+  info.Equirectangular =
+    plain && o.Projection == "equirectangular" && std::abs(info.Pitch) <= steepest;
   info.HorizontalFov = o.View.HorizontalFov;
   info.VerticalFov = o.View.VerticalFov;
   return info;

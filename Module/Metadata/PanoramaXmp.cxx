@@ -22,6 +22,19 @@ std::vector<Field> PanoramaFields(const Panorama& p)
     { "PosePitchDegrees", pitch.str() }, { "PoseRollDegrees", "0" } };
 }
 
+std::vector<Field> CroppedFields(const Panorama& panorama)
+{
+  std::vector<Field> cropped;
+  for (const Field& field : PanoramaFields(panorama))
+  {
+    if (field.Name.rfind("Cropped", 0) == 0 || field.Name.rfind("FullPano", 0) == 0)
+    {
+      cropped.push_back(field);
+    }
+  }
+  return cropped;
+}
+
 std::string PanoramaText(const Panorama& panorama)
 {
   std::string text = " xmlns:GPano=\"http://ns.google.com/photos/1.0/panorama/\"";
@@ -44,5 +57,20 @@ std::string XmpPacket(const std::string& description)
 std::string PanoramaXmp(const Panorama& panorama)
 {
   return XmpPacket(PanoramaText(panorama));
+}
+
+std::string SphericalXmp(const Panorama& eye, const std::string& stereoMode)
+{
+  std::vector<Field> fields{ { "Spherical", "true" }, { "Stitched", "true" },
+    { "StitchingSoftware", "VTKWideFoV" }, { "ProjectionType", "equirectangular" },
+    { "StereoMode", stereoMode } };
+  const std::vector<Field> cropped = CroppedFields(eye);
+  fields.insert(fields.end(), cropped.begin(), cropped.end());
+  std::string text = " xmlns:GSpherical=\"http://ns.google.com/videos/1.0/spherical/\"";
+  for (const Field& field : fields)
+  {
+    text += "\n GSpherical:" + field.Name + "=\"" + field.Value + "\"";
+  }
+  return XmpPacket(text);
 }
 }

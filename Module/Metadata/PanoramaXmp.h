@@ -30,11 +30,19 @@ std::vector<Field> PanoramaFields(const Panorama& panorama);
 // The fields as attributes of a description, with their name space.
 std::string PanoramaText(const Panorama& panorama);
 
+// Those of the fields that spherical video has as well: which part of the whole sphere is shown.
+std::vector<Field> CroppedFields(const Panorama& panorama);
+
 // An XMP packet of one description: name spaces and attributes.
 std::string XmpPacket(const std::string& description);
 
 // Both: the packet of a panorama.
 std::string PanoramaXmp(const Panorama& panorama);
+
+// The metadata of spherical video (version 1, http://ns.google.com/videos/1.0/spherical/) as an XMP
+// packet, for a picture of two eyes. Its mode is "left-right" or "top-bottom", `eye` is one of the
+// two. Such metadata know no pitch.
+std::string SphericalXmp(const Panorama& eye, const std::string& stereoMode);
 }
 
 #endif

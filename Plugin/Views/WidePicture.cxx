@@ -19,6 +19,7 @@
 #include "vtkSMViewProxy.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -102,19 +103,38 @@ Image CaptureBoth(vtkSMViewProxy* view, bool below, Size size)
   return both->GetOutput();
 }
 
-// What viewers of panoramas want to know; empty where they know no such picture.
-std::string XmpOf(vtkSMViewProxy* view, const Size& size)
+bool IsJoined(int eyes)
+{
+  return eyes == SideBySide || eyes == TopBottom;
+}
+
+// An angle of view as the view draws it.
+double FieldOfView(vtkSMViewProxy* view, const char* name, double most)
+{
+  constexpr double Least = 1; // degrees
+  return std::clamp(vtkSMPropertyHelper(view, name).GetAsDouble(), Least, most);
+}
+
+// What viewers of panoramas want to know of a file of that size; empty where they know no such
+// picture: of two eyes in one they know the layouts that are joined here, and no pitch.
+std::string XmpOf(vtkSMViewProxy* view, const Size& size, int eyes)
 {
   wfvxmp::Panorama p;
-  p.Width = size[0];
-  p.Height = size[1];
-  p.HorizontalFov = vtkSMPropertyHelper(view, "HorizontalFieldOfView").GetAsDouble();
-  p.VerticalFov = vtkSMPropertyHelper(view, "VerticalFieldOfView").GetAsDouble();
+  p.Width = eyes == SideBySide ? size[0] / 2 : size[0];
+  p.Height = eyes == TopBottom ? size[1] / 2 : size[1];
+  p.HorizontalFov = FieldOfView(view, "HorizontalFieldOfView", p.HorizontalFov);
+  p.VerticalFov = FieldOfView(view, "VerticalFieldOfView", p.VerticalFov);
   p.Pitch = vtkSMPropertyHelper(view, "Tilt").GetAsDouble();
   const std::string projection = vtkSMPropertyHelper(view, "Projection").GetAsString();
+  const bool asTheView = eyes == AsTheView && vtkSMPropertyHelper(view, "StereoRender").GetAsInt();
   constexpr double Zenith = 90; // degrees: a picture beyond it stands on its head
-  return projection == "equirectangular" && std::abs(p.Pitch) <= Zenith ? wfvxmp::PanoramaXmp(p)
-                                                                        : "";
+  const double steepest = IsJoined(eyes) ? 0 : Zenith;
+  if (projection != "equirectangular" || asTheView || std::abs(p.Pitch) > steepest)
+  {
+    return "";
+  }
+  return IsJoined(eyes) ? wfvxmp::SphericalXmp(p, eyes == TopBottom ? "top-bottom" : "left-right")
+                        : wfvxmp::PanoramaXmp(p);
 }
 
 bool WriteFile(vtkSMViewProxy* view, vtkSMProxy* settings, vtkImageData* picture,
@@ -187,11 +207,9 @@ std::vector<std::string> WriteWidePictures(
   Size size;
   vtkSMPropertyHelper(settings, "Size").Get(size.data(), 2);
   const int eyes = vtkSMPropertyHelper(settings, "Eyes").GetAsInt();
-  const bool joined = eyes == SideBySide || eyes == TopBottom;
-  // two eyes that a viewer would take for one picture of everything are no photo sphere
-  const bool described = vtkSMPropertyHelper(settings, "Metadata").GetAsInt() && !joined &&
-    (eyes != AsTheView || !vtkSMPropertyHelper(view, "StereoRender").GetAsInt());
-  const std::string xmp = described ? XmpOf(view, size) : "";
+  const bool joined = IsJoined(eyes);
+  const bool described = vtkSMPropertyHelper(settings, "Metadata").GetAsInt() != 0;
+  const std::string xmp = described ? XmpOf(view, size, eyes) : "";
   std::vector<std::string> written;
   for (const Task& task : TasksOf(eyes, path))
   {

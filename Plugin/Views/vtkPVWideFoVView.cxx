@@ -14,6 +14,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLCamera.h"
 #include "vtkPVAxesWidget.h"
+#include "vtkPVDataRepresentation.h"
 #include "vtkPVSynchronizedRenderer.h"
 #include "vtkProp.h"
 #include "vtkPropCollection.h"
@@ -85,6 +86,7 @@ vtkPVWideFoVView::vtkPVWideFoVView()
   this->GetRenderer()->AddObserver(
     vtkCommand::StartEvent, this, &vtkPVWideFoVView::StartFrame, AfterSynchronizer);
   this->GetRenderer()->AddObserver(vtkCommand::EndEvent, this, &vtkPVWideFoVView::EndFrame);
+  this->AddObserver(vtkCommand::ResetCameraEvent, this, &vtkPVWideFoVView::PlaceFirstEye);
   this->UpdateCamera();
 }
 
@@ -274,6 +276,41 @@ void vtkPVWideFoVView::UpdateClipSpheres()
   }
 }
 
+bool vtkPVWideFoVView::GetMiddleOfData(double middle[3])
+{
+  // ParaView gives an empty view the bounds of a cube
+  bool valid = false;
+  for (int i = 0; i < this->GetNumberOfRepresentations(); ++i)
+  {
+    auto* const data = vtkPVDataRepresentation::SafeDownCast(this->GetRepresentation(i));
+    valid |= data && data->GetVisibility() && this->GeometryBounds.IsValid();
+  }
+  if (valid)
+  {
+    this->GeometryBounds.GetCenter(middle);
+  }
+  return valid;
+}
+
+void vtkPVWideFoVView::PlaceFirstEye()
+{
+  constexpr double HalfSphere = 180; // degrees: less is what is ahead, of which one stands back
+  auto* const camera = vtkWideFoVCamera::SafeDownCast(this->GetActiveCamera());
+  double middle[3];
+  if (this->Internal->DataDrawn || !camera || !camera->IsWide() ||
+    camera->GetHorizontalFieldOfView() <= HalfSphere || !this->GetMiddleOfData(middle))
+  {
+    return;
+  }
+  double ahead[3];
+  camera->GetDirectionOfProjection(ahead);
+  vtkMath::MultiplyScalar(ahead, camera->GetDistance());
+  vtkMath::Add(middle, ahead, ahead);
+  camera->SetPosition(middle);
+  camera->SetFocalPoint(ahead);
+  this->ResetCameraClippingRange();
+}
+
 void vtkPVWideFoVView::ResetCameraClippingRange()
 {
   this->Superclass::ResetCameraClippingRange();
@@ -310,6 +347,8 @@ void vtkPVWideFoVView::UpdateReduction()
 void vtkPVWideFoVView::StartFrame()
 {
   this->UpdateStereo();
+  double middle[3];
+  this->Internal->DataDrawn |= this->GetMiddleOfData(middle);
   this->Internal->Texts.BeginBounds(this->GetRenderer());
   this->UpdateClipSpheres();
   this->Internal->Texts.EndBounds();

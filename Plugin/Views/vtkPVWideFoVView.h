@@ -97,6 +97,11 @@ public:
    */
   virtual void SetTolerance(double pixels);
 
+  /**
+   * The middle of what is visible, world coordinates. False, and no change, where nothing is.
+   */
+  bool GetMiddleOfData(double middle[3]);
+
   void SetActiveCamera(vtkCamera* camera) override;
   void ResetCameraClippingRange() override;
 
@@ -118,6 +123,9 @@ private:
 
   // The clip spheres to the data, or as they are set; the same on every process.
   void UpdateClipSpheres();
+
+  // Until data have been drawn ParaView's reset puts the eye into them, if it looks behind itself.
+  void PlaceFirstEye();
 
   // How many pixels of a frame the ranks leave out.
   void UpdateReduction();

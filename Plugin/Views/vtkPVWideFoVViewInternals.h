@@ -37,6 +37,7 @@ struct vtkPVWideFoVView::Internals
   bool AutomaticClipSpheres = true;
   std::array<double, 2> ClipSpheres{ { 0.01, 1000 } };
   int DepthMapping = vtkWideFoVCamera::LINEAR;
+  bool DataDrawn = false; // by any frame yet
   wfvplugin::UndrawnProps Undrawn;
   wfvplugin::StandIns Instead;
   wfvplugin::SceneTexts Texts;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqWideFoVToolBar.h"
 
+#include "ViewMoves.h"
+
 #include <QComboBox>
 #include <QIcon>
 #include <QMenu>
@@ -19,20 +21,17 @@
 
 #include "Stereo/Presets.h"
 
-#include <string>
-
 namespace
 {
-vtkSMViewProxy* WideProxy(pqView* view)
+pqView* ActiveView()
 {
-  vtkSMViewProxy* proxy = view ? view->getViewProxy() : nullptr;
-  return proxy && std::string(proxy->GetXMLName()) == "WideFoVView" ? proxy : nullptr;
+  return pqActiveObjects::instance().activeView();
 }
 
 void Apply(const wfv::Preset& preset)
 {
   pqView* const view = pqActiveObjects::instance().activeView();
-  vtkSMViewProxy* const proxy = WideProxy(view);
+  vtkSMViewProxy* const proxy = wfvplugin::WideProxy(view);
   if (!proxy)
   {
     return;
@@ -100,6 +99,7 @@ void pqWideFoVToolBar::build()
   }
   button->setMenu(menu);
   this->addWidget(button);
+  this->buildMoves();
 
   QObject::connect(&pqActiveObjects::instance(), &pqActiveObjects::viewChanged, this,
     &pqWideFoVToolBar::followView);
@@ -111,10 +111,41 @@ void pqWideFoVToolBar::build()
   this->followView(pqActiveObjects::instance().activeView());
 }
 
+void pqWideFoVToolBar::buildMoves()
+{
+  QAction* const inside = this->addAction(QIcon(":/WideFoV/Icons/inside.svg"), "Eye into data");
+  inside->setObjectName("EyeIntoData");
+  inside->setToolTip("Put the eye into the middle of the visible data");
+  QObject::connect(inside, &QAction::triggered, [] { wfvplugin::PutEyeIntoData(ActiveView()); });
+
+  auto* const button = new QToolButton(this);
+  button->setObjectName("LookAlong");
+  button->setText("Look along");
+  button->setIcon(QIcon(":/WideFoV/Icons/along.svg"));
+  button->setToolTip("Look along an axis, from where the eye is");
+  button->setPopupMode(QToolButton::InstantPopup);
+  auto* const menu = new QMenu(button);
+  for (int i = 0; i < 6; ++i)
+  {
+    const bool positive = i % 2 == 0;
+    const QString name = QString(positive ? "+" : "-") + "XYZ"[i / 2];
+    QObject::connect(menu->addAction(name), &QAction::triggered,
+      [i, positive] { wfvplugin::LookAlong(ActiveView(), i / 2, positive); });
+  }
+  button->setMenu(menu);
+  this->addWidget(button);
+
+  QAction* const shape = this->addAction("2:1");
+  shape->setObjectName("TwoToOne");
+  shape->setToolTip(
+    "Make the layout twice as wide as high, as a panorama is; again: as the window");
+  QObject::connect(shape, &QAction::triggered, [] { wfvplugin::ToggleTwoToOne(ActiveView()); });
+}
+
 void pqWideFoVToolBar::followView(pqView* view)
 {
   this->Links.clear();
-  vtkSMViewProxy* const proxy = WideProxy(view);
+  vtkSMViewProxy* const proxy = wfvplugin::WideProxy(view);
   this->setEnabled(proxy != nullptr);
   const QSignalBlocker quiet(this->Projections);
   this->Projections->clear();

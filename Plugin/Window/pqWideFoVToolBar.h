@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   pqWideFoVToolBar
- * @brief   the projection of the active view, and presets of several properties at once
+ * @brief   the projection of the active view, presets of several properties, moves of the eye
  *
- * Enabled while a Wide FoV View is the active one. What it changes can be undone and is
- * recorded in the trace, as changes in the properties panel are.
+ * Enabled while a Wide FoV View is the active one. What it changes can be undone (moves of the eye
+ * by ParaView's own undo of cameras) and is recorded in the trace, as changes in the properties
+ * panel are.
  */
 #ifndef pqWideFoVToolBar_h
 #define pqWideFoVToolBar_h
@@ -37,6 +38,9 @@ private:
   Q_DISABLE_COPY(pqWideFoVToolBar)
 
   void build();
+
+  // The buttons that move the eye and shape the layout.
+  void buildMoves();
 
   QComboBox* Projections;
   pqPropertyLinks Links;

@@ -70,6 +70,18 @@ def check_contents(name, path, library):
         need("%s (= %s)" % (library, version) in fields, name + " takes any library: " + fields)
 
 
+def check_programs(path, root, build):
+    """What films need is recommended; what the viewer holds of others is named."""
+    recommended = call("dpkg-deb", "-f", path, "Recommends")
+    need("ffmpeg" in re.split(r"[, ]+", recommended.strip()), "recommends " + recommended)
+    with open(os.path.join(root, "usr/share/doc/widefov/copyright"), encoding="utf-8") as stream:
+        said = stream.read()
+    with open(os.path.join(build, "CMakeCache.txt"), encoding="utf-8") as stream:
+        panel = not re.search(r"^IMGUI_LIBRARY:.*NOTFOUND$", stream.read(), re.M)
+    found = all(words in said for words in ("Dear ImGui", "Omar Cornut", "Permission is hereby granted"))
+    need("BSD 3-Clause" in said and found == panel, "the copyright says: " + said)
+
+
 def check_desktop(root):
     """Each kind of file that the package tells of is opened by the viewer."""
     kinds = xml.etree.ElementTree.parse(os.path.join(root, "usr/share/mime/packages/widefov.xml"))
@@ -118,6 +130,7 @@ def main():
     for name, path in packages.items():
         check_contents(name, path, "libwidefov0.1")
         call("dpkg-deb", "-x", path, root)
+    check_programs(packages["widefov"], root, build)
     check_desktop(root)
     use(root, work, sys.argv[3:])
     print("packages: " + ", ".join(os.path.basename(path) for path in packages.values()))

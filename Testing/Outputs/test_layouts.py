@@ -120,6 +120,18 @@ class Layouts(unittest.TestCase):
         for layout in ("anaglyph", "side-by-side-half"):
             self.assertEqual(metadata(self.draw(layout, "n.jpg"), "GSpherical"), {})
 
+    def test_partial_panoramas(self):
+        """The part of the sphere that is shown, in the middle of the whole; how far up it looks."""
+        part = ["--hfov", "120", "--vfov", "45", "--size", "96x36", "--tilt", "30"]
+        want = {"FullPanoWidthPixels": 288, "FullPanoHeightPixels": 144, "CroppedAreaImageWidthPixels": 96,
+                "CroppedAreaImageHeightPixels": 36, "CroppedAreaLeftPixels": 96, "CroppedAreaTopPixels": 54,
+                "PosePitchDegrees": 30, "ProjectionType": "equirectangular"}
+        for ending in (".jpg", ".png", ".tif"):
+            found = metadata(self.draw("left", "part" + ending, *part), "GPano")
+            self.assertEqual({name: found.get(name) for name in want}, want, ending)
+        self.assertEqual(metadata(self.draw("top-bottom", "part.jpg", *part), "GSpherical"), {})
+        self.assertEqual(metadata(self.draw("left", "back.jpg", "--tilt", "120"), "GPano"), {})
+
     def test_vr180(self):
         path = self.draw("vr180", "v.png", *HALF)
         self.assertEqual(pixels(path).shape, (64, 128, 3))

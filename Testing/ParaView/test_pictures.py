@@ -2,9 +2,11 @@
 """Pictures as files: larger than the window, of one eye and of two, with metadata, numbered;
 by ParaView's screenshots and animations, the exporter and the extractor."""
 
+import json
 import os
 import re
 import shutil
+import subprocess
 
 from paraview import simple
 
@@ -16,6 +18,12 @@ PANORAMA = [480, 240]
 DOME = [300, 300]
 
 GPANO = re.compile(rb'GPano:(\w+)="([^"]*)"')
+
+# What exiftool reads of two eyes in one file, of all the sphere and of a part.
+BOTH = {"ProjectionType": "equirectangular", "Spherical": True, "FullPanoWidthPixels": 480,
+        "FullPanoHeightPixels": 240, "CroppedAreaLeftPixels": 0}
+PART = {"FullPanoWidthPixels": 960, "FullPanoHeightPixels": 480, "CroppedAreaImageWidthPixels": 480,
+        "CroppedAreaImageHeightPixels": 240, "CroppedAreaLeftPixels": 240, "CroppedAreaTopPixels": 120}
 
 
 def read(path):
@@ -39,6 +47,19 @@ def read_gpano(path):
     return {} if at < 0 else {k.decode(): v.decode() for k, v in GPANO.findall(data)}
 
 
+def exif(path, group):
+    """The fields as exiftool reads them, by the system's libraries instead of ParaView's."""
+    words = ["exiftool", "-j", "-n", "-XMP-%s:all" % group, path]
+    clean = {name: value for name, value in os.environ.items() if name != "LD_LIBRARY_PATH"}
+    return json.loads(subprocess.run(words, stdout=subprocess.PIPE, env=clean, check=True).stdout)[0]
+
+
+def check_exif(path, group, expected):
+    found = exif(path, group)
+    wrong = {name: found.get(name) for name in expected if found.get(name) != expected[name]}
+    scene.require(not wrong, "%s, by exiftool: %s" % (path, wrong))
+
+
 def check_metadata(options, view):
     """All the sphere, a part of it, and pictures that are no photo spheres."""
     for name, hfov, expected in (("whole.png", 360, (480, 0)), ("half.jpg", 180, (960, 240))):
@@ -51,7 +72,15 @@ def check_metadata(options, view):
         found = int(fields["FullPanoWidthPixels"]), int(fields["CroppedAreaLeftPixels"])
         scene.require(found == expected, str(found))
         scene.require(fields["CroppedAreaImageWidthPixels"] == str(PANORAMA[0]), name)
+    view.VerticalFieldOfView = 90
+    for name in ("part.png", "part.jpg"):
+        simple.ExportView(os.path.join(options.output, name), view, Size=PANORAMA)
+        check_exif(os.path.join(options.output, name), "GPano", PART)
+    both = os.path.join(options.output, "both.jpg")
+    simple.ExportView(both, view, Size=[480, 480], Eyes="Left above right")
+    check_exif(both, "GSpherical", dict(PART, StereoMode="top-bottom"))
     view.HorizontalFieldOfView = 360
+    view.VerticalFieldOfView = 180
     plain = os.path.join(options.output, "plain.png")
     simple.ExportView(plain, view, Size=PANORAMA, Metadata=0)
     scene.require(not read_gpano(plain), "metadata that nobody asked for")
@@ -72,10 +101,18 @@ def check_eyes(options, view, mesh):
     simple.ExportView(below, view, Size=[480, 480], Eyes="Left above right")
     scene.require(pixels.read_rows(below) == right + left, "rows count from the bottom")
     scene.require(not read_gpano(below), "two eyes are no photo sphere")
+    check_exif(below, "GSpherical", dict(BOTH, StereoMode="top-bottom"))
     simple.ExportView(beside, view, Size=[960, 240], Eyes="Side by side")
     scene.require(
         pixels.read_rows(beside) == [l + r for l, r in zip(left, right)], "side by side"
     )
+    check_exif(beside, "GSpherical", dict(BOTH, StereoMode="left-right"))
+    view.Tilt = 30
+    simple.ExportView(beside, view, Size=[960, 240], Eyes="Side by side")
+    scene.require(len(exif(beside, "GSpherical")) == 1, "two eyes that look up have metadata")
+    simple.ExportView(path, view, Size=PANORAMA, Eyes="Left")
+    check_exif(path, "GPano", {"PosePitchDegrees": 30})
+    view.Tilt = 0
 
 
 def check_dome(options, view, mesh):

@@ -227,11 +227,25 @@ def check_threads(view):
     scene.require(vtkSMPTools.GetBackend() == before, "another backend afterwards")
 
 
+def check_first_eye(view, ball):
+    """The first reset, which ParaView does by itself, puts the eye into the data where more than half
+    of all directions is seen; else, and later, it stands back."""
+    narrow = scene.make_view(HorizontalFieldOfView=180)
+    simple.Show(ball, narrow)
+    for name, shown in (("narrow", narrow), ("first", view), ("second", view)):
+        simple.ResetCamera(shown)
+        off = math.dist(shown.CameraPosition, CENTRE)
+        print("the eye from the middle:", name, off)
+        scene.require(off < 0.01 if name == "first" else off > RADIUS, "the first eye is elsewhere")
+    simple.Delete(narrow)
+
+
 def main(options):
     scene.load_plugin(options)
     view = scene.make_view()
     ball = simple.Sphere(Center=CENTRE, Radius=RADIUS, ThetaResolution=SIDES, PhiResolution=SIDES)
     simple.Show(ball, view)
+    check_first_eye(view, ball)
     scene.place_eye(view, EYE, FOCAL)
     simple.Render(view)
     check_threads(view)

@@ -17,12 +17,18 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 EXPECTED = [
     {"Projection": "equirectangular", "StereoRender": 0},
     {"Projection": "hammer"},
-    {"Projection": "equirectangular"},
+    {"Projection": "equirectangular", "Eye": [1, 1, 1], "Ahead": [0.1, 0.04, -0.99]},
+    {"Eye": [0, 0, 0], "Ahead": [0.1, 0.04, -0.99]},
+    {"Eye": [0, 0, 0], "Ahead": [1, 0, 0], "Up": [0, 0, 1]},
+    {"Eye": [0, 0, 0], "Ahead": [0.1, 0.04, -0.99], "Up": [0, 1, 0], "PreviewMode": [0, 0]},
+    {"PreviewMode": [4096, 2048]},
+    {"PreviewMode": [0, 0]},
     {"Projection": "azimuthal-equidistant", "HorizontalFieldOfView": 180, "Tilt": 90,
      "StereoRender": 1, "StereoModel": "omnidirectional"},
 ]
 
-PHOTOGRAPHS = ["panorama", "hammer", "undone", "presets", "dome", "stereo", "dark"]
+PHOTOGRAPHS = ["panorama", "hammer", "undone", "inside", "along", "two-to-one", "presets", "dome",
+               "stereo", "dark"]
 
 
 def drive(options):

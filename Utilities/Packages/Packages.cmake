@@ -79,8 +79,12 @@ if(TARGET widefov-viewer)
     "panoramas, dome masters and stereo pictures of scientific data"
     "Turns files that VTK reads into pictures of all directions round the eye:\npanoramas for viewers of 360 degrees, dome masters, maps, screens of a CAVE,\nfor one eye or two. A viewer shows them in a window; a launcher makes the\nviews of programs of others wide.")
   set(CPACK_COMPONENT_PROGRAMS_DEPENDS runtime)
-  set(CPACK_DEBIAN_PROGRAMS_PACKAGE_RECOMMENDS "libgl1-mesa-dri, ferret-datasets")
+  set(CPACK_DEBIAN_PROGRAMS_PACKAGE_RECOMMENDS "ffmpeg, libgl1-mesa-dri, ferret-datasets")
   set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SUGGESTS "python3-widefov, paraview-widefov, xvfb")
+  get_property(panel GLOBAL PROPERTY WIDEFOV_VIEWER_HAS_PANEL)
+  if(panel) # the viewer has a copy of the library in it, whose licence asks to be said
+    set(CPACK_WIDEFOV_PROGRAMS_COPYRIGHT /usr/share/doc/libimgui-dev/copyright)
+  endif()
   install(FILES "${CMAKE_CURRENT_LIST_DIR}/widefov-viewer.desktop"
     DESTINATION "${CMAKE_INSTALL_DATADIR}/applications")
   install(FILES "${CMAKE_CURRENT_LIST_DIR}/widefov.xml"

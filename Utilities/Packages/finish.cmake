@@ -9,7 +9,12 @@ foreach(folder IN LISTS folders)
   set(package "${CPACK_DEBIAN_${upper}_PACKAGE_NAME}")
   set(documents "${folder}/usr/share/doc/${package}")
   file(MAKE_DIRECTORY "${documents}")
-  file(COPY_FILE "${CPACK_WIDEFOV_SOURCE}/LICENSE" "${documents}/copyright")
+  file(READ "${CPACK_WIDEFOV_SOURCE}/LICENSE" licence)
+  if(CPACK_WIDEFOV_${upper}_COPYRIGHT)
+    file(READ "${CPACK_WIDEFOV_${upper}_COPYRIGHT}" of_imgui)
+    string(APPEND licence "\n\nThe program widefov-viewer holds Dear ImGui, of which its package of Debian says:\n\n${of_imgui}")
+  endif()
+  file(WRITE "${documents}/copyright" "${licence}")
   string(TIMESTAMP day "%a, %d %b %Y %H:%M:%S +0000" UTC) # of SOURCE_DATE_EPOCH
   file(WRITE "${documents}/changelog.Debian" "widefov (${CPACK_DEBIAN_PACKAGE_VERSION}) unstable; \
 urgency=medium\n\n  * What changed stands in changelog.gz.\n\n -- ${CPACK_PACKAGE_CONTACT}  ${day}\n")

@@ -118,7 +118,10 @@ std::string SphericalXml(const SphericalInfo& info)
     panorama.VerticalFov = info.VerticalFov;
     const int width = info.StereoMode == "left-right" ? info.Width / 2 : info.Width;
     const int height = info.StereoMode == "top-bottom" ? info.Height / 2 : info.Height;
-    text += CroppedFields(width, height, panorama, Element);
+    for (const wfvxmp::Field& field : CroppedFields(width, height, panorama))
+    {
+      text += Element(field.Name, field.Value);
+    }
   }
   return "<?xml version=\"1.0\"?>" + text + "</rdf:SphericalVideo>";
 }

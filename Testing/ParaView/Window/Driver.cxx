@@ -116,6 +116,22 @@ void ChoosePreset(const char* title)
   End(1, (std::string("there is no preset ") + title).c_str());
 }
 
+void Move(const char* button)
+{
+  Bar()->findChild<QAction*>(button)->trigger();
+}
+
+void Look(const char* axis)
+{
+  for (QAction* action : Bar()->findChild<QToolButton*>("LookAlong")->menu()->actions())
+  {
+    if (action->text() == axis)
+    {
+      action->trigger();
+    }
+  }
+}
+
 void Darken()
 {
   QApplication::setStyle(QStyleFactory::create("Fusion"));
@@ -129,10 +145,13 @@ std::vector<std::function<void()>> Steps()
 {
   return { [] {}, [] { Photograph("panorama"); }, [] { Choose("hammer"); },
     [] { Photograph("hammer"); }, [] { Get<QAction>("actionEditUndo")->trigger(); },
-    [] { Photograph("undone"); }, [] { OpenPresets(); }, [] { Photograph("presets"); },
-    [] { ChoosePreset("Planetarium dome, two eyes"); }, [] { Photograph("dome"); },
-    [] { Search("stereo"); }, [] { Photograph("stereo"); }, [] { Darken(); }, [] {},
-    [] { Photograph("dark"); }, [] { End(0, "done"); } };
+    [] { Photograph("undone"); }, [] { Move("EyeIntoData"); }, [] { Photograph("inside"); },
+    [] { Look("+X"); }, [] { Photograph("along"); },
+    [] { Get<QAction>("actionEditCameraUndo")->trigger(); }, [] { Move("TwoToOne"); },
+    [] { Photograph("two-to-one"); }, [] { Move("TwoToOne"); }, [] { OpenPresets(); },
+    [] { Photograph("presets"); }, [] { ChoosePreset("Planetarium dome, two eyes"); },
+    [] { Photograph("dome"); }, [] { Search("stereo"); }, [] { Photograph("stereo"); },
+    [] { Darken(); }, [] {}, [] { Photograph("dark"); }, [] { End(0, "done"); } };
 }
 
 // ParaView greets with a window in the way, at any time.

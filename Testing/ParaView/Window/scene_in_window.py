@@ -2,6 +2,7 @@
 """Run by ParaView's window: the view and data in it, and a line in a log for every change."""
 
 import json
+import math
 import os
 
 from paraview import simple
@@ -39,11 +40,19 @@ simple.Render(view)
 
 
 def log(*_):
-    """The settings as they are now."""
+    """The settings as they are now, the eye to whole units."""
     values = {name: view.GetProperty(name).GetData() for name in SETTINGS}
+    eye = list(view.CameraPosition)
+    ahead = [end - start for start, end in zip(eye, view.CameraFocalPoint)]
+    length = math.sqrt(sum(x * x for x in ahead))
+    values["Eye"] = [round(x) for x in eye]
+    values["Ahead"] = [round(x / length, 2) for x in ahead] if length else ahead
+    values["Up"] = list(view.CameraViewUp)
+    values["PreviewMode"] = list(layout.PreviewMode)
     with open(LOG, "a") as out:
         out.write(json.dumps(values) + "\n")
 
 
 log()  # the driver waits for it
 view.SMProxy.AddObserver("PropertyModifiedEvent", log)
+layout.SMProxy.AddObserver("PropertyModifiedEvent", log)
