@@ -21,8 +21,9 @@ namespace
 // does not cover hits nothing.
 constexpr std::array<double, 2> Nowhere{ 1e-3, 2e-3 };
 
-// Of the distance to what is hit: how far before it the ray begins; double tells it apart.
-constexpr double Before = 1e-7;
+// Of the distance to what is hit: how far before it the ray begins. Points beside it may be as much
+// nearer.
+constexpr double Before = 1e-3;
 constexpr double BeforeLine = 0.9;
 
 // Of the distance between two origins: as good as none.

@@ -25,6 +25,9 @@ namespace
 // of a handle's cross may be a little nearer than its middle.
 constexpr double UnderPointer = 3;
 
+// Pixels, half of the way of a drag: a ball is drawn of flat pieces, and is grabbed at one of them.
+constexpr double UnderPointerOfBall = 6;
+
 // Scene units: what is as good as where it was.
 constexpr double Same = 1e-6;
 
@@ -80,6 +83,7 @@ GrabStage::GrabStage(const PickView& view, unsigned int seed)
   this->Interactor->EnableRenderOff(); // a picture before each drag is enough
   PlaceCamera(this->Window, this->Renderer, this->Camera, view);
   this->Interactor->Initialize();
+  this->Window->Render(); // by which the camera knows the eye
 }
 
 Pixel GrabStage::SeenAt(const Place& place)
@@ -204,6 +208,27 @@ std::string GrabEndOfLine(GrabStage& stage)
   return right ? "" : At("the end of a line at", at) + At(" goes to", now);
 }
 
+namespace
+{
+// Where the ray of a pixel meets a ball of this radius.
+Place MeetBall(GrabStage& stage, const Pixel& pixel, const Place& center, double radius)
+{
+  Place origin;
+  Place direction;
+  Place toCenter;
+  stage.Renderer->DisplayToRay(pixel[0], pixel[1], origin.data(), direction.data());
+  vtkMath::Subtract(center.data(), origin.data(), toCenter.data());
+  const double along = vtkMath::Dot(toCenter.data(), direction.data());
+  const double beside = vtkMath::Dot(toCenter.data(), toCenter.data()) - along * along;
+  const double t = along - std::sqrt(std::max(0.0, radius * radius - beside));
+  for (int i = 0; i < 3; i++)
+  {
+    origin[i] += t * direction[i];
+  }
+  return origin;
+}
+}
+
 std::string GrabSphere(GrabStage& stage)
 {
   Place at = stage.AnyPlace();
@@ -215,18 +240,15 @@ std::string GrabSphere(GrabStage& stage)
   shown->HandleTextOff();
   const Pixel from = stage.SeenAt(at);
   const Pixel to = stage.Beside(from);
+  Place grabbed = MeetBall(stage, from, at, 0.5);
   stage.Drag(from, to);
   Place now;
   shown->GetCenter(now.data());
-  // what was grabbed is the place of the ball that is nearest to the eye
-  Place grabbed;
-  stage.Camera->GetPosition(grabbed.data());
-  const double share = 0.5 / Apart(at, grabbed);
   for (int i = 0; i < 3; i++)
   {
-    grabbed[i] = now[i] + share * (grabbed[i] - at[i]);
+    grabbed[i] += now[i] - at[i];
   }
-  return stage.DistanceFrom(grabbed, to) <= UnderPointer
+  return stage.DistanceFrom(grabbed, to) <= UnderPointerOfBall
     ? ""
     : At("the ball at", at) + At(" goes to", now);
 }
