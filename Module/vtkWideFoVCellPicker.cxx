@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVCellPicker.h"
 
+#include "Camera/FlatQuestions.h"
 #include "vtkWideFoVCamera.h"
 #include "vtkWideFoVRenderer.h"
 
@@ -41,6 +42,7 @@ int vtkWideFoVCellPicker::Pick(double x, double y, double z, vtkRenderer* render
       to[i] = origin[i] + camera->GetFarClipRadius() * direction[i];
       this->PickPosition[i] = to[i];
     }
+    camera->GetFlatQuestions().ExpectMiddle();
     result = this->Pick3DInternal(renderer, from, to);
   }
   this->InvokeEvent(vtkCommand::EndPickEvent, nullptr);

@@ -5,6 +5,7 @@
 #include "Compat/Reports.h"
 #include "InsidePlace.h"
 #include "PassChain.h"
+#include "PickerAnswer.h"
 #include "vtkWideFoVCamera.h"
 #include "vtkWideFoVPass.h"
 
@@ -14,6 +15,7 @@
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLGL2PSHelper.h"
 
 #include <algorithm>
 #include <utility>
@@ -122,8 +124,10 @@ void vtkWideFoVRenderer::WorldToView(double& x, double& y, double& z)
   if (this->HasFlatEye())
   {
     // by two steps: by one VTK takes the middle between the eyes, where no picture is drawn from
+    const double place[3] = { x, y, z };
     this->WorldToPose(x, y, z);
     this->PoseToView(x, y, z);
+    vtkWideFoVCamera::SafeDownCast(this->ActiveCamera)->GetFlatQuestions().AskDepth(place, z);
     return;
   }
   if (!camera)
@@ -137,10 +141,41 @@ void vtkWideFoVRenderer::WorldToView(double& x, double& y, double& z)
   x = ndc[0];
   y = ndc[1];
   z = 0.5 * (ndc[2] + 1); // VTK's view depth is 0 to 1
+  camera->GetFlatQuestions().AskDepth(world, z);
+}
+
+bool vtkWideFoVRenderer::AnswerPicker(double& x, double& y, double& z)
+{
+  using Asker = wfv::FlatQuestions::Asker;
+  auto* camera = vtkWideFoVCamera::SafeDownCast(this->ActiveCamera);
+  const Asker asker = camera ? camera->GetFlatQuestions().AskPlace(z) : Asker::Any;
+  if (asker == Asker::Any)
+  {
+    return false;
+  }
+  const double ndc[2] = { x, y };
+  double place[3];
+  if (asker == Asker::Picker)
+  {
+    camera->GetFlatQuestions().Answer(wfv::FindPickRay(this, camera, ndc), place);
+  }
+  else
+  {
+    const double* const middle = camera->GetFlatQuestions().GetMiddle().data();
+    camera->GetFlatQuestions().GetCorner(wfv::FindDiagonal(this, camera, middle), place);
+  }
+  x = place[0];
+  y = place[1];
+  z = place[2];
+  return true;
 }
 
 void vtkWideFoVRenderer::ViewToWorld(double& x, double& y, double& z)
 {
+  if (this->AnswerPicker(x, y, z))
+  {
+    return;
+  }
   vtkWideFoVCamera* camera = this->GetWideCamera();
   if (this->HasFlatEye())
   {
@@ -259,6 +294,21 @@ void WarnOfFlatCamera(vtkRenderer* renderer)
 }
 }
 
+namespace
+{
+// VTK's exporter of vectors has triangles from their vertices alone.
+void WarnOfVectors(vtkRenderer* renderer)
+{
+  auto* const helper = vtkOpenGLGL2PSHelper::GetInstance();
+  if (helper && helper->GetActiveState() == vtkOpenGLGL2PSHelper::Capture &&
+    renderer->VisibleActorCount() + renderer->VisibleVolumeCount() > 0 && wfv::IsNews("vectors"))
+  {
+    vtkWarningWithObjectMacro(renderer, << "what vtkGL2PSExporter makes of a scene in a wide view "
+                                        << "is wrong; call Write3DPropsAsRasterImageOn");
+  }
+}
+}
+
 void vtkWideFoVRenderer::ReleaseGraphicsResources(vtkWindow* window)
 {
   if (window)
@@ -297,6 +347,7 @@ void vtkWideFoVRenderer::DeviceRender()
     return;
   }
   this->WarnOfSmallness(camera);
+  WarnOfVectors(this);
   wfv::PassChain chain;
   vtkRenderPass* const before = this->Pass;
   this->FrameCamera = camera;

@@ -144,7 +144,8 @@ protected:
   ~vtkWideFoVRenderer() override;
 
   vtkWideFoVCamera* GetWideCamera();
-  bool HasFlatEye(); // of a perspective, with a place of its own
+  bool HasFlatEye();                                  // of a perspective, with a place of its own
+  bool AnswerPicker(double& x, double& y, double& z); // if a picker asks; z: depth
   void WarnOfSmallness(vtkWideFoVCamera* camera);
 
   vtkWideFoVCamera* FrameCamera = nullptr;

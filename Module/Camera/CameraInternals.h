@@ -3,6 +3,7 @@
 #ifndef WideFoVCameraInternals_h
 #define WideFoVCameraInternals_h
 
+#include "Camera/FlatQuestions.h"
 #include "Projections/Projection.h"
 #include "vtkWideFoVCamera.h"
 
@@ -32,6 +33,8 @@ struct vtkWideFoVCamera::Internals
   // Normalized device coordinates that the window shows of a perspective: low and high x, low
   // and high y; all of it unless the window is a tile.
   std::array<double, 4> Part{ { -1, 1, -1, 1 } };
+  wfv::FlatQuestions Questions;
+  std::array<double, 2> PickRange; // of the last picker
 };
 
 #endif

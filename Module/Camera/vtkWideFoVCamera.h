@@ -26,6 +26,7 @@
 namespace wfv
 {
 class DirectionMap;
+class FlatQuestions;
 class View;
 struct Projection;
 struct StereoModel;
@@ -94,15 +95,12 @@ public:
   virtual void SetFieldOfView(double degrees);
 
   ///@{
-  /**
-   * vtkCamera's words for the field of view. The view angle is the vertical field of view, degrees;
-   * the horizontal one of round projections, or where UseHorizontalViewAngle says so. To set it
-   * changes both fields by one factor (of a perspective: the sides of the picture), and to zoom
-   * divides it. These are not virtual in vtkCamera: what is set through a pointer to vtkCamera
-   * changes nothing, with one warning. Between frames GetViewAngle is vtkCamera's own, 30: what
-   * places a camera by it, as vtkRenderer::ResetCamera does, places a wide one as a perspective of
-   * that angle.
-   */
+  /// vtkCamera's words for the field of view. The view angle is the vertical field of view,
+  /// degrees; the horizontal one of round projections, or where UseHorizontalViewAngle says so. To
+  /// set it changes both fields by one factor (of a perspective: the sides of the picture), and to
+  /// zoom divides it. These are not virtual in vtkCamera: what is set through a pointer to
+  /// vtkCamera changes nothing, with one warning. Between frames GetViewAngle is vtkCamera's own,
+  /// 30: what places a camera by it, as ResetCamera does, places a wide one as such a perspective.
   void SetViewAngle(double degrees);
   void Zoom(double factor);
   ///@}
@@ -136,15 +134,13 @@ public:
   ///@}
 
   ///@{
-  /**
-   * What the projection "direction-map" shows: the direction of each pixel, as a picture of at
-   * least 2 x 2 pixels of three numbers (the active scalars; view coordinates: x right, y up, z
-   * behind; unit vectors, or 0, 0, 0 for a pixel that shows nothing). The camera keeps no
-   * reference to it. The ray of a picture of the same size is the given one at each pixel's
-   * centre; between centres, and at other sizes, directions are interpolated within what hangs
-   * together. Anything else is refused with an error, and the old map stays. nullptr (the
-   * default): no pixel shows anything.
-   */
+  /// What the projection "direction-map" shows: the direction of each pixel, as a picture of at
+  /// least 2 x 2 pixels of three numbers (the active scalars; view coordinates: x right, y up, z
+  /// behind; unit vectors, or 0, 0, 0 for a pixel that shows nothing). The camera keeps no
+  /// reference to it. The ray of a picture of the same size is the given one at each pixel's
+  /// centre; between centres, and at other sizes, directions are interpolated within what hangs
+  /// together. Anything else is refused with an error, and the old map stays. nullptr (the
+  /// default): no pixel shows anything.
   virtual bool SetDirectionMap(vtkImageData* directions);
   virtual bool HasDirectionMap();
   ///@}
@@ -190,14 +186,12 @@ public:
   ///@}
 
   ///@{
-  /**
-   * The stereo model, by name (default "mono": both eyes see the same). What differs between the
-   * eyes of a window in stereo mode, whatever its stereo type: "omnidirectional" (eyes on a
-   * circle, that turn with every column of the picture), "warped" (the picture with its depth is
-   * an object between the eyes), both for wide projections, and "offaxis", for the projection
-   * "perspective". An unknown name is refused with an error that lists the known ones. With a
-   * projection that it is not made for, a model does nothing.
-   */
+  /// The stereo model, by name (default "mono": both eyes see the same). What differs between the
+  /// eyes of a window in stereo mode, whatever its stereo type: "omnidirectional" (eyes on a
+  /// circle, that turn with every column of the picture), "warped" (the picture with its depth is
+  /// an object between the eyes), both for wide projections, and "offaxis", for the projection
+  /// "perspective". An unknown name is refused with an error that lists the known ones. With a
+  /// projection that it is not made for, a model does nothing.
   virtual void SetStereoModel(const char* name);
   virtual const char* GetStereoModel();
   void SetStereoModelToMono() { this->SetStereoModel("mono"); }
@@ -227,12 +221,10 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Warped: the distance between the eyes (NDC, default 0.5, clamped to [0, 10]), the distance of
-   * the viewer from the plane of zero parallax (NDC, default 5) and that plane (NDC depth, default
-   * -0.8, clamped to [-1, 1]). The viewer is in front of the whole cube: a distance not above 1 +
-   * offset is refused with an error.
-   */
+  /// Warped: the distance between the eyes (NDC, default 0.5, clamped to [0, 10]), the distance of
+  /// the viewer from the plane of zero parallax (NDC, default 5) and that plane (NDC depth, default
+  /// -0.8, clamped to [-1, 1]). The viewer is in front of the whole cube: a distance not above 1 +
+  /// offset is refused with an error.
   virtual void SetWarpedStereo(double iod, double distance, double offset);
   virtual void GetWarpedStereo(double values[3]);
   ///@}
@@ -252,26 +244,22 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Comfort of the off-axis model. Parallax of a point at this distance ahead (above 0), per cent
-   * of the picture's width, positive behind the screen; distances between which content belongs
-   * (half the convergence and a hundred times it); the angle in degrees under which a parallax is
-   * seen on a screen of this width from this distance; the largest separation with which no eyes
-   * have to diverge on a screen of this width (both in the same unit; people's eyes are 0.065 m
-   * apart). Arguments that are not above 0 give 0.
-   */
+  /// Comfort of the off-axis model. Parallax of a point at this distance ahead (above 0), per cent
+  /// of the picture's width, positive behind the screen; distances between which content belongs
+  /// (half the convergence and a hundred times it); the angle in degrees under which a parallax is
+  /// seen on a screen of this width from this distance; the largest separation with which no eyes
+  /// have to diverge on a screen of this width (both in the same unit; people's eyes are 0.065 m
+  /// apart). Arguments that are not above 0 give 0.
   double GetParallax(double distance);
   void GetDepthBudget(double range[2]);
   static double GetParallaxAngle(double percent, double screenWidth, double viewerDistance);
   static double GetLargestSeparation(double screenWidth, double eyeDistance);
   ///@}
 
-  /**
-   * Sets where nothing has parallax from the depths of the last frame that the renderer drew with
-   * this camera: the convergence of "offaxis" to the median of the distances, within the budget of
-   * what is seen (ConvergenceFor in Stereo/Comfort.h), the offset of "warped" to the median depth.
-   * False, and nothing changes, with another model or where nothing was drawn.
-   */
+  /// Sets where nothing has parallax from the depths of the last frame that the renderer drew with
+  /// this camera: the convergence of "offaxis" to the median of the distances, within the budget of
+  /// what is seen (ConvergenceFor in Stereo/Comfort.h), the offset of "warped" to the median depth.
+  /// False, and nothing changes, with another model or where nothing was drawn.
   bool ConvergeOnDepth(vtkRenderer* renderer);
 
   /// One of two eyes, or the place between them.
@@ -331,6 +319,18 @@ public:
   /// How many times since the last call something without a stage asked for the matrices.
   int TakeFlatDraws();
 
+  ///@{
+  /// What VTK's own pickers and handles ask of a camera: they are told what makes them find and
+  /// move what is seen. To all others these are vtkCamera's own.
+  void GetPosition(double position[3]) override;
+  void GetFocalPoint(double point[3]) override;
+  void GetDirectionOfProjection(double direction[3]) override;
+  double* GetClippingRange() override;
+  using Superclass::GetClippingRange, Superclass::GetDirectionOfProjection;
+  using Superclass::GetFocalPoint, Superclass::GetPosition;
+  wfv::FlatQuestions& GetFlatQuestions();
+  ///@}
+
   /// Whether the view plane has no normal: for labels that ask it what is behind it.
   void SetNothingBehind(bool nothing);
 
@@ -347,12 +347,10 @@ public:
   virtual void PrepareFrame(vtkRenderer* renderer);
 
   ///@{
-  /**
-   * Of the pass: the same, with the bounds of the visible props (xmin, xmax, .., zmax; world) where
-   * they are known, else nullptr; until the end of the frame PrepareFrame then has nothing to do.
-   * framebuffer: width and height in pixels of what is drawn to, where that is another than the
-   * renderer's part of the window, else nullptr.
-   */
+  /// Of the pass: the same, with the bounds of the visible props (xmin, xmax, .., zmax; world)
+  /// where they are known, else nullptr; until the end of the frame PrepareFrame then has nothing
+  /// to do. framebuffer: width and height in pixels of what is drawn to, where that is another than
+  /// the renderer's part of the window, else nullptr.
   void BeginFrame(vtkRenderer* renderer, const double* bounds, const int* framebuffer = nullptr);
   void EndFrame();
   ///@}
@@ -364,16 +362,19 @@ public:
   ///@}
 
   ///@{
-  /**
-   * While a wide frame is drawn, the angle in degrees by which VTK makes what is to be so many
-   * pixels large as large as that in the middle of the picture, and a normal of the view plane
-   * behind which nothing is where SetNothingBehind asks for that; at all other times vtkCamera's
-   * own.
-   */
+  /// While a wide frame is drawn, the angle in degrees by which VTK makes what is to be so many
+  /// pixels large as large as that in the middle of the picture, and a normal of the view plane
+  /// behind which nothing is where SetNothingBehind asks for that; at all other times vtkCamera's
+  /// own.
   double GetViewAngle() override;
   double* GetViewPlaneNormal() VTK_SIZEHINT(3) override;
   using Superclass::GetViewPlaneNormal;
   ///@}
+
+  /// As vtkCamera's. No matrix is a wide view, and one warning says so where places are found by
+  /// that to depths from 0 to 1, as of vtkSelectVisiblePoints and vtkDepthImageToPointCloud.
+  vtkMatrix4x4* GetCompositeProjectionTransformMatrix(
+    double aspect, double nearz, double farz) override;
 
   ///@{
   /// What the stock pipeline asks for. The projection matrix of a wide camera is the identity.

@@ -107,6 +107,51 @@ double* vtkWideFoVCamera::GetViewPlaneNormal()
   return this->Internal->NothingBehind ? none : this->ViewPlaneNormal;
 }
 
+vtkMatrix4x4* vtkWideFoVCamera::GetCompositeProjectionTransformMatrix(
+  double aspect, double nearz, double farz)
+{
+  const bool ofPicture = Internals::FramesInDrawing == 0 && nearz == 0 && this->IsWide();
+  if (ofPicture && wfv::IsNews("camera matrix"))
+  {
+    vtkWarningMacro("a wide view has no matrix: what finds places by one, such as "
+                    "vtkSelectVisiblePoints and vtkDepthImageToPointCloud, finds others than are "
+                    "seen; ask WorldToNDC, NDCToWorld or the renderer's coordinates");
+  }
+  return this->Superclass::GetCompositeProjectionTransformMatrix(aspect, nearz, farz);
+}
+
+void vtkWideFoVCamera::GetPosition(double position[3])
+{
+  this->Superclass::GetPosition(position);
+  this->Internal->Questions.AskPosition(position);
+}
+
+void vtkWideFoVCamera::GetFocalPoint(double point[3])
+{
+  this->Superclass::GetFocalPoint(point);
+  this->Internal->Questions.AskFocalPoint(point);
+}
+
+void vtkWideFoVCamera::GetDirectionOfProjection(double direction[3])
+{
+  this->Superclass::GetDirectionOfProjection(direction);
+  if (this->Internal->Questions.AskDirection())
+  {
+    std::fill_n(direction, 3, 0.0);
+  }
+}
+
+double* vtkWideFoVCamera::GetClippingRange()
+{
+  double* const range = this->Internal->PickRange.data();
+  return this->Internal->Questions.AskRange(range) ? range : this->Superclass::GetClippingRange();
+}
+
+wfv::FlatQuestions& vtkWideFoVCamera::GetFlatQuestions()
+{
+  return this->Internal->Questions;
+}
+
 void vtkWideFoVCamera::Zoom(double factor)
 {
   if (factor > 0)
@@ -154,7 +199,8 @@ void vtkWideFoVCamera::WarnOfWhatIsIgnored(vtkRenderer* renderer)
     "ViewAngle, set by a pointer to vtkCamera,", "; call SetViewAngle or Zoom of vtkWideFoVCamera");
   check(this->ParallelProjection != 0, "ParallelProjection", "");
   check(this->UserTransform != nullptr, "UserTransform", "; SetUserViewTransform works");
-  check(!tiled && (this->WindowCenter[0] != 0 || this->WindowCenter[1] != 0), "WindowCenter", "");
+  check(!tiled && (this->WindowCenter[0] != 0 || this->WindowCenter[1] != 0), "WindowCenter",
+    "; for a large picture take vtkWindowToImageFilter, not vtkRenderLargeImage");
   check(this->ViewShear[0] != 0 || this->ViewShear[1] != 0, "ViewShear (or ObliqueAngles)", "");
   check(this->UseOffAxisProjection != 0, "UseOffAxisProjection",
     "; vtkWideFoVScreenCamera sees through a screen");

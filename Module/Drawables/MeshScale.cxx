@@ -52,7 +52,7 @@ double LongestSquared(vtkPoints* points, vtkCellArray* cells, bool fan, bool str
 }
 
 // The largest factor by which a matrix lengthens anything, or a little more.
-double Stretch(vtkMatrix4x4* m)
+double MostLengthening(vtkMatrix4x4* m)
 {
   double sum = 0;
   for (int i = 0; i < 3; i++)
@@ -96,6 +96,6 @@ double MeshScale::Get(vtkProp* prop)
   {
     entry = { mapper, data, data->GetMTime(), LongestEdge(data) };
   }
-  return entry.Longest * Stretch(actor->GetMatrix());
+  return entry.Longest * MostLengthening(actor->GetMatrix());
 }
 }
