@@ -124,9 +124,8 @@ measure_moving() { # one run for each mode and number of samples
     done
   done
   step=dragging
-  local drags=(--frames "${frames:-15}")
+  local drags=(--frames "${frames:-15}") # of scenes of its own: the viewer has not all
   [ -z "$size" ] || drags+=(--size "$size")
-  [ "${#scenes[@]}" -eq 0 ] || drags+=("${scenes[@]}")
   /usr/bin/python3 -B Testing/Benchmark/dragging.py build/bin/widefov-viewer \
     --output output/dragging.json "${drags[@]}"
   files+=(dragging.json)

@@ -41,7 +41,7 @@ def drive(options):
     done = subprocess.run(
         [os.path.join(options.prefix, "bin", "paraview"), "--dr",
          "--script=" + os.path.join(HERE, "Window", "scene_in_window.py")],
-        env=environment, capture_output=True, text=True, timeout=280, check=False)
+        env=environment, capture_output=True, text=True, timeout=800, check=False)
     return done.returncode, done.stdout + done.stderr
 
 
