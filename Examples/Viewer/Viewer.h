@@ -135,7 +135,7 @@ private:
 
   ViewerOptions Given;
   Scene What;
-  std::optional<TimeLine> Time;      // of data that change
+  std::unique_ptr<TimeLine> Time;    // of data that change
   Recent Opened;                     // files
   std::vector<std::string> Recently; // when the panel was shown
   Room& Around;

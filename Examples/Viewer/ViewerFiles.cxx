@@ -109,7 +109,7 @@ void Viewer::SetScene(Loaded loaded)
   this->Time.reset();
   if (loaded.Steps)
   {
-    this->Time.emplace(std::move(loaded.Steps), this->Given.TimeRate);
+    this->Time = std::make_unique<TimeLine>(std::move(loaded.Steps), this->Given.TimeRate);
     this->Time->Play(plays, TimeLine::Clock::now());
   }
   double b[6];
