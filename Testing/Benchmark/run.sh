@@ -4,7 +4,7 @@
 # the tables.
 #
 #   bash Testing/Benchmark/run.sh --moving [--size WxH] [--frames N] [OPTION...]
-#   bash Testing/Benchmark/run.sh [--quick] [--large] [OPTION...]
+#   bash Testing/Benchmark/run.sh [--quick] [OPTION...]
 #
 # OPTION: [--trial] [--data FOLDER] [--scenes A,B,..] [--page FOLDER]
 #
@@ -15,8 +15,6 @@
 # --size    of moving views, pixels
 # --frames  of moving views, a run
 # --quick   every scene at 1024x512 with few parameters, about eight minutes on two cores
-# --large   beside cubemaps of up to 4096 pixels a face at 2048x1024 as well; without it what the
-#           page has of that stays
 # --trial   says on the page that the machine was not quiet
 # --data    where office.binary.vtk is (../shared/data beside the checkout)
 # --scenes  these alone
@@ -32,7 +30,6 @@ few=()
 moving=
 size=
 frames=
-large=
 trial=()
 data=()
 scenes=()
@@ -54,7 +51,6 @@ while [ "$#" -gt 0 ]; do
       frames="$2"
       shift
       ;;
-    --large) large=yes ;;
     --trial) trial=(--trial) ;;
     --data)
       [ "$#" -gt 1 ] || { echo "Testing/Benchmark/run.sh: --data needs a folder" >&2; exit 2; }
@@ -72,15 +68,15 @@ while [ "$#" -gt 0 ]; do
       shift
       ;;
     *)
-      echo "Testing/Benchmark/run.sh: --moving, --size WxH, --frames N, --quick, --large, --trial, --data FOLDER, --scenes A,B,.. or --page FOLDER, not: $1" >&2
+      echo "Testing/Benchmark/run.sh: --moving, --size WxH, --frames N, --quick, --trial, --data FOLDER, --scenes A,B,.. or --page FOLDER, not: $1" >&2
       exit 2
       ;;
   esac
   shift
 done
 
-if [ -n "$moving" ] && [ -n "${quick[*]-}$large" ]; then
-  echo "Testing/Benchmark/run.sh: --quick and --large are of views that stand; leave them out, or --moving" >&2
+if [ -n "$moving" ] && [ -n "${quick[*]-}" ]; then
+  echo "Testing/Benchmark/run.sh: --quick is of views that stand; leave it out, or --moving" >&2
   exit 2
 fi
 if [ -z "$moving" ] && [ -n "$size$frames" ]; then
@@ -149,19 +145,12 @@ eyes=(--scenes atrium,flow-large)
 [ "${#scenes[@]}" -eq 0 ] || eyes=("${scenes[@]}")
 bash Utilities/with-display.sh build/bin/widefov-bench --output output/stereo.json --quick --frames 15 \
   "${eyes[@]}" ${data[@]+"${data[@]}"} --methods auto,exact,perspective,stereo-omnidirectional,stereo-offaxis
-if [ -n "$large" ]; then
-  [ "${#scenes[@]}" -gt 0 ] || scenes=(--scenes cornell,room,atrium,office,flow-large)
-  measure large.json --size 2048x1024 --frames 3 --methods auto,cubemap
-  publish large.json
-fi
 
 step=writing
 publish benchmark.json table1.json turning.json small.json stereo.json
 have_page
 /usr/bin/python3 -B Testing/Benchmark/plot.py "$page/benchmark.json" "$page"
-beside=()
-[ ! -f "$page/large.json" ] || beside=("$page/large.json")
 /usr/bin/python3 -B Testing/Benchmark/tables.py "$page/README.md" "$page/benchmark.json" \
   "$page/table1.json" "$page/turning.json" "$page/small.json" \
-  "$page/stereo.json" ${beside[@]+"${beside[@]}"} ${trial[@]+"${trial[@]}"}
+  "$page/stereo.json" ${trial[@]+"${trial[@]}"}
 echo "Written: $page"

@@ -2,12 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Writes the tables of the benchmark page from what was measured.
 
-    tables.py PAGE.md BENCH.json TABLE1.json TURNING.json SMALL.json STEREO.json \
-        [LARGE.json] [--trial]
+    tables.py PAGE.md BENCH.json TABLE1.json TURNING.json SMALL.json STEREO.json [--trial]
 
 Replaces what stands between <!-- begin NAME --> and <!-- end NAME --> in the page: NAME is
-environment, ratios, turning, small, stereo, runs, table1, and large where that is given. --trial
-says on the page that the machine was not quiet.
+environment, ratios, turning, small, stereo, runs and table1. --trial says on the page that the
+machine was not quiet.
 """
 
 import json
@@ -150,31 +149,6 @@ def stereo_text(stereo):
     return text + table(header + ["both, processor ms", "one, processor ms", "both / one"], rows)
 
 
-def large_text(large):
-    """`auto` beside cubemaps of any resolution: time, and what no reference pixel explains."""
-    records = large["records"]
-    usual = {
-        r["scene"]: r for r in records if r["method"] == "auto" and r["parameter"] == 0.25
-    }
-    rows = []
-    for r in records:
-        error = r["error"] or {}
-        ratio = usual[r["scene"]]["ms"]["median"] / r["ms"]["median"]
-        row = [r["scene"], method_of(r), number(r["ms"]["median"]), number(ratio)]
-        row += [number(error.get(k)) for k in ("unexplained", "max_px", "p99_px")]
-        rows.append(row)
-    reached = [
-        "%s by cubemap %g" % (r["scene"], r["parameter"])
-        for r in records
-        if r["method"] == "cubemap"
-        and r["error"]["unexplained"] <= usual[r["scene"]]["error"]["unexplained"]
-    ]
-    text = "%dx%d" % tuple(records[0]["size"]) + " ([large.json](large.json)). "
-    text += "The error of `auto` 0.25 is reached: " + (", ".join(reached) or "by no cubemap") + ".\n\n"
-    header = ["scene", "method", "ms", "`auto` 0.25 / this", "unexplained", "max, px", "p99, px"]
-    return text + table(header, rows)
-
-
 def paper_cells(record, frames):
     """What the paper has in this place, and what it is of its own perspective."""
     column = 0 if record["scene"] == "cornell" else 1
@@ -212,12 +186,12 @@ def replaced(page, name, text):
 
 def main():
     arguments = [a for a in sys.argv[1:] if a != "--trial"]
-    if len(arguments) not in (6, 7):
+    if len(arguments) != 6:
         sys.exit(__doc__.strip().split("\n\n")[1].strip())
     with open(arguments[0], encoding="utf-8") as stream:
         page = stream.read()
     measured = [json.load(open(path, encoding="utf-8")) for path in arguments[1:]]
-    bench, table1, turning, small, stereo = measured[:5]
+    bench, table1, turning, small, stereo = measured
     trial = TRIAL if "--trial" in sys.argv else ""
     page = replaced(page, "environment", trial + environment_table(bench))
     page = replaced(page, "ratios", ratios_table(bench))
@@ -226,8 +200,6 @@ def main():
     page = replaced(page, "stereo", stereo_text(stereo))
     page = replaced(page, "runs", runs_table(bench))
     page = replaced(page, "table1", table1_table(table1))
-    if len(measured) > 5:
-        page = replaced(page, "large", large_text(measured[5]))
     with open(arguments[0], "w", encoding="utf-8") as stream:
         stream.write(page)
 
