@@ -2,9 +2,7 @@
 #include "Clusters/Classifier.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 
 namespace wfv
 {
@@ -94,13 +92,13 @@ bool Classifier::IsOnOneFace(const vec3 p[3], double beside) const
 // longest edge, radians, at least.
 bool Classifier::MayTear(const vec3 p[3], double farthest, double angle) const
 {
-  const double beside = farthest * (Beside + this->RimAngle) + this->V.EyeRadius;
+  const double rounded = farthest * (Beside + this->RimAngle);
+  const double beside = rounded + this->V.EyeRadius;
   switch (this->Axis)
   {
     case Family::Meridian:
       return IsAtSeam(p, beside) &&
-        (!this->HasCircle() ||
-          this->Circle.MaySeeAtSeam(p, angle * farthest, beside - this->V.EyeRadius));
+        (!this->HasCircle() || this->Circle.MaySeeAtSeam(p, angle * farthest, rounded));
     case Family::Planar:
       return std::max({ p[0].z, p[1].z, p[2].z }) > -LeastAhead * farthest - beside;
     case Family::Faces:

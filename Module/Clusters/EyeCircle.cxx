@@ -137,7 +137,7 @@ bool EyeCircle::MaySeeAtSeam(const vec3 p[3], double longest, double beside) con
   const double level2 =
     std::min({ this->AxisDistance2(p[0]), this->AxisDistance2(p[1]), this->AxisDistance2(p[2]) });
   const double level = std::sqrt(level2) - longest;
-  if (this->Stereo->Fades(this->View) || !(level > LeastRadii * this->Radius))
+  if (!(level > LeastRadii * this->Radius))
   {
     return true;
   }

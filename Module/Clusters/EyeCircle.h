@@ -9,7 +9,8 @@
 namespace wfv
 {
 // The circle that the rays of both eyes begin on, each at a place of its own. Its axis is upright
-// in the view, whatever the tilt. Lengths are in scene units, places in the map's own frame.
+// in the view, whatever the tilt, and it has one radius: where that fades, nothing asks. Lengths
+// are in scene units, places in the map's own frame.
 class EyeCircle
 {
 public:

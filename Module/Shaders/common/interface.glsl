@@ -38,6 +38,15 @@ float wfvScale()
   return wfvUnit;
 }
 
+#if WFV_NON_CENTRAL
+// Where the eye sees a point of the stage's own units, as if it were the origin.
+vec3 wfvSeenPlace(vec3 p)
+{
+  WfvRayHit s = wfvSee(p * wfvScale(), wfvView);
+  return s.direction * (s.distance / wfvScale());
+}
+#endif
+
 // Linear depth is x times the distance in those units, plus y.
 uniform vec2 wfvUnitDepth;
 

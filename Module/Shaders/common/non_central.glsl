@@ -13,13 +13,6 @@ float wfvNcRadius()
   return wfvFromMiddle(wfvView) / wfvScale();
 }
 
-// Where the eye sees a point, as if it were the origin.
-vec3 wfvSeenPlace(vec3 p)
-{
-  WfvRayHit s = wfvSee(p * wfvScale(), wfvView);
-  return s.direction * (s.distance / wfvScale());
-}
-
 // True where the triangle has no plane. One that is seen edge-on from the origin may be seen from
 // the circle.
 bool wfvNcNothing()

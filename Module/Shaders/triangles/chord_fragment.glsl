@@ -117,8 +117,7 @@ flat in vec3 wfvPlace2;
 vec2 wfvInPicture(vec3 p)
 {
 #if WFV_NON_CENTRAL
-  WfvRayHit s = wfvSee(p * wfvScale(), wfvView);
-  p = s.direction * (s.distance / wfvScale());
+  p = wfvSeenPlace(p);
 #endif
   vec4 c = wfvClip(wfvProject(p, wfvView), wfvLength(p) * wfvScale());
   return 0.5 * wfvViewport.zw * c.xy / c.w;
@@ -128,15 +127,15 @@ vec2 wfvInPicture(vec3 p)
 // n: the plane of the edge and the eye.
 vec4 wfvChordAt(vec3 p, vec3 q, vec3 n, float chords, vec3 direction)
 {
+  vec3 first_ = p;
+  vec3 last_ = q;
 #if WFV_NON_CENTRAL
-  vec3 start = wfvStart(direction);
-  n = cross(p - start, q - start);
-  float fromP = dot(cross(p - start, direction), n);
-  float fromQ = dot(cross(direction, q - start), n);
-#else
-  float fromP = dot(cross(p, direction), n);
-  float fromQ = dot(cross(direction, q), n);
+  first_ -= wfvStart(direction);
+  last_ -= wfvStart(direction);
+  n = cross(first_, last_);
 #endif
+  float fromP = dot(cross(first_, direction), n);
+  float fromQ = dot(cross(direction, last_), n);
   float share = fromP / (fromP + fromQ);
   float at = clamp(floor(share * chords), 0.0, chords - 1.0);
   float first = at / chords;
