@@ -14,7 +14,7 @@
 #           them
 # --size    of moving views, pixels
 # --frames  of moving views, a run
-# --quick   every scene at 1024x512 with few parameters, about eight minutes on two cores
+# --quick   every scene at 1024x512 with few parameters, more than a quarter of an hour on two cores
 # --trial   says on the page that the machine was not quiet
 # --data    where office.binary.vtk is (../shared/data beside the checkout)
 # --scenes  these alone
