@@ -11,9 +11,12 @@
 
 namespace
 {
-// The exact variant takes any arc, but about 26 times as long as hardware lines on
-// llvmpipe: with the technique "auto" more lines than these are drawn as chords.
-constexpr int MostExactLines = 500;
+// Pixels: the ends and joints of chords so wide hardly show.
+constexpr float WidestChords = 2;
+
+// Of more lines in one prop the geometry stage takes each once, and they are chords however wide:
+// strips take about 30 times as long on llvmpipe.
+constexpr int MostFewLines = 500;
 
 // What another class may know of a mapper only from inside.
 class LineAccess : public vtkOpenGLPolyDataMapper
@@ -62,6 +65,11 @@ float PointSize(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor)
 bool HasFewLines(vtkOpenGLPolyDataMapper* mapper)
 {
   const vtkOpenGLHelper* buffer = LineAccess::Buffer(mapper);
-  return buffer && buffer->IBO && buffer->IBO->IndexCount <= 2 * MostExactLines;
+  return buffer && buffer->IBO && buffer->IBO->IndexCount <= 2 * MostFewLines;
+}
+
+bool NeedsStrips(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor)
+{
+  return actor && LineWidth(mapper, actor) > WidestChords && HasFewLines(mapper);
 }
 }

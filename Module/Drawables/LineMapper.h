@@ -18,8 +18,12 @@ float LineWidth(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor);
 // Pixels. Those that are drawn to pick points have a size of their own.
 float PointSize(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor);
 
-// True where the technique "auto" draws them by the exact variant.
+// True where more work for each line costs little in all.
 bool HasFewLines(vtkOpenGLPolyDataMapper* mapper);
+
+// True where the technique "auto" draws them as exact strips: few lines, so wide that their ends
+// and joints show.
+bool NeedsStrips(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor);
 }
 
 #endif

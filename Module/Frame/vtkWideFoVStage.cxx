@@ -233,6 +233,10 @@ bool vtkWideFoVStage::HasFp64Rays() const
   return exact && !moved && !this->Multisample && this->Projection->Axis != wfv::Family::Planar;
 }
 
+// Parts that each of few lines is drawn in: the pieces of one that runs round the eye or past a
+// pole are more than the geometry stage may write at once.
+constexpr int RunsOfFewLines = 4;
+
 wfv::ShaderBuilder::Request vtkWideFoVStage::MakeRequest(
   vtkAbstractMapper* mapper, vtkProp* prop) const
 {
@@ -257,12 +261,13 @@ wfv::ShaderBuilder::Request vtkWideFoVStage::MakeRequest(
     request.Stage = Variant::PreClip;
   }
   this->FinishTriangles(request);
-  const bool lines = request.Kind == wfv::ShaderBuilder::Primitive::Lines;
-  if (lines && polydata && this->ExactLines)
+  const bool lines = request.Kind == wfv::ShaderBuilder::Primitive::Lines && polydata;
+  request.Runs = lines && wfv::HasFewLines(polydata) ? RunsOfFewLines : request.Runs;
+  if (lines && this->ExactLines)
   {
-    // few are exact, many are not, whatever the triangles of the prop are
     const Variant chords = request.Stage == Variant::Exact ? Variant::PreClip : request.Stage;
-    request.Stage = wfv::HasFewLines(polydata) ? Variant::Exact : chords;
+    request.Stage =
+      wfv::NeedsStrips(polydata, vtkActor::SafeDownCast(prop)) ? Variant::Exact : chords;
   }
   // only our own mapper draws patches; the pieces' edges must not show as the cell's
   const bool patches = wfv::HasTrait(mapper, wfv::OwnMesh) &&

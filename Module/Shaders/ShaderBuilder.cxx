@@ -39,29 +39,6 @@ std::string CoverSource(const wfv::Projection& projection)
   }
 }
 
-// Lines carry every output on, mixed between the two ends. VTK itself renames the
-// fragment stage's VSOut to GSOut.
-std::string LineOutputs(const std::vector<Varying>& varyings)
-{
-  std::string declarations;
-  std::string body;
-  for (const Varying& v : varyings)
-  {
-    std::string out = v.Name;
-    ReplaceAll(out, "VSOut", "GSOut");
-    if (out == v.Name)
-    {
-      continue;
-    }
-    declarations += v.Input();
-    declarations += (v.Flat ? "flat out " : "out ") + v.Declaration(out);
-    body += "  " + out + " = ";
-    body += v.Flat ? v.Name + "[1];\n" : "mix(" + v.Name + "[0], " + v.Name + "[1], t);\n";
-  }
-  return "// WideFoV: outputs between two ends\n" + declarations +
-    "void wfvWriteMix(float t)\n{\n" + body + "}\n";
-}
-
 // True where the geometry stage cuts triangles into smaller ones, which are projected.
 bool CutsTriangles(const Request& r)
 {
@@ -107,7 +84,7 @@ std::string CutSource(const Request& r, const std::vector<Varying>& varyings)
 bool MovesVertices(const Request& r)
 {
   return r.Stereo && !r.Stereo->Traits.OneCenter && !CoversTriangles(r) && !CutsTriangles(r) &&
-    !wfv::quadric::Draws(r.Kind) && !wfv::line::Draws(r);
+    !wfv::quadric::Draws(r.Kind) && !wfv::line::Draws(r) && !wfv::line::DrawsChords(r);
 }
 
 // What follows from the ray and the distance, where triangles are ray-tested whatever their edges.
@@ -146,9 +123,7 @@ std::string PrimitiveSource(const Request& r, const std::vector<Varying>& varyin
   }
   if (r.Kind == Primitive::Lines)
   {
-    return LineOutputs(varyings) + preclip_lines_glsl +
-      (r.Projection->Axis == wfv::Family::Faces ? lines_faces_glsl : "") +
-      (r.Projection->Axis == wfv::Family::Sampled ? lines_sampled_glsl : "");
+    return wfv::line::ChordSource(varyings);
   }
   // copies of every vertex output at the three corners, which the fragment stage weighs:
   // exact wherever the geometry stage cuts
@@ -172,7 +147,7 @@ std::string GeometrySource(
   const Request& r, const std::vector<Varying>& varyings, const std::string& toView)
 {
   std::string source = std::string("//VTK::System::Dec\n") + (CoversTriangles(r) ? Doubles : "") +
-    (CoversTriangles(r) ? Invocations : "") + Define("WFV_MODEL", !toView.empty()) +
+    (CoversTriangles(r) || wfv::line::DrawsChords(r) ? Invocations : "") + Define("WFV_MODEL", !toView.empty()) +
     (CutsTriangles(r) ? SamePlaces : "") + "#define WFV_TO_VIEW " + toView + "\n" + ViewSource(r) +
     (r.Kind == Primitive::Points || CutsTriangles(r) ? "" : preclip_glsl) +
     (r.DebugView ? debug_kinds_glsl : "") + PrimitiveSource(r, varyings);
@@ -278,7 +253,7 @@ std::string BorderSource(const Request& r)
 // True where depth is not what the rasterizer interpolates: places are, on the surface.
 bool WritesDepth(const Request& r)
 {
-  return r.DepthMapping != wfv::WFV_DEPTH_LINEAR;
+  return r.DepthMapping != wfv::WFV_DEPTH_LINEAR || wfv::line::DrawsChords(r);
 }
 
 // What the fragment stage has as its place in view coordinates: the stock position, which light
@@ -288,7 +263,8 @@ const std::string OwnPlace = "wfvPlaceVSOutput";
 
 const std::string& PlaceOf(const Request& r, const std::string& fragment)
 {
-  const bool known = fragment.find(StockPlace) != std::string::npos && !MovesVertices(r);
+  const bool known = fragment.find(StockPlace) != std::string::npos && !MovesVertices(r) &&
+    !wfv::line::DrawsChords(r);
   return known ? StockPlace : OwnPlace;
 }
 
@@ -303,7 +279,7 @@ bool KeepsPlace(const Request& r, const std::string& fragment)
 // What is needed for that.
 std::string PlaceSource(const Request& r, const std::string& fragment)
 {
-  const bool moves = MovesVertices(r);
+  const bool moves = MovesVertices(r) || wfv::line::DrawsChords(r);
   const std::string distance = moves ? "#define WFV_DISTANCE length(" + OwnPlace + ")\n" : "";
   return KeepsPlace(r, fragment) ? "in vec3 " + OwnPlace + ";\n" + distance : "";
 }
@@ -333,6 +309,7 @@ void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std:
     declarations += depth_fragment_glsl;
     before = "  wfvPrepareDepth(" + PlaceOf(r, fragment) + ".xyz);\n" + RewriteDepth(r, fragment);
   }
+  declarations += wfv::line::DrawsChords(r) ? wfv::line::ChordFragment(r, varyings, fragment) : "";
   const std::string border = BorderSource(r);
   declarations += border;
   after += border.empty() ? "" : "  if (wfvOutsideDomain()) { discard; }\n";
@@ -432,7 +409,7 @@ void wfv::ShaderBuilder::Finish(
   {
     wfv::FlattenArrays(r.Stock, vertex, fragment);
   }
-  if (KeepsPlace(r, fragment))
+  if (KeepsPlace(r, fragment) && !wfv::line::DrawsChords(r)) // whose geometry stage says it
   {
     WrapMain(vertex, "", "  " + OwnPlace + " = gl_Position.xyz;\n");
     Declare(vertex, "out vec3 " + OwnPlace + ";\n");

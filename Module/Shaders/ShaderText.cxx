@@ -87,7 +87,8 @@ bool AllRayTested(const Request& r)
 
 bool NonCentral(const Request& r)
 {
-  return r.Stereo && !r.Stereo->Traits.OneCenter && (AllRayTested(r) || line::Draws(r));
+  return r.Stereo && !r.Stereo->Traits.OneCenter &&
+    (AllRayTested(r) || line::Draws(r) || line::DrawsChords(r));
 }
 
 bool NonCentralImpostors(const Request& r)

@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <random>
 
@@ -30,6 +31,24 @@ constexpr double Beyond = 4;
 
 // Relative: what float32 may do to a distance from the eye.
 constexpr double LineDepth = 1e-5;
+
+// Pixels: of the technique auto, by default.
+constexpr double AutoTolerance = 0.25;
+
+// Pixels: what the rasterizer's own grid may do to a chord.
+constexpr double ChordSnap = 0.0625;
+
+// Pixels: half of a line of one pixel that the hardware draws from corner to corner of pixels.
+constexpr double ThinLine = 0.5;
+
+// Relative: what a shift within the tolerance does to the distance of a line that is seen aslant.
+constexpr double ChordDepth = 2e-3;
+
+// Share of the pixels of chords: where two of them meet, and where a line ends, the rule by which
+// the hardware chooses pixels leaves one out now and then, or draws one that is beyond an end; and
+// lines that are dots, both ends.
+constexpr double ChordGaps = 0.02;
+constexpr long FewGaps = 6;
 
 vtkSmartPointer<vtkPolyData> MakeLines(const LineScene& scene)
 {
@@ -50,9 +69,10 @@ vtkSmartPointer<vtkPolyData> MakeLines(const LineScene& scene)
 }
 
 // By how much a distance is not that of a line's nearest point, relative.
-double Off(const reference::NearLine& line, double rho)
+double Off(const reference::NearLine& line, double rho, double beyond)
 {
-  return std::max({ line.RhoMin - rho, rho - line.RhoMax, 0.0 }) / rho;
+  const double more = beyond * (line.RhoMax - line.RhoMin);
+  return std::max({ line.RhoMin - more - rho, rho - line.RhoMax - more, 0.0 }) / rho;
 }
 
 const reference::NearLine* Nearest(const std::vector<reference::NearLine>& lines)
@@ -68,10 +88,12 @@ const reference::NearLine* Nearest(const std::vector<reference::NearLine>& lines
 class LineCheck
 {
 public:
-  LineCheck(const reference::DrawnPicture& drawn, const View& view, double width)
+  LineCheck(
+    const reference::DrawnPicture& drawn, const View& view, double width, const LineRules& rules)
     : Drawn(drawn)
     , TheView(view)
     , Half(0.5 * width)
+    , Rules(rules)
   {
   }
 
@@ -81,15 +103,17 @@ private:
   bool IsSure(const reference::NearLine& line) const
   {
     const vec2 radii = this->TheView.GetParameters().radii;
-    return line.Distance < this->Half - LineSlack && line.RhoMin > radii.x * (1 + LineDepth) &&
-      line.RhoMax < radii.y * (1 - LineDepth);
+    return line.Distance < this->Half - this->Rules.Inside &&
+      line.RhoMin > radii.x * (1 + this->Rules.Depth) &&
+      line.RhoMax < radii.y * (1 - this->Rules.Depth);
   }
 
   bool IsPossible(const reference::NearLine& line) const
   {
     const vec2 radii = this->TheView.GetParameters().radii;
-    return line.Distance < this->Half + LineSlack && line.RhoMax > radii.x * (1 - LineDepth) &&
-      line.RhoMin < radii.y * (1 + LineDepth);
+    return line.Distance < this->Half + this->Rules.Outside &&
+      line.RhoMax > radii.x * (1 - this->Rules.Depth) &&
+      line.RhoMin < radii.y * (1 + this->Rules.Depth);
   }
 
   void CheckPixel(long key, const std::vector<reference::NearLine>& lines);
@@ -101,6 +125,7 @@ private:
   const reference::DrawnPicture& Drawn;
   const View& TheView;
   double Half;
+  LineRules Rules;
   LineResult Result;
 };
 
@@ -132,15 +157,15 @@ void LineCheck::CheckDepth(
   long key, const reference::NearLine& line, const std::vector<reference::NearLine>& lines)
 {
   const double rho = this->Drawn.Distance[key];
-  const double off = Off(line, rho);
+  const double off = Off(line, rho, this->Rules.Beyond);
   this->Result.WorstDepth = std::max(this->Result.WorstDepth, off);
-  if (off > LineDepth)
+  if (off > this->Rules.Depth)
   {
     this->Count(this->Result.Depth, "depth", key, &line);
   }
   for (const reference::NearLine& other : lines)
   {
-    if (this->IsSure(other) && other.RhoMax < rho * (1 - 2 * LineDepth))
+    if (this->IsSure(other) && other.RhoMax < rho * (1 - 2 * this->Rules.Depth))
     {
       this->Count(this->Result.Hidden, "order", key, &other);
     }
@@ -156,7 +181,7 @@ void LineCheck::CheckPixel(long key, const std::vector<reference::NearLine>& lin
   {
     const double rho = this->Drawn.Distance[key];
     const bool fits = line.Cell == cell && this->IsPossible(line);
-    best = fits && (!best || Off(line, rho) < Off(*best, rho)) ? &line : best;
+    best = fits && (!best || Off(line, rho, 0) < Off(*best, rho, 0)) ? &line : best;
     sure = this->IsSure(line) ? &line : sure;
   }
   if (cell < 0 && sure)
@@ -188,7 +213,8 @@ LineResult LineCheck::Check(const reference::LinePicture& lines)
     }
     bool inside = false;
     if (reference::IsClear(this->TheView, int(key % this->Drawn.Width),
-          int(key / this->Drawn.Width), this->Drawn.Width, this->Drawn.Height, LineSlack, inside))
+          int(key / this->Drawn.Width), this->Drawn.Width, this->Drawn.Height,
+          std::max(this->Rules.Inside, this->Rules.Outside), inside))
     {
       this->CheckPixel(key, found == lines.end() || !inside ? none : found->second);
     }
@@ -197,11 +223,27 @@ LineResult LineCheck::Check(const reference::LinePicture& lines)
 }
 }
 
-LineResult CheckLines(Drawing& drawing, const Shot& shot, const LineScene& scene, double width)
+LineRules StripRules()
+{
+  return { vtkWideFoVPass::EXACT, LineSlack, LineSlack, reference::NearestSlack, LineDepth, 0,
+    false };
+}
+
+LineRules ChordRules(double width)
+{
+  // a chord is as wide along rows or columns, so across its own way it is thinner where it slants
+  const double tolerance = AutoTolerance + ChordSnap;
+  const double slant = 0.5 * width * (1 - std::sqrt(0.5));
+  return { vtkWideFoVPass::AUTO, slant + tolerance, ThinLine + tolerance, 1 + tolerance, ChordDepth,
+    1, true };
+}
+
+LineResult CheckLines(
+  Drawing& drawing, const Shot& shot, const LineScene& scene, double width, const LineRules& rules)
 {
   drawing.SetMesh(MakeLines(scene));
   drawing.SetLineWidth(width);
-  drawing.SetTechnique(vtkWideFoVPass::EXACT);
+  drawing.SetTechnique(rules.Technique);
   const reference::DrawnPicture picture = drawing.Draw(shot);
   EXPECT_EQ(picture.Width, shot.Width) << "nothing was drawn: " << Describe(shot);
   if (picture.Width != shot.Width)
@@ -210,10 +252,11 @@ LineResult CheckLines(Drawing& drawing, const Shot& shot, const LineScene& scene
   }
   const auto segments = reference::Segments(drawing.GetMesh(), drawing.GetPose());
   const bool sampled = drawing.GetView().GetProjection().Axis == Family::Sampled;
+  const double reach = 0.5 * width + Beyond;
+  const View& view = drawing.GetView();
   const auto render = sampled ? reference::RenderSampledLines : reference::RenderLines;
-  const auto lines =
-    render(segments, drawing.GetView(), shot.Width, shot.Height, 0.5 * width + Beyond);
-  const LineResult r = LineCheck(picture, drawing.GetView(), width).Check(lines);
+  const auto lines = render(segments, view, shot.Width, shot.Height, reach, rules.Nearest);
+  const LineResult r = LineCheck(picture, view, width, rules).Check(lines);
   std::cout << shot.Projection << " " << scene.Name << " width " << width << ": drawn " << r.Drawn
             << " missing " << r.Missing << " spurious " << r.Spurious << " order " << r.Hidden
             << " depth " << r.Depth << " worst " << r.WorstDepth << ", " << r.WorstPixels << " px"
@@ -222,7 +265,9 @@ LineResult CheckLines(Drawing& drawing, const Shot& shot, const LineScene& scene
   // lies behind the eye may have no place in the map
   const bool seen = width > 1 && shot.Options.HorizontalFov == 360;
   EXPECT_GT(seen ? r.Drawn : 1, 0) << scene.Name;
-  EXPECT_EQ(r.Missing + r.Spurious + r.Hidden + r.Depth, 0)
+  const double gaps = std::max<double>(FewGaps, ChordGaps * static_cast<double>(r.Drawn));
+  const bool few = rules.Gaps && static_cast<double>(r.Missing + r.Depth) <= gaps;
+  EXPECT_EQ((few ? 0 : r.Missing + r.Depth) + r.Spurious + r.Hidden, 0)
     << scene.Name << " width " << width << " " << Describe(shot) << "\n  " << r.First;
   return r;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pictures of lines beside the reference in double: every pixel whose centre is nearer to a line
 // than half its width is drawn, none that is farther, with the cell and the distance of the
-// nearest line's nearest point.
+// nearest line's nearest point; within what the technique may err by.
 #ifndef WideFoVLineCheck_h
 #define WideFoVLineCheck_h
 
@@ -41,8 +41,27 @@ std::vector<LineScene> NastyLines();
 // As wide as the projection goes.
 Shot LineShot(const std::string& projection, int width);
 
-// Draws the scene with the technique exact and asserts the picture; prints a row.
-LineResult CheckLines(Drawing& drawing, const Shot& shot, const LineScene& scene, double width);
+// How a technique may differ from the reference.
+struct LineRules
+{
+  int Technique;
+  double Inside;  // pixels: what is nearer than half the width by more is drawn
+  double Outside; // pixels: what is farther than half the width by more is not
+  double Nearest; // pixels: points that are farther by less than this may be taken for the nearest
+  double Depth;   // relative, of the distance from the eye
+  double Beyond;  // times the range of the nearest points' distances: the last pixel's is beyond it
+  bool Gaps;      // the hardware leaves a few pixels out, or draws them, at joints and ends
+};
+
+// Of exact strips.
+LineRules StripRules();
+
+// Of chords by the hardware, so many pixels wide, with the technique auto.
+LineRules ChordRules(double width);
+
+// Draws the scene and asserts the picture; prints a row.
+LineResult CheckLines(Drawing& drawing, const Shot& shot, const LineScene& scene, double width,
+  const LineRules& rules = StripRules());
 }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lines of the technique exact against the reference in double (LineCheck.h).
+// Lines of the techniques exact and auto against the reference in double (LineCheck.h).
 #include "DrawingTest.h"
 #include "LineCheck.h"
 #include "SampledShot.h"
@@ -29,6 +29,44 @@ TEST_P(CompareLines, Random)
   {
     const double width = seed % 3 == 0 ? 1 : (seed % 3 == 1 ? 4 : 13);
     CheckLines(*Picture, LineShot(this->GetParam(), 1024), RandomLines(seed, 12, 1), width);
+  }
+}
+
+// Thin ones as chords.
+class CompareChords : public DrawingTest
+{
+};
+
+TEST_P(CompareChords, Nasty)
+{
+  for (const LineScene& scene : NastyLines())
+  {
+    CheckLines(*Picture, LineShot(this->GetParam(), 1024), scene, 1, ChordRules(1));
+  }
+}
+
+TEST_P(CompareChords, Random)
+{
+  for (unsigned int seed = 1; seed <= 12; seed++)
+  {
+    const Shot shot = LineShot(this->GetParam(), 1024);
+    CheckLines(*Picture, shot, RandomLines(seed, 12, 1), 1, ChordRules(1));
+  }
+}
+
+// Both eyes, whose rays begin on a circle.
+TEST_P(CompareChords, Eyes)
+{
+  Shot shot = LineShot(this->GetParam(), 512);
+  shot.Options.Stereo.Model = FindStereoModel("omnidirectional");
+  shot.Options.Stereo.InterpupillaryDistance = 0.11;
+  for (Eye eye : { Eye::Left, Eye::Right })
+  {
+    shot.Options.Stereo.Eye = eye;
+    for (unsigned int seed = 1; seed <= 6; seed++)
+    {
+      CheckLines(*Picture, shot, RandomLines(seed, 12, 1), 1, ChordRules(1));
+    }
   }
 }
 
@@ -79,6 +117,7 @@ INSTANTIATE_TEST_SUITE_P(All, CompareLines,
   ::testing::Values("equirectangular", "hammer", "azimuthal-equidistant", "panini", "orthographic",
     "equi-angular-cubemap"),
   DrawingTest::NameOf);
+INSTANTIATE_TEST_SUITE_P(All, CompareChords, ::testing::ValuesIn(WideNames()), DrawingTest::NameOf);
 INSTANTIATE_TEST_SUITE_P(All, CompareStereoLines,
   ::testing::Values("equirectangular", "hammer", "azimuthal-equidistant", "panini", "orthographic",
     "equi-angular-cubemap"),
@@ -113,6 +152,18 @@ TEST_P(CompareSampledLines, Random)
   {
     const double width = seed == 3 ? 1 : (seed == 1 ? 3 : 10);
     CheckLines(*Picture, this->SampledShot(), RandomLines(seed, 12, 1), width);
+  }
+}
+
+TEST_P(CompareSampledLines, Chords)
+{
+  for (const LineScene& scene : NastyLines())
+  {
+    CheckLines(*Picture, this->SampledShot(), scene, 1, ChordRules(1));
+  }
+  for (unsigned int seed = 1; seed <= 3; seed++)
+  {
+    CheckLines(*Picture, this->SampledShot(), RandomLines(seed, 12, 1), 1, ChordRules(1));
   }
 }
 

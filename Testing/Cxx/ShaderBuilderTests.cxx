@@ -143,7 +143,7 @@ TEST(ShaderBuilder, ExactLinesAreWeighedByTheirNearestPoint)
   EXPECT_TRUE(Has(cube.GeometryStage, "wfvEmitOnFaces(dots);"));
   // a chord is all that a straight line needs
   const Sources flat = Build("perspective", Builder::Variant::Exact, Builder::Primitive::Lines);
-  EXPECT_TRUE(Has(flat.GeometryStage, "wfvWriteMix(t)"));
+  EXPECT_TRUE(Has(flat.GeometryStage, "wfvWriteMix(float t)"));
 }
 
 TEST(ShaderBuilder, OnlyWidePointsNeedAGeometryStage)
@@ -307,7 +307,7 @@ TEST(ShaderBuilder, ADepthMappingIsWrittenInTheFragmentStage)
   }
   const Sources lines =
     Build("hammer", Builder::Variant::PreClip, Builder::Primitive::Lines, request);
-  EXPECT_TRUE(Has(lines.GeometryStage, "wfvPlaceGSOutput = mix("));
+  EXPECT_TRUE(Has(lines.GeometryStage, "wfvPlaceGSOutput = place.seen"));
   EXPECT_TRUE(Has(lines.FragmentStage, "gl_FragDepth = wfvDepth;"));
   // covered triangles have their depth from the ray already
   const Sources triangles =

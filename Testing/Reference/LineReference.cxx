@@ -169,7 +169,7 @@ std::vector<Segment> Segments(vtkPolyData* polyData, const Pose& m)
 namespace
 {
 // Adds what one line shows in a window.
-void AddLine(const Arc& arc, vtkIdType cell, LinePicture& picture)
+void AddLine(const Arc& arc, vtkIdType cell, double nearest, LinePicture& picture)
 {
   const std::vector<Sample> samples = Samples(arc);
   std::unordered_map<long, NearLine> near;
@@ -180,7 +180,7 @@ void AddLine(const Arc& arc, vtkIdType cell, LinePicture& picture)
   };
   const auto range = [&](long key, double distance, const Sample& a, const Sample& b) {
     NearLine& line = near[key];
-    if (distance <= line.Distance + NearestSlack)
+    if (distance <= line.Distance + nearest)
     {
       line.RhoMin = std::min({ line.RhoMin, a.Rho, b.Rho });
       line.RhoMax = std::max({ line.RhoMax, a.Rho, b.Rho });
@@ -195,8 +195,8 @@ void AddLine(const Arc& arc, vtkIdType cell, LinePicture& picture)
 }
 }
 
-LinePicture RenderLines(
-  const std::vector<Segment>& segments, const View& view, int width, int height, double reach)
+LinePicture RenderLines(const std::vector<Segment>& segments, const View& view, int width,
+  int height, double reach, double nearest)
 {
   Window window;
   window.Width = window.High.x = width;
@@ -214,7 +214,7 @@ LinePicture RenderLines(
     }
     for (const Segment& segment : segments)
     {
-      AddLine(Arc(segment, view, window, faces ? &map : nullptr), segment.Cell, picture);
+      AddLine(Arc(segment, view, window, faces ? &map : nullptr), segment.Cell, nearest, picture);
     }
   }
   return picture;

@@ -36,7 +36,7 @@ struct NearLine
   vtkIdType Cell = -1;
   double Distance = std::numeric_limits<double>::infinity(); // of the centre, pixels
   double RhoMin = std::numeric_limits<double>::infinity();   // from the eye, scene units, over
-  double RhoMax = 0; // the points of the line that are nearest but for NearestSlack
+  double RhoMax = 0; // the points of the line that are nearest but for a slack
 };
 
 // Pixels: points of a line so much farther from a pixel than the nearest one may be taken
@@ -50,8 +50,8 @@ constexpr double ThroughPole = 1e-6;
 // rows from the top. The clip spheres have no part in it.
 using LinePicture = std::unordered_map<long, std::vector<NearLine>>;
 
-LinePicture RenderLines(
-  const std::vector<Segment>& segments, const View& view, int width, int height, double reach);
+LinePicture RenderLines(const std::vector<Segment>& segments, const View& view, int width,
+  int height, double reach, double nearest = NearestSlack);
 }
 }
 

@@ -49,12 +49,12 @@ public:
   double GetDistance() const { return this->DistanceAt(this->Nearest); }
 
   // The distances from the eye of what is as near, or nearly.
-  void AddRho(NearLine& line) const
+  void AddRho(NearLine& line, double nearest) const
   {
     for (const double end : { this->Low, this->High })
     {
       const double angle =
-        this->TheArc.IsDots() ? this->Nearest : this->LastWithin(line.Distance + NearestSlack, end);
+        this->TheArc.IsDots() ? this->Nearest : this->LastWithin(line.Distance + nearest, end);
       const double rho = this->TheArc.RhoAt(angle);
       line.RhoMin = std::min(line.RhoMin, rho);
       line.RhoMax = std::max(line.RhoMax, rho);
@@ -109,8 +109,8 @@ private:
 };
 }
 
-LinePicture RenderSampledLines(
-  const std::vector<Segment>& segments, const View& view, int width, int height, double reach)
+LinePicture RenderSampledLines(const std::vector<Segment>& segments, const View& view, int width,
+  int height, double reach, double nearest)
 {
   Window window;
   window.Width = width;
@@ -134,7 +134,7 @@ LinePicture RenderSampledLines(
         line.Distance = seen.GetDistance();
         if (line.Distance <= reach)
         {
-          seen.AddRho(line);
+          seen.AddRho(line, nearest);
           picture[long(j) * width + i].push_back(line);
         }
       }

@@ -11,8 +11,8 @@ namespace wfv
 namespace reference
 {
 // As RenderLines does it for other maps.
-LinePicture RenderSampledLines(
-  const std::vector<Segment>& segments, const View& view, int width, int height, double reach);
+LinePicture RenderSampledLines(const std::vector<Segment>& segments, const View& view, int width,
+  int height, double reach, double nearest = NearestSlack);
 }
 }
 

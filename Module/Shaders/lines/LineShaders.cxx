@@ -38,22 +38,94 @@ int LineVertices(const Request& r, const std::vector<Varying>& varyings)
   return 4 * std::min(std::max(quads, FewestQuads), MostQuads);
 }
 
-// The stock normal lies across the line and towards the viewer, by derivatives, which a
-// strip has none of along its width: from the ends of the line and the pixel's own
-// direction instead.
-void RewriteNormal(const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
+// What tells the direction of a line, where light is to fall on it: the stock normal lies across it
+// and towards the viewer, by derivatives, which a line has none of along its width.
+const char* const Place = "vertexVCVSOutput";
+
+bool KnowsPlace(const std::vector<Varying>& varyings)
+{
+  return std::any_of(
+    varyings.begin(), varyings.end(), [](const Varying& v) { return v.Name == Place; });
+}
+
+// Of one vertex of a chord, beside the varyings: position, primitive number, place,
+// and perhaps the direction.
+constexpr int ChordComponents = 4 + 1 + 3 + 3;
+
+// Vertices that the stage may emit for the chords of a line: more than these it hardly needs, and
+// a stage that may emit more takes longer on some drivers.
+constexpr int MostChordVertices = 96;
+
+int ChordVertices(const std::vector<Varying>& varyings)
+{
+  const int own = ChordComponents + CornerComponents(varyings, 1);
+  return std::min(MostComponents / own, MostChordVertices);
+}
+
+// Lines carry every output on, mixed between the two ends. VTK itself renames the
+// fragment stage's VSOut to GSOut.
+std::string MixedOutputs(const std::vector<Varying>& varyings, bool direction)
+{
+  std::string declarations = direction ? "flat out vec3 wfvDirectionGSOutput;\n" : "";
+  std::string body = direction
+    ? "  wfvDirectionGSOutput = vertexVCVSOutput[1].xyz - vertexVCVSOutput[0].xyz;\n"
+    : "";
+  for (const Varying& v : varyings)
+  {
+    std::string out = v.Name;
+    ReplaceAll(out, "VSOut", "GSOut");
+    if (out == v.Name)
+    {
+      continue;
+    }
+    declarations += v.Input();
+    declarations += (v.Flat ? "flat out " : "out ") + v.Declaration(out);
+    body += "  " + out + " = ";
+    body += v.Flat ? v.Name + "[1];\n" : "mix(" + v.Name + "[0], " + v.Name + "[1], t);\n";
+  }
+  return "// WideFoV: outputs between two ends\n" + declarations +
+    "void wfvWriteMix(float t)\n{\n" + body + "}\n";
+}
+
+void RewriteNormal(const Request& r, const std::string& direction, std::string& fragment)
 {
   const bool asked = r.Stock.Light != stock::Lit::No && !r.Stock.Normals && r.Stock.Wireframe;
-  for (size_t i = 0; i < varyings.size(); i++)
-  {
-    if (varyings[i].Name == "vertexVCVSOutput")
-    {
-      const std::string direction = Corner(i, 1) + ".xyz - " + Corner(i, 0) + ".xyz";
-      stock::Replace(fragment, stock::Edit::LineNormal,
-        "wfvLineNormal(" + direction + ", vertexVC.xyz)", r.Stock.If(asked));
-    }
-  }
+  stock::Replace(fragment, stock::Edit::LineNormal,
+    "wfvLineNormal(" + direction + ", vertexVC.xyz)", r.Stock.If(asked));
 }
+
+// The direction between the copies of both ends.
+std::string DirectionOfCorners(const std::vector<Varying>& varyings)
+{
+  const auto place = std::find_if(
+    varyings.begin(), varyings.end(), [](const Varying& v) { return v.Name == Place; });
+  const auto i = static_cast<size_t>(place - varyings.begin());
+  return Corner(i, 1) + ".xyz - " + Corner(i, 0) + ".xyz";
+}
+}
+
+bool DrawsChords(const Request& r)
+{
+  return r.Kind == Primitive::Lines && r.Stage != wfv::ShaderBuilder::Variant::Projected &&
+    !Draws(r);
+}
+
+std::string ChordSource(const std::vector<Varying>& varyings)
+{
+  return Define("WFV_CHORD_VERTICES", ChordVertices(varyings)) +
+    MixedOutputs(varyings, KnowsPlace(varyings)) + line_places_glsl + line_pieces_glsl +
+    line_chords_glsl;
+}
+
+std::string ChordFragment(
+  const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
+{
+  if (!KnowsPlace(varyings))
+  {
+    return "";
+  }
+  RewriteNormal(r, "wfvDirectionVSOutput", fragment);
+  return std::string("flat in vec3 wfvDirectionVSOutput;\n") + line_normal_glsl;
 }
 
 bool Draws(const Request& r)
@@ -83,14 +155,18 @@ std::string GeometrySource(const Request& r, const std::vector<Varying>& varying
 std::string FragmentSource(
   const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
 {
-  RewriteNormal(r, varyings, fragment);
+  const bool normal = KnowsPlace(varyings);
+  if (normal)
+  {
+    RewriteNormal(r, DirectionOfCorners(varyings), fragment);
+  }
   const bool localMap = r.Projection->Axis == Family::Sampled && !NonCentral(r);
   return std::string(line_arc_glsl) +
     (NonCentral(r) ? std::string(line_noncentral_glsl) + line_noncentral_fragment_glsl : "") +
     line_fragment_glsl +
     (localMap ? std::string(local_map_glsl) + line_local_map_glsl
               : std::string(line_newton_glsl) + line_starts_glsl + line_nearest_glsl) +
-    CornerInputs(varyings, { "(1.0 - wfvAlong)", "wfvAlong" });
+    (normal ? line_normal_glsl : "") + CornerInputs(varyings, { "(1.0 - wfvAlong)", "wfvAlong" });
 }
 }
 }

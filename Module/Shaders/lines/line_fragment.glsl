@@ -214,14 +214,3 @@ void wfvPrepare()
   inside = inside && d < 1e8 && wfvCoverage(p, d);
   wfvHide = !inside || !(wfvDepth >= 0.0 && wfvDepth <= 1.0);
 }
-
-// Normal of a line for its light: across it, and towards the eye.
-vec3 wfvLineNormal(vec3 direction, vec3 position)
-{
-#if WFV_NON_CENTRAL
-  position = wfvLineHitDirection;
-#endif
-  vec3 n = cross(cross(direction, -position), direction);
-  float l = length(n);
-  return l > 0.0 ? n / l : normalize(-position);
-}

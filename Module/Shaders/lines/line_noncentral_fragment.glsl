@@ -7,6 +7,7 @@ flat in vec4 wfvLineFoot;
 vec3 wfvLineHitDirection = vec3(0.0); // unit vector from the eye, view coordinates
 float wfvLineHitDistance = 0.0; // how far along, scene units
 #define WFV_FROM_EYE wfvLineHitDirection
+#define WFV_LINE_SEEN wfvLineHitDirection
 #define WFV_DISTANCE wfvLineHitDistance
 
 void wfvUnpackNc(vec4 map, bool parts)
