@@ -30,7 +30,7 @@ MAX_SHADER_LINES = 250  # a file has one question of a stage
 # includes from itself and the floors below it. On the roof are the public classes.
 FLOORS = (
     ("Module/Projections",),
-    ("Module/Stereo", "Module/Compat"),
+    ("Module/Stereo", "Module/Compat", "Module/Presets"),
     ("Module/Drawables/Kinds",),
     ("Module/Camera", "Module/Clusters"),
     ("Module/Shaders",),
@@ -57,7 +57,7 @@ def reachable(floors):
 
 
 MAY_INCLUDE = reachable(FLOORS)
-PURE = ("Module/Metadata", "Module/Projections", "Module/Stereo")
+PURE = ("Module/Metadata", "Module/Presets", "Module/Projections", "Module/Stereo")
 
 # Text that belongs to a shader, and the files that may hold it because they rewrite
 # the text of VTK's own shaders.
