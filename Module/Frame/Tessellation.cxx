@@ -5,6 +5,7 @@
 #include "Compat/Gl.h"
 #include "Frame/RefusedShaders.h"
 #include "Shaders/Limits.h"
+#include "Shaders/ShaderText.h"
 #include "WideFoVGlsl.h"
 
 #include "vtkShader.h"
@@ -52,7 +53,7 @@ std::vector<Varying> FindInputs(const std::string& geometry)
 
 std::string Head(const Request& request)
 {
-  return tess_head_glsl + wfv::ShaderBuilder::MakeViewSource(request) + preclip_glsl;
+  return tess_head_glsl + wfv::shader::ViewSource(request) + wfv::shader::EdgeSource();
 }
 
 // The map's own functions are protected in vtkShaderProgram.
