@@ -5,7 +5,7 @@
 #include "OptionGroup.h"
 #include "Settings.h"
 #include "StereoChoice.h"
-#include "Stereo/Presets.h"
+#include "Presets/Presets.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>

@@ -6,7 +6,7 @@
 #include "Fields.h"
 #include "Options.h"
 #include "Scene.h"
-#include "Stereo/Presets.h"
+#include "Presets/Presets.h"
 
 #include <string>
 #include <vector>

@@ -5,7 +5,7 @@
 #include "Datasets.h"
 #include "StereoChoice.h"
 #include "StereoLayout.h"
-#include "Stereo/Presets.h"
+#include "Presets/Presets.h"
 #include "Stereo/Stereo.h"
 #include "Viewer.h"
 

@@ -5,6 +5,7 @@
 #include "Compat/Gl.h"
 #include "Frame/RefusedShaders.h"
 #include "Shaders/Limits.h"
+#include "Shaders/ShaderText.h"
 #include "WideFoVGlsl.h"
 
 #include "vtkShader.h"
@@ -16,7 +17,8 @@
 
 namespace
 {
-using Request = wfv::ShaderBuilder::Request;
+using wfv::shader::Request;
+using wfv::shader::Varying;
 
 // Small draws, where a driver needs them: few patches, or for meshes of many triangles, which are
 // small as a rule, more patches of fewer pieces (past that they go exact). n pieces an edge have
@@ -29,15 +31,10 @@ constexpr int LessLevel = 14;
 // Attached to a program of VTK's with a geometry stage.
 constexpr int StockStages = 3;
 
-// One input of the geometry stage.
-struct Varying
+std::string InControl(const Varying& v)
 {
-  bool Flat;
-  std::string Type;
-  std::string Name;
-
-  std::string InControl() const { return "wfvControl_" + this->Name; }
-};
+  return "wfvControl_" + v.Name;
+}
 
 std::vector<Varying> FindInputs(const std::string& geometry)
 {
@@ -52,7 +49,7 @@ std::vector<Varying> FindInputs(const std::string& geometry)
 
 std::string Head(const Request& request)
 {
-  return tess_head_glsl + wfv::ShaderBuilder::MakeViewSource(request) + preclip_glsl;
+  return tess_head_glsl + wfv::shader::ViewSource(request) + wfv::shader::EdgeSource();
 }
 
 // The map's own functions are protected in vtkShaderProgram.
@@ -99,9 +96,9 @@ std::string wfv::Tessellation::ControlSource(const Request& request, const std::
   std::string body;
   for (const Varying& v : FindInputs(geometry))
   {
-    declarations += (v.Flat ? "flat in " : "in ") + v.Type + " " + v.Name + "[];\n";
-    declarations += "out " + v.Type + " " + v.InControl() + "[];\n";
-    body += "  " + v.InControl() + "[gl_InvocationID] = " + v.Name + "[gl_InvocationID];\n";
+    declarations += v.Input();
+    declarations += "out " + v.Type + " " + InControl(v) + "[];\n";
+    body += "  " + InControl(v) + "[gl_InvocationID] = " + v.Name + "[gl_InvocationID];\n";
   }
   return Head(request) + "// WideFoV: from vertices to patches\n" + declarations +
     "void wfvPass()\n{\n" + body + "}\n" + tess_control_glsl;
@@ -113,7 +110,7 @@ std::string wfv::Tessellation::EvaluationSource(const Request& request, const st
   std::string body;
   for (const Varying& v : FindInputs(geometry))
   {
-    const std::string in = v.InControl();
+    const std::string in = InControl(v);
     declarations += "in " + v.Type + " " + in + "[];\n";
     declarations += (v.Flat ? "flat out " : "out ") + v.Type + " " + v.Name + ";\n";
     // flat: the corner that decides, the last; the primitive's number counts patches

@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shaders/ShaderBuilder.h"
 
-#include "Clusters/Classifier.h"
 #include "Compat/StockEdits.h"
 #include "Shaders/ShaderArrays.h"
-#include "Shaders/Limits.h"
 #include "Shaders/ShaderText.h"
-#include "Shaders/Fp64Text.h"
 #include "Shaders/lines/LineShaders.h"
 #include "Shaders/points/PointShaders.h"
 #include "Shaders/quadrics/QuadricShaders.h"
-#include "Shaders/triangles/TriangleOutputs.h"
+#include "Shaders/triangles/TriangleShaders.h"
 #include "WideFoVGlsl.h"
 
-#include <algorithm>
 #include <vector>
 
 using namespace wfv::shader;
@@ -23,76 +19,13 @@ using stock::Found;
 
 namespace
 {
-// How the picture of a triangle is covered, one file a family.
-std::string CoverSource(const wfv::Projection& projection)
-{
-  switch (projection.Axis)
-  {
-    case wfv::Family::Meridian:
-      return cover_meridian_glsl;
-    case wfv::Family::Faces:
-      return cover_faces_glsl;
-    case wfv::Family::Sampled:
-      return cover_directions_glsl;
-    default:
-      return cover_azimuthal_glsl;
-  }
-}
-
-// True where the geometry stage cuts triangles into smaller ones, which are projected.
-bool CutsTriangles(const Request& r)
-{
-  return r.Stage == wfv::ShaderBuilder::Variant::Cut;
-}
-
-bool CoversTriangles(const Request& r)
-{
-  return wfv::ShaderBuilder::NeedsGeometryStage(r) && r.Kind == Primitive::Triangles &&
-    !CutsTriangles(r);
-}
-
-// Triangles carry every output on, mixed between the corners.
-std::string CutSource(const Request& r, const std::vector<Varying>& varyings)
-{
-  const bool seen = r.Stereo && !r.Stereo->Traits.OneCenter;
-  std::string declarations;
-  std::string body;
-  for (const Varying& v : varyings)
-  {
-    std::string out = v.Name;
-    ReplaceAll(out, "VSOut", "GSOut");
-    if (out == v.Name)
-    {
-      continue;
-    }
-    declarations += v.Input();
-    declarations += (v.Flat ? "flat out " : "out ") + v.Declaration(out);
-    body += "  " + out + " = ";
-    body += v.Flat
-      ? v.Name + "[2];\n"
-      : "w.x * " + v.Name + "[0] + w.y * " + v.Name + "[1] + w.z * " + v.Name + "[2];\n";
-  }
-  constexpr int rows = wfv::Classifier::MostRows;
-  constexpr int vertices = std::max(2 * wfv::WFV_ROWS_OF_PART + 2, rows * (rows + 2));
-  return "// WideFoV: outputs between three corners\n" + Define("WFV_CUT_VERTICES", vertices) +
-    Define("WFV_SEEN_VERTICES", seen) + (seen ? stereo_vertex_glsl : "") + declarations +
-    "void wfvWriteMix(vec3 w)\n{\n" + body + "}\n" + edge_chords_glsl + cut_triangles_glsl;
-}
-
 // True where an eye whose rays begin in several places is served by moving the vertices: those of
 // what is cut are moved behind the cut.
 bool MovesVertices(const Request& r)
 {
-  return r.Stereo && !r.Stereo->Traits.OneCenter && !CoversTriangles(r) && !CutsTriangles(r) &&
-    !wfv::quadric::Draws(r.Kind) && !wfv::line::Draws(r) && !wfv::line::DrawsChords(r);
-}
-
-// What follows from the ray and the distance, where triangles are ray-tested whatever their edges.
-Known KnownOf(const Request& r)
-{
-  return IsExact(r) ? Known{ { "vertexVCVSOutput", "vec4(wfvSurface, 1.0)" },
-    { "wfvPositionVSOutput", "wfvSurface" } }
-                    : Known{};
+  return r.Stereo && !r.Stereo->Traits.OneCenter && !wfv::triangle::Covers(r) &&
+    !wfv::triangle::Cuts(r) && !wfv::quadric::Draws(r.Kind) && !wfv::line::Draws(r) &&
+    !wfv::line::DrawsChords(r);
 }
 
 // For the few planes that float32 is too coarse for; without it they are as good as it is.
@@ -117,24 +50,11 @@ std::string PrimitiveSource(const Request& r, const std::vector<Varying>& varyin
   {
     return wfv::line::GeometrySource(r, varyings);
   }
-  if (CutsTriangles(r))
-  {
-    return CutSource(r, varyings);
-  }
   if (r.Kind == Primitive::Lines)
   {
     return wfv::line::ChordSource(varyings);
   }
-  // copies of every vertex output at the three corners, which the fragment stage weighs:
-  // exact wherever the geometry stage cuts
-  return InvocationsSource(r, varyings, KnownOf(r)) + CornerOutputs(varyings, 3, KnownOf(r)) +
-    preclip_outputs_glsl + preclip_write_glsl + preclip_emit_glsl + preclip_planes_glsl +
-    (NonCentral(r) ? std::string(non_central_glsl) + non_central_edges_glsl : "") +
-    (CurvedRays(r) ? curved_cover_glsl : "") + preclip_cover_glsl + preclip_narrow_glsl +
-    CoverSource(*r.Projection) + (r.DebugView ? preclip_kinds_glsl : "") +
-    (r.MeetsChords ? edge_chords_glsl : "") + preclip_seen_glsl + preclip_easy_glsl +
-    preclip_measure_glsl + (IsExact(r) ? preclip_exact_glsl : preclip_chords_glsl) +
-    preclip_triangles_glsl;
+  return wfv::triangle::GeometrySource(r, varyings);
 }
 
 // Corners that a vertex stage projects and those that a geometry stage does are of one mesh: they
@@ -146,10 +66,12 @@ const char* const SamePlaces = "invariant gl_Position;\n";
 std::string GeometrySource(
   const Request& r, const std::vector<Varying>& varyings, const std::string& toView)
 {
-  std::string source = std::string("//VTK::System::Dec\n") + (CoversTriangles(r) ? Doubles : "") +
-    (CoversTriangles(r) || wfv::line::DrawsChords(r) ? Invocations : "") + Define("WFV_MODEL", !toView.empty()) +
-    (CutsTriangles(r) ? SamePlaces : "") + "#define WFV_TO_VIEW " + toView + "\n" + ViewSource(r) +
-    (r.Kind == Primitive::Points || CutsTriangles(r) ? "" : preclip_glsl) +
+  const bool runs = wfv::triangle::Covers(r) || wfv::line::DrawsChords(r);
+  std::string source = std::string("//VTK::System::Dec\n") +
+    (wfv::triangle::Covers(r) ? Doubles : "") + (runs ? Invocations : "") +
+    Define("WFV_MODEL", !toView.empty()) + (wfv::triangle::Cuts(r) ? SamePlaces : "") +
+    "#define WFV_TO_VIEW " + toView + "\n" + ViewSource(r) +
+    (r.Kind == Primitive::Points || wfv::triangle::Cuts(r) ? "" : EdgeSource()) +
     (r.DebugView ? debug_kinds_glsl : "") + PrimitiveSource(r, varyings);
   if (r.Stage == wfv::ShaderBuilder::Variant::Tessellate)
   {
@@ -163,7 +85,8 @@ void FinishVertices(const Request& r, const std::vector<Varying>& varyings, std:
   std::string& geometry)
 {
   // the pieces of a tessellation have no place in the buffer
-  const bool keepModel = CoversTriangles(r) && r.Stage != wfv::ShaderBuilder::Variant::Tessellate;
+  const bool keepModel =
+    wfv::triangle::Covers(r) && r.Stage != wfv::ShaderBuilder::Variant::Tessellate;
   const std::string toView = TakeFromEye(r, vertex, keepModel);
   if (wfv::ShaderBuilder::NeedsGeometryStage(r))
   {
@@ -185,17 +108,7 @@ void FinishVertices(const Request& r, const std::vector<Varying>& varyings, std:
 // True where the fragment stage finds what of the primitive a pixel sees.
 bool Covers(const Request& r)
 {
-  return CoversTriangles(r) || wfv::line::Draws(r) || wfv::point::Draws(r);
-}
-
-// What of a triangle the ray of a pixel sees: one file a question, in the order in which they ask.
-std::string TriangleFragment(const Request& r)
-{
-  const bool anchored = NonCentral(r) || CurvedRays(r);
-  return std::string(cover_precision_glsl) + cover_inputs_glsl +
-    (NonCentral(r) ? cover_non_central_glsl : "") + cover_edges_glsl +
-    (anchored ? cover_anchor_glsl : cover_plane_glsl) + cover_surface_glsl + cover_samples_glsl +
-    cover_hit_glsl + cover_fragment_glsl;
+  return wfv::triangle::Covers(r) || wfv::line::Draws(r) || wfv::point::Draws(r);
 }
 
 // What the fragment stage needs for that.
@@ -210,12 +123,7 @@ std::string CoverFragment(
   {
     return wfv::point::FragmentSource(r, varyings, fragment);
   }
-  RewriteFlatNormal(r, fragment);
-  return ray_fragment_glsl + (r.Fp64 ? Fp64Source(*r.Projection) : "") + TriangleFragment(r) +
-    (CurvedRays(r) ? std::string(curved_ray_glsl) + curved_fragment_glsl : "") +
-    chord_fragment_glsl + order_fragment_glsl + (r.Fp64 ? fine_depth_glsl : "") +
-    (r.Edges || r.DebugView ? edge_distance_glsl : "") +
-    CornerInputs(varyings, { "wfvB.x", "wfvB.y", "wfvB.z" }, KnownOf(r));
+  return wfv::triangle::FragmentSource(r, varyings, fragment);
 }
 
 // What the debug view adds to the fragment stage.
@@ -226,7 +134,7 @@ std::string DebugSource(const Request& r)
     return "";
   }
   const bool triangles = r.Kind == Primitive::Triangles;
-  return Define("WFV_DEBUG_TRIANGLES", CoversTriangles(r)) + "#define WFV_DEBUG_KIND " +
+  return Define("WFV_DEBUG_TRIANGLES", wfv::triangle::Covers(r)) + "#define WFV_DEBUG_KIND " +
     (triangles ? "WFV_KIND_VERTEX" : "WFV_KIND_OTHER") + "\n" + debug_kinds_glsl +
     debug_fragment_glsl;
 }
@@ -326,11 +234,6 @@ void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std:
     wfv::ShaderBuilder::Declare(fragment, Extensions(r) + ViewSource(r) + declarations);
   }
 }
-}
-
-std::string wfv::ShaderBuilder::MakeViewSource(const Request& r)
-{
-  return ViewSource(r);
 }
 
 bool wfv::ShaderBuilder::NeedsGeometryStage(const Request& r)

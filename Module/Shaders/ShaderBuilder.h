@@ -91,9 +91,6 @@ public:
   static void Finish(
     const Request& request, std::string& vertex, std::string& geometry, std::string& fragment);
 
-  // The mathematics of the view, for any stage.
-  static std::string MakeViewSource(const Request& request);
-
   // Renames main() and appends a new one that runs `before`, the old one, `after`.
   static void WrapMain(std::string& source, const std::string& before, const std::string& after);
 

@@ -128,6 +128,19 @@ std::string ViewSource(const Request& r)
     r.Projection->Glsl + interface_glsl;
 }
 
+std::string EdgeSource()
+{
+  return std::string(preclip_glsl) + edge_singular_glsl + edge_error_glsl;
+}
+
+std::string RaySource(const Request& r)
+{
+  const bool cylinder = r.Projection->Axis == wfv::Family::Meridian && r.Projection->StraightSeam;
+  const bool sampled = r.Projection->Axis == wfv::Family::Sampled;
+  return std::string(cylinder ? ray_cylinder_glsl : "") + ray_fragment_glsl +
+    (sampled ? ray_steps_sampled_glsl : ray_steps_glsl);
+}
+
 std::string Corner(size_t varying, int corner)
 {
   return "wfvCorner" + std::to_string(varying) + "_" + std::to_string(corner);
@@ -183,12 +196,12 @@ std::string CornerInputs(
     "void wfvInterpolate()\n{\n" + body + "}\n";
 }
 
-int CornerComponents(const std::vector<Varying>& varyings, int corners)
+int CornerComponents(const std::vector<Varying>& varyings, int corners, const Known& known)
 {
   int count = 0;
   for (const Varying& v : varyings)
   {
-    count += v.Components() * (v.Flat ? 1 : corners);
+    count += known.count(v.Name) > 0 ? 0 : v.Components() * (v.Flat ? 1 : corners);
   }
   return count;
 }

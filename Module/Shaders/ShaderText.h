@@ -70,7 +70,7 @@ std::string CornerInputs(const std::vector<Varying>& varyings,
   const std::vector<std::string>& weights, const Known& known = {});
 
 // Components of all copies.
-int CornerComponents(const std::vector<Varying>& varyings, int corners);
+int CornerComponents(const std::vector<Varying>& varyings, int corners, const Known& known = {});
 
 // True where nothing is drawn by its chords: WFV_EXACT.
 bool IsExact(const Request& r);
@@ -86,6 +86,12 @@ bool CurvedRays(const Request& r);
 
 // The mathematics of the view, for any stage.
 std::string ViewSource(const Request& request);
+
+// Of edges in the map, for any stage behind that.
+std::string EdgeSource();
+
+// The rays of a fragment, for a fragment stage behind that.
+std::string RaySource(const Request& request);
 
 // The wide camera's view and clip coordinates are the same; both stock statements are
 // replaced, so that neighbours and attributes agree to the bit. Returns the name of the

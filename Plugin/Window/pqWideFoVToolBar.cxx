@@ -19,7 +19,7 @@
 #include <vtkSMTrace.h>
 #include <vtkSMViewProxy.h>
 
-#include "Stereo/Presets.h"
+#include "Presets/Presets.h"
 
 namespace
 {

@@ -5,8 +5,8 @@
     check_structure.py ROOT
 
 Rules: dependencies run one way; the mathematics knows no VTK; functions and sources
-stay short; shaders are .glsl files; every source names its licence; nothing names a
-folder of somebody's machine; what differs between versions of VTK, or between drivers of
+stay short; shaders are .glsl files, with few lines of the preprocessor; every source names
+its licence; nothing names a folder of somebody's machine; what differs between versions of VTK, or between drivers of
 OpenGL, is guarded in Module/Compat alone, and what differs between those of ParaView in
 Plugin/Compat alone; headers declare VTK's classes in VTK's namespace; every variable of a shader
 begins with a value; no source outside Module/Stereo names a stereo model, or takes the eye for a
@@ -25,12 +25,14 @@ from sources import CPP, SHADERS, find_sources
 MAX_FUNCTION_LINES = 39  # "under 40": what fits a screen
 MAX_SOURCE_LINES = 450  # "about 400": one idea a file
 MAX_SHADER_LINES = 250  # a file has one question of a stage
+MAX_DIRECTIVES = 12  # of the preprocessor, in a shader; what more of them choose from are files
+MANY_DIRECTIVES = ("Module/Shaders/lines/",)  # which have more of them still
 
 # The floors of the module, from the ground up; those in one row do not know each other. A folder
 # includes from itself and the floors below it. On the roof are the public classes.
 FLOORS = (
     ("Module/Projections",),
-    ("Module/Stereo", "Module/Compat"),
+    ("Module/Stereo", "Module/Compat", "Module/Presets"),
     ("Module/Drawables/Kinds",),
     ("Module/Camera", "Module/Clusters"),
     ("Module/Shaders",),
@@ -57,7 +59,7 @@ def reachable(floors):
 
 
 MAY_INCLUDE = reachable(FLOORS)
-PURE = ("Module/Metadata", "Module/Projections", "Module/Stereo")
+PURE = ("Module/Metadata", "Module/Presets", "Module/Projections", "Module/Stereo")
 
 # Text that belongs to a shader, and the files that may hold it because they rewrite
 # the text of VTK's own shaders.
@@ -164,6 +166,16 @@ def check_length(source):
             yield first, "function length", text
 
 
+def check_directives(source):
+    """Variants of a stage are files that C++ puts together."""
+    if not source.is_kind(SHADERS) or source.path.startswith(MANY_DIRECTIVES):
+        return
+    directives = [n for n, line in enumerate(source.lines, 1) if line.lstrip().startswith("#")]
+    if len(directives) > MAX_DIRECTIVES:
+        text = "%d lines of the preprocessor, at most %d" % (len(directives), MAX_DIRECTIVES)
+        yield directives[MAX_DIRECTIVES], "directives", text
+
+
 def check_shaders(source):
     """Shaders live in .glsl files, where tools and people find them."""
     if not source.is_kind(CPP) or source.path in REWRITES_SHADERS:
@@ -267,7 +279,7 @@ def check_models(source, models):
 
 
 CHECKS = (
-    check_length, check_shaders, check_licence, check_paths, check_versions, check_namespace,
+    check_length, check_directives, check_shaders, check_licence, check_paths, check_versions, check_namespace,
     check_begun, check_kinds, check_sines,
 )
 

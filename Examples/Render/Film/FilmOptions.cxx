@@ -8,7 +8,7 @@
 #include "OptionValues.h"
 #include "PictureFiles.h"
 #include "Sights.h"
-#include "Stereo/Presets.h"
+#include "Presets/Presets.h"
 #include "StereoChoice.h"
 #include "StereoLayout.h"
 

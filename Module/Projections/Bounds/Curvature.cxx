@@ -8,7 +8,7 @@ namespace wfv
 {
 namespace
 {
-// For what lies between the samples; Testing/Unit/CurvatureTest.cxx looks there.
+// For what lies between the samples; Testing/Unit/Projections/Bounds/CurvatureTest.cxx looks there.
 constexpr double CurvatureSafety = 1.25;
 
 // Radians: how far round what the window shows, and at how many distances on the way.

@@ -14,7 +14,8 @@ namespace
 constexpr int Cells = LocalCurvature::Cells;
 constexpr int Nodes = Cells + 3;
 
-// For what lies between the nodes; Testing/Unit/LocalCurvatureTest.cxx looks there.
+// For what lies between the nodes; Testing/Unit/Projections/Bounds/LocalCurvatureTest.cxx looks
+// there.
 constexpr double LocalSafety = 1.25;
 
 // Sine of the angle from a singular point below which there is no bound.

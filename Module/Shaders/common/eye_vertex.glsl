@@ -6,7 +6,7 @@ uniform vec3 wfvEyeHigh;
 uniform vec3 wfvEyeLow;
 
 #if WFV_MODEL
-out vec3 wfvModel; // as the buffer has it, for preclip_planes.glsl
+out vec3 wfvModel; // as the buffer has it, for planes_fp64.glsl
 #endif
 
 vec4 wfvFromEyeOf(mat4 toView, vec4 p)

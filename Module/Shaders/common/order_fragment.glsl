@@ -2,7 +2,7 @@
 // Depth of ray-tested triangles by which faces are in order that meet in a fold.
 
 // Depth bias: radians at the least where edges are apart: more than a float32 ray is turned by, which is
-// most on the faces of a cube, where edges are shifted (preclip_planes.glsl).
+// most on the faces of a cube, where edges are shifted (planes_turn.glsl).
 const float WFV_BIAS = 6e-7;
 
 // The bias is wider where a depth buffer tells faces that fold flat apart no nearer to their edge, but by

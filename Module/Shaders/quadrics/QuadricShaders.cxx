@@ -130,6 +130,21 @@ int CountPieces(const Request& r, const std::vector<Varying>& varyings)
   return std::max(1, std::min(MostPieces, MostComponents / components / 8));
 }
 
+// How a round cap of directions is covered.
+std::string CapSource(const Projection& projection)
+{
+  switch (projection.Axis)
+  {
+    case Family::Meridian:
+    case Family::Azimuthal:
+      return cap_angles_glsl;
+    case Family::Sampled:
+      return cap_directions_glsl;
+    default:
+      return cap_window_glsl;
+  }
+}
+
 std::string GeometrySource(const Request& r, const std::vector<Varying>& varyings)
 {
   const int pieces = CountPieces(r, varyings);
@@ -140,7 +155,7 @@ std::string GeometrySource(const Request& r, const std::vector<Varying>& varying
     Define("WFV_PIECES", pieces) + Define("WFV_SPAN_VERTICES", 8 * pieces) +
     "#define WFV_SPHERE_RADIUS " +
     (pixels ? "wfvPixelRadius(centre)" : "radiusVCVSOutput[0] / wfvScale()") + "\n" +
-    CornerOutputs(r, varyings) + quadric_cover_glsl;
+    CornerOutputs(r, varyings) + quadric_cover_glsl + CapSource(*r.Projection);
   switch (r.Kind)
   {
     case Primitive::Tubes:
@@ -227,8 +242,9 @@ void FinishFragment(
   wfv::ShaderBuilder::Declare(fragment,
     "#extension GL_ARB_sample_shading : enable\n" + ViewSource(r) +
       Define("WFV_OTHER_IS_PLACE", IsSegment(r)) + "#define WFV_SPLAT_SCALE " + scale + "\n" +
-      ray_fragment_glsl + quadric_fragment_glsl + MeetSource(r.Kind) + CornerInputs(r, varyings) +
-      (round ? domain_fragment_glsl : ""));
+      RaySource(r) + quadric_inputs_glsl +
+      (NonCentralImpostors(r) ? quadric_non_central_glsl : "") + quadric_fragment_glsl +
+      MeetSource(r.Kind) + CornerInputs(r, varyings) + (round ? domain_fragment_glsl : ""));
 }
 }
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Geometry stage of spheres, cylinders, tubes and splats: rectangles that surely contain the
-// picture. What is looked for lies in a round cap of directions; a cap becomes a
-// rectangle of angles, and that a rectangle of the map (wfvBounds), in two parts where it
-// reaches across the seam. The fragment stage decides by the ray of each pixel.
+// picture. What is looked for lies in a round cap of directions; how a cap is covered is up to the family
+// (cap_*.glsl). The fragment stage decides by the ray of each pixel.
 //
 // Positions are in tilted view coordinates, divided by a power of two near the far radius.
 
@@ -80,96 +79,6 @@ void wfvEmitWindow(bool front)
 {
   wfvEmitBox(vec4(-1.0 - wfvView.center, 1.0 - wfvView.center), front);
 }
-
-#if WFV_ANGULAR
-// A rectangle of angles whose azimuth may extend across the seam.
-void wfvEmitAngles(vec4 a, bool front)
-{
-#if WFV_MERIDIAN
-  float turn = 2.0 * WFV_PI;
-  wfvEmitBox(wfvBounds(vec4(max(a.x, -WFV_PI), a.y, min(a.z, WFV_PI), a.w), wfvView), front);
-  if (a.z > WFV_PI)
-  {
-    wfvEmitBox(wfvBounds(vec4(-WFV_PI, a.y, a.z - turn, a.w), wfvView), front);
-  }
-  else if (a.x < -WFV_PI)
-  {
-    wfvEmitBox(wfvBounds(vec4(a.x + turn, a.y, WFV_PI, a.w), wfvView), front);
-  }
-#else
-  wfvEmitBox(wfvBounds(a, wfvView), front);
-#endif
-}
-
-// Sine of the angle between a direction and the poles of the family.
-float wfvPoleSine(vec3 p)
-{
-#if WFV_MERIDIAN
-  return wfvHypot(p.x, p.z) / wfvLength(p);
-#else
-  return wfvHypot(p.x, p.y) / wfvLength(p);
-#endif
-}
-
-// The range of the polar angle (latitude, or theta) of the whole family.
-vec2 wfvPolarRange()
-{
-#if WFV_MERIDIAN
-  return vec2(-0.5 * WFV_PI, 0.5 * WFV_PI);
-#else
-  return vec2(0.0, WFV_PI);
-#endif
-}
-
-void wfvCoverCap(vec3 centre, float angle, bool front)
-{
-  float radius = angle + WFV_CAP_PAD;
-  if (!(radius < 0.5 * WFV_PI) || !(wfvLength(centre) > 0.0))
-  {
-    wfvEmitWindow(front);
-    return;
-  }
-  vec2 a = WFV_ANGLES(centre);
-  vec2 all = wfvPolarRange();
-  float low = a.y - radius;
-  float high = a.y + radius;
-  // where the cap holds a pole it has every azimuth; else its edge meets the farthest
-  // meridian at a right angle
-  float s = (1.0 + WFV_CAP_SLACK) * sin(radius) / max(wfvPoleSine(centre), 1e-30);
-  bool pole = low <= all.x || high >= all.y || s >= 1.0;
-  float across = pole ? WFV_PI : wfvAtan2(s, sqrt((1.0 - s) * (1.0 + s))) + WFV_CAP_PAD;
-#if WFV_MERIDIAN
-  a.x = pole ? 0.0 : a.x;
-#else
-  all.y = min(all.y, wfvView.maxAngle);
-#endif
-  low = max(low, all.x);
-  high = min(high, all.y);
-  if (low <= high)
-  {
-    wfvEmitAngles(vec4(a.x - across, low, a.x + across, high), front);
-  }
-}
-#elif WFV_SAMPLED
-void wfvCoverCap(vec3 centre, float angle, bool front)
-{
-  float l = wfvLength(centre);
-  if (l > 0.0)
-  {
-    WfvPlaces places = wfvCapPlaces(centre / l, angle + WFV_CAP_PAD, wfvView);
-    bool both = places.second.x <= places.second.z;
-    wfvEmitBox(both ? wfvUnited(places.first, places.second) : places.first, front);
-    return;
-  }
-  wfvEmitWindow(front);
-}
-#else
-// A map that says nothing of angles: the whole window is sure.
-void wfvCoverCap(vec3 centre, float angle, bool front)
-{
-  wfvEmitWindow(front);
-}
-#endif
 
 // Angular radius of the cap that holds a sphere seen from the eye; half a turn from inside.
 float wfvSphereAngle(vec4 sphere)

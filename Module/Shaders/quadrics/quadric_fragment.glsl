@@ -3,32 +3,7 @@
 // its coverage, depth and normal, before the stock shader runs. The surface is drawn as
 // a mesh of it would be: the first crossing between the clip spheres, from its inside too.
 
-flat in vec4 wfvSphere;
-flat in vec4 wfvOther;
-flat in vec2 wfvShare;
-
-float wfvDepth = 0.0; // window depth here, 0 to 1
-bool wfvHide = false; // not covered: discarded once the stock shader has run
-bool wfvFront = false; // seen from outside
-vec3 wfvNormal = vec3(0.0); // towards the eye, view coordinates
-vec3 wfvSurface = vec3(0.0); // the point itself, view coordinates
-float wfvAlong = 0.0; // where on the length, 0 to 1
-
-#if WFV_NON_CENTRAL_IMPOSTORS
-// Each ray begins at a place of its own, and sees the impostor from there.
-vec4 wfvSphereSeen = vec4(0.0);
-vec4 wfvOtherSeen = vec4(0.0);
-vec3 wfvHitDirection = vec3(0.0); // of the ray that is shown, view coordinates
-float wfvDistanceSeen = 0.0;
-#define WFV_FROM_EYE wfvHitDirection
-#define WFV_DISTANCE wfvDistanceSeen
-
-void wfvStandAt(vec3 start)
-{
-  wfvSphereSeen = vec4(wfvSphere.xyz - start, wfvSphere.w);
-  wfvOtherSeen = vec4(wfvOther.xyz - float(WFV_OTHER_IS_PLACE) * start, wfvOther.w);
-}
-#else
+#if !WFV_NON_CENTRAL_IMPOSTORS
 #define wfvSphereSeen wfvSphere
 #define wfvOtherSeen wfvOther
 #endif

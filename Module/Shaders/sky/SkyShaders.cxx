@@ -21,7 +21,7 @@ std::string RaySource(const Request& r, Kind kind)
   const bool shifted = r.Stereo && r.Stereo->Traits.OneCenter;
   return "#extension GL_ARB_sample_shading : enable\n" + shader::ViewSource(r) +
     shader::Define("WFV_SKY_SHIFTED", shifted) + "#define WFV_SKY_HALVES " +
-    (kind == Kind::Halves ? "true" : "false") + "\n" + ray_fragment_glsl + sky_fragment_glsl;
+    (kind == Kind::Halves ? "true" : "false") + "\n" + shader::RaySource(r) + sky_fragment_glsl;
 }
 
 // Of the floor; its texture had one size before VTK 9.4.

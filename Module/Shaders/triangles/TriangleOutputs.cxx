@@ -4,7 +4,6 @@
 #include "WideFoVGlsl.h"
 
 #include <algorithm>
-#include <iterator>
 
 namespace wfv
 {
@@ -16,27 +15,80 @@ namespace
 constexpr int MostVertices = 14;
 constexpr int ShapeVertices = 4;
 
-// Of one vertex, what preclip_emit.glsl writes beside the copies of the corners.
+// What leaves the stage, one file each.
+struct Output
+{
+  bool Is;            // of this request
+  int Components;     // floats and integers of a vertex; doubles count twice
+  const char* Source; // declares it, and the function
+  const char* Write;  // that writes it
+};
+
+std::vector<Output> OutputsOf(const Request& r)
+{
+  const bool exact = IsExact(r);
+  const bool anchored = NonCentral(r) || CurvedRays(r);
+  const int edges = r.Fp64 ? 3 * 3 * 2 : 3 * 3;
+  std::vector<Output> all{ { true, edges + 3, preclip_outputs_glsl, "wfvWriteEdges" },
+    { anchored, 3, out_anchor_glsl, "wfvWriteAnchor" },
+    { !anchored, 3 + 2, out_meets_glsl, "wfvWriteMeets" },
+    { !exact, 3 + 3 + 3, out_projected_glsl, "wfvWriteSlack" },
+    { MeetsChords(r), 3, out_neighbours_glsl, "wfvWriteSlack" },
+    { !exact || MeetsChords(r), 4 + 2, out_corners_glsl, "wfvWritePlaces" },
+    { SeveralChords(r), 3 + 3 * 3, out_counts_glsl, "wfvWriteCounts" },
+    { CrossesSeam(r), 4, out_seam_glsl, "wfvWriteSeam" },
+    { !exact || r.DebugView, 1, out_mode_glsl, "wfvWriteMode" },
+    { NonCentral(r), 3 * 3, out_spans_glsl, "wfvWriteSpans" },
+    { exact, 3 + 3, out_rises_glsl, "wfvWriteRises" },
+    { CurvedRays(r), 2, out_depths_glsl, "wfvWriteDepths" } };
+  all.erase(
+    std::remove_if(all.begin(), all.end(), [](const Output& o) { return !o.Is; }), all.end());
+  return all;
+}
+
+// Of one vertex, beside the copies of the corners: with gl_Position and gl_PrimitiveID.
 int OwnComponents(const Request& r)
 {
-  const bool exact = r.ByRays || r.Stage == wfv::ShaderBuilder::Variant::Exact;
-  const bool rays = NonCentral(r);
-  const int edges = r.Fp64 ? 3 * 3 * 2 : 3 * 3; // doubles count twice
-  const int plane = 3 + (rays || CurvedRays(r) ? 3 : 5);
-  const int chords = 3 + 3 + 3 + 4 + 2 + 4 + 1;
-  const int order = 3 + 3;
-  return 4 + 1 + edges + plane + (exact ? order : chords) + (rays ? 3 * 3 : 0) + r.DebugView +
-    (CurvedRays(r) ? 2 : 0) + (r.MeetsChords ? 3 + 4 + 2 : 0) + (r.SeveralChords ? 3 + 3 * 3 : 0);
+  int count = 4 + 1;
+  for (const Output& o : OutputsOf(r))
+  {
+    count += o.Components;
+  }
+  return count;
 }
+}
+
+bool MeetsChords(const Request& r)
+{
+  return r.MeetsChords && IsExact(r);
+}
+
+bool SeveralChords(const Request& r)
+{
+  return MeetsChords(r) && r.SeveralChords;
+}
+
+bool CrossesSeam(const Request& r)
+{
+  return !IsExact(r) && r.Projection->Axis == Family::Meridian && r.Projection->StraightSeam;
+}
+
+std::string OutputsSource(const Request& r)
+{
+  std::string source = MeetsChords(r) ? "" : "#define WFV_LENS 0.0\n";
+  std::string writes;
+  for (const Output& o : OutputsOf(r))
+  {
+    source += o.Source;
+    writes += std::string("  ") + o.Write + "();\n";
+  }
+  return source + "void wfvWriteFlat()\n{\n" + writes + "}\n";
 }
 
 std::string InvocationsSource(
   const Request& r, const std::vector<Varying>& varyings, const Known& known)
 {
-  std::vector<Varying> copied;
-  std::copy_if(varyings.begin(), varyings.end(), std::back_inserter(copied),
-    [&known](const Varying& v) { return known.count(v.Name) == 0; });
-  const int components = OwnComponents(r) + CornerComponents(copied, 3);
+  const int components = OwnComponents(r) + CornerComponents(varyings, 3, known);
   const int allowed = std::max(MostComponents / components, ShapeVertices);
   // a part begins with the last two vertices of the one before, the first of them perhaps twice
   const int own = allowed - 3;

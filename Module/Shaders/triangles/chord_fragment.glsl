@@ -4,16 +4,10 @@
 // Both must end at the same line. An edge that neighbours draw as a chord therefore ends
 // the ray-tested triangle at that chord too, found from the same two corners in the picture.
 
-#define WFV_CHORDS (!WFV_EXACT || WFV_MEETS_CHORDS)
-#if WFV_EXACT && WFV_MEETS_CHORDS
-flat in vec3 wfvSlack; // preclip_emit.glsl
-#endif
-#if WFV_CHORDS
 flat in vec4 wfvCorners01; // corners 0 and 1 in the picture, pixels from the tile's centre
 flat in vec2 wfvCorner2;
-#if WFV_MERIDIAN && WFV_STRAIGHT_SEAM && !WFV_EXACT
-flat in vec4 wfvSeam; // where the edges cross the seam: three heights, and the seam's x
-#endif
+#if WFV_EXACT
+flat in vec3 wfvSlack; // out_neighbours.glsl
 #endif
 
 // How far, in pixels, a rasterizer snaps its vertices: a chord is widened by so much.
@@ -27,19 +21,6 @@ const float WFV_SHORT = 0.01;
 const float WFV_LENS_SAFETY = 2.0;
 const float WFV_LENS_PAD = 0.02;
 
-// A ray that lies in the plane of an edge is decided as if it were shifted by a hair along
-// x, by less along y and by less again along z: the same shift for every edge, so what is
-// shown there is what the shifted ray sees, and neighbours still decide apart.
-bool wfvInside(float e, WFV_EDGE n)
-{
-  WFV_SIDE shifted = n.x != 0.0 ? n.x : (n.y != 0.0 ? n.y : n.z);
-#if WFV_NON_CENTRAL
-  shifted *= wfvTurn;
-#endif
-  return e > 0.0 || (e == 0.0 && shifted > 0.0);
-}
-
-#if WFV_CHORDS
 // This sample, from the tile's centre as the corners are.
 vec2 wfvHere()
 {
@@ -63,94 +44,28 @@ float wfvToChord(float e, vec2 slope, float slack, vec2 a, vec2 b)
   return decides ? (inside + WFV_SNAP) * steep - e : 0.0;
 }
 
-// wfvMode of a triangle that reaches the seam.
-const int WFV_AT_SEAM = 128;
-
-// The chord of edge i from corner a to corner b, numbers 0, 1, 2. At a straight seam it has
-// two parts, which end where the edge crosses; this pixel's side has one of them, if any.
+// The chord of edge i from corner a to corner b, numbers 0, 1, 2.
 float wfvToChordOf(int i, float e, vec2 slope, float slack, vec2 a, vec2 b)
 {
-#if WFV_MERIDIAN && WFV_STRAIGHT_SEAM && !WFV_EXACT
-  if ((wfvMode & WFV_AT_SEAM) != 0)
+#if WFV_CROSSES_SEAM
+  if ((wfvMode & WFV_AT_SEAM) != 0 && !wfvEndAtSeam(i, a, b))
   {
-    vec2 half_ = 0.5 * wfvViewport.zw;
-    vec2 centre = half_ * wfvTile.zw;
-    float side = wfvHere().x < centre.x ? -1.0 : 1.0;
-    int j = i == 2 ? 0 : i + 1;
-    int k = i == 0 ? 2 : i - 1;
-    // a corner on the seam is on both sides
-    a.x = (wfvMode & (256 << j)) != 0 ? centre.x + side * abs(a.x - centre.x) : a.x;
-    b.x = (wfvMode & (256 << k)) != 0 ? centre.x + side * abs(b.x - centre.x) : b.x;
-    bool hereA = (a.x - centre.x) * side >= 0.0;
-    bool hereB = (b.x - centre.x) * side >= 0.0;
-    bool crosses = (wfvMode & (16 << i)) != 0;
-    if (!crosses && !(hereA && hereB))
-    {
-      return 0.0;
-    }
-    vec2 seam = vec2(centre.x + side * (wfvSeam.w - centre.x), wfvSeam[i]);
-    a = hereA ? a : seam;
-    b = hereB ? b : seam;
+    return 0.0;
   }
 #endif
   return wfvToChord(e, slope, slack, a, b);
 }
-#endif
 
 // Pixels from each edge within which its chord counts.
 vec3 wfvChordErrors()
 {
-#if !WFV_CHORDS
-  return vec3(0.0);
-#else
   return step(0.0, wfvSlack) * (WFV_LENS_SAFETY * wfvSlack + WFV_LENS_PAD);
-#endif
 }
-
-#if WFV_SEVERAL_CHORDS
-flat in vec3 wfvCount; // preclip_emit.glsl
-flat in vec3 wfvPlace0;
-flat in vec3 wfvPlace1;
-flat in vec3 wfvPlace2;
-
-// In the picture, from the tile's centre, pixels.
-vec2 wfvInPicture(vec3 p)
-{
-#if WFV_NON_CENTRAL
-  p = wfvSeenPlace(p);
-#endif
-  vec4 c = wfvClip(wfvProject(p, wfvView), wfvLength(p) * wfvScale());
-  return 0.5 * wfvViewport.zw * c.xy / c.w;
-}
-
-// The chord of an edge of several, from p to q, that is at the way which a ray looks beside: its ends.
-// n: the plane of the edge and the eye.
-vec4 wfvChordAt(vec3 p, vec3 q, vec3 n, float chords, vec3 direction)
-{
-  vec3 first_ = p;
-  vec3 last_ = q;
-#if WFV_NON_CENTRAL
-  first_ -= wfvStart(direction);
-  last_ -= wfvStart(direction);
-  n = cross(first_, last_);
-#endif
-  float fromP = dot(cross(first_, direction), n);
-  float fromQ = dot(cross(direction, last_), n);
-  float share = fromP / (fromP + fromQ);
-  float at = clamp(floor(share * chords), 0.0, chords - 1.0);
-  float first = at / chords;
-  float second = (at + 1.0) / chords;
-  return vec4(wfvInPicture((1.0 - first) * p + first * q), wfvInPicture((1.0 - second) * p + second * q));
-}
-#endif
 
 // What to add to the edge functions e, whose slopes per pixel are dx and dy, to have those
 // of the chords; 0 where no chord decides.
 vec3 wfvToChords(vec3 direction, vec3 e, vec3 dx, vec3 dy)
 {
-#if !WFV_CHORDS
-  return vec3(0.0);
-#else
   vec2 c0 = vec2(wfvCorners01.x, wfvCorners01.y);
   vec2 c1 = vec2(wfvCorners01.z, wfvCorners01.w);
   vec2 c2 = wfvCorner2;
@@ -180,7 +95,6 @@ vec3 wfvToChords(vec3 direction, vec3 e, vec3 dx, vec3 dy)
   return vec3(wfvToChordOf(0, e.x, vec2(dx.x, dy.x), wfvSlack.x, chord0.xy, chord0.zw),
     wfvToChordOf(1, e.y, vec2(dx.y, dy.y), wfvSlack.y, chord1.xy, chord1.zw),
     wfvToChordOf(2, e.z, vec2(dx.z, dy.z), wfvSlack.z, chord2.xy, chord2.zw));
-#endif
 }
 
 // Inside the three edges, or not, turned round in every lens between an edge and its chord
@@ -190,12 +104,8 @@ bool wfvAllInside(vec3 e, vec3 toChords)
 {
   bvec3 edge =
     bvec3(wfvInside(e.x, wfvEdge0), wfvInside(e.y, wfvEdge1), wfvInside(e.z, wfvEdge2));
-#if !WFV_CHORDS
-  return all(edge);
-#else
   vec3 c = e + toChords;
   bool turned = (wfvInside(c.x, wfvEdge0) != edge.x) ^^ (wfvInside(c.y, wfvEdge1) != edge.y) ^^
     (wfvInside(c.z, wfvEdge2) != edge.z);
   return all(edge) ^^ turned;
-#endif
 }

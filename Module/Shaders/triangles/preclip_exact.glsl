@@ -1,19 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pre-clip of triangles that are all ray-tested.
 
-#if WFV_MEETS_CHORDS
-// An edge that chords stand for ends there; another is as it is.
-void wfvFindChords()
-{
-  ivec3 chords = wfvReadChords();
-  wfvCountHere = vec3(chords);
-  for (int i = 0; i < 3; i++)
-  {
-    wfvSlackHere[i] = chords[i] > 0 ? wfvTolerance : -1.0;
-  }
-}
-#endif
-
 void wfvDraw(bool seam, bool easy)
 {
   bool near = easy && !seam;

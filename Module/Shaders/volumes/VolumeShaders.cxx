@@ -81,8 +81,10 @@ std::string RewriteMarch(Found must, std::string& fragment)
   const bool clips = Has(fragment, "in_clippingPlanes");
   stock::Replace(
     fragment, Edit::VolumeClip, "bool wfvStockAdjustSampleRange(", clips ? must : Found::May);
-  return Define("WFV_SLICES", Has(fragment, "in_slicePlaneNormal")) + Define("WFV_CLIPS", clips) +
-    Define("WFV_HEADLIGHT", Has(fragment, "vec3 g_ldir[")) + curved_ray_glsl + volume_curve_glsl;
+  const bool slice = Has(fragment, "in_slicePlaneNormal");
+  return Define("WFV_SLICES", slice) + Define("WFV_CLIPS", clips) +
+    Define("WFV_HEADLIGHT", Has(fragment, "vec3 g_ldir[")) + curved_ray_glsl + volume_curve_glsl +
+    (slice ? curve_slice_glsl : curve_sample_glsl);
 }
 }
 
@@ -105,7 +107,7 @@ void Finish(const Request& r, const Traits& traits, std::string& geometry, std::
   const bool eyes = r.Stereo && r.Stereo->Traits.StraightRays;
   // declared first, for what it replaces is called all over the text; the rest has VTK's uniforms
   wfv::ShaderBuilder::Declare(fragment,
-    ViewSource(r) + Define("WFV_CURVES", Curves(r)) + ray_fragment_glsl + volume_fragment_glsl);
+    ViewSource(r) + Define("WFV_CURVES", Curves(r)) + RaySource(r) + volume_fragment_glsl);
   fragment += "\n" + Define("WFV_MATRICES", matrices) + Define("WFV_VOLUME_EYES", eyes) +
     volume_ray_glsl + lights + march;
   wfv::ShaderBuilder::WrapMain(

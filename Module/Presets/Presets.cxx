@@ -2,7 +2,7 @@
 // Sources of the sizes: the dome master of planetariums is square, the whole fisheye in it, its top
 // in the middle; players of panoramas take 2:1 an eye, video sites up to 8192 pixels across; A2 is
 // 594 mm across, here at 300 pixels an inch.
-#include "Stereo/Presets.h"
+#include "Presets/Presets.h"
 
 #include <algorithm>
 

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shaders/triangles/TriangleShaders.h"
+
+#include "Clusters/Classifier.h"
+#include "Shaders/Fp64Text.h"
+#include "Shaders/Limits.h"
+#include "Shaders/triangles/TriangleOutputs.h"
+#include "WideFoVGlsl.h"
+
+#include <algorithm>
+
+namespace wfv
+{
+namespace triangle
+{
+using namespace shader;
+
+namespace
+{
+// How the picture of a triangle is covered, one file a family.
+std::string CoverSource(const Projection& projection)
+{
+  switch (projection.Axis)
+  {
+    case Family::Meridian:
+      return projection.StraightSeam ? cover_meridian_glsl : cover_curved_seam_glsl;
+    case Family::Faces:
+      return cover_faces_glsl;
+    case Family::Sampled:
+      return cover_directions_glsl;
+    default:
+      return cover_azimuthal_glsl;
+  }
+}
+
+// Triangles carry every output on, mixed between the corners.
+std::string CutSource(const Request& r, const std::vector<Varying>& varyings)
+{
+  const bool seen = r.Stereo && !r.Stereo->Traits.OneCenter;
+  std::string declarations;
+  std::string body;
+  for (const Varying& v : varyings)
+  {
+    std::string out = v.Name;
+    ReplaceAll(out, "VSOut", "GSOut");
+    if (out == v.Name)
+    {
+      continue;
+    }
+    declarations += v.Input();
+    declarations += (v.Flat ? "flat out " : "out ") + v.Declaration(out);
+    body += "  " + out + " = ";
+    body += v.Flat
+      ? v.Name + "[2];\n"
+      : "w.x * " + v.Name + "[0] + w.y * " + v.Name + "[1] + w.z * " + v.Name + "[2];\n";
+  }
+  constexpr int rows = Classifier::MostRows;
+  constexpr int vertices = std::max(2 * WFV_ROWS_OF_PART + 2, rows * (rows + 2));
+  return "// WideFoV: outputs between three corners\n" + Define("WFV_CUT_VERTICES", vertices) +
+    Define("WFV_SEEN_VERTICES", seen) + (seen ? stereo_vertex_glsl : "") + declarations +
+    "void wfvWriteMix(vec3 w)\n{\n" + body + "}\n" + edge_chords_glsl + cut_triangles_glsl;
+}
+
+// What follows from the ray and the distance, where triangles are ray-tested whatever their edges.
+Known KnownOf(const Request& r)
+{
+  return IsExact(r) ? Known{ { "vertexVCVSOutput", "vec4(wfvSurface, 1.0)" },
+    { "wfvPositionVSOutput", "wfvSurface" } }
+                    : Known{};
+}
+
+// Planes through the eye: in double, where OpenGL has that.
+std::string PlaneSource(const Request& r)
+{
+  return std::string(preclip_planes_glsl) +
+    (r.Projection->Axis == Family::Faces ? planes_turn_glsl : "") +
+    "#ifdef GL_ARB_gpu_shader_fp64\n" + planes_fp64_glsl + "#else\n" + planes_fp32_glsl +
+    "#endif\n" + preclip_facing_glsl;
+}
+
+// What of a triangle the ray of a pixel sees: one file a question, in the order in which they ask.
+std::string HitSource(const Request& r)
+{
+  const bool anchored = NonCentral(r) || CurvedRays(r);
+  return std::string(cover_precision_glsl) + cover_inputs_glsl +
+    (NonCentral(r) ? cover_non_central_glsl : "") + cover_edges_glsl +
+    (anchored ? cover_anchor_glsl : cover_plane_glsl) + cover_surface_glsl + cover_samples_glsl +
+    cover_hit_glsl + cover_fragment_glsl;
+}
+
+// Where it ends.
+std::string BorderSource(const Request& r)
+{
+  if (IsExact(r) && !MeetsChords(r))
+  {
+    return std::string(edge_inside_glsl) + no_chords_glsl;
+  }
+  const bool seam = CrossesSeam(r);
+  return edge_inside_glsl + Define("WFV_CROSSES_SEAM", seam) + (seam ? chord_seam_glsl : "") +
+    (SeveralChords(r) ? several_chords_glsl : "") + chord_fragment_glsl;
+}
+}
+
+bool Cuts(const Request& r)
+{
+  return r.Stage == ShaderBuilder::Variant::Cut;
+}
+
+bool Covers(const Request& r)
+{
+  return ShaderBuilder::NeedsGeometryStage(r) && r.Kind == Primitive::Triangles && !Cuts(r);
+}
+
+std::string GeometrySource(const Request& r, const std::vector<Varying>& varyings)
+{
+  if (Cuts(r))
+  {
+    return CutSource(r, varyings);
+  }
+  // copies of every vertex output at the three corners, which the fragment stage weighs:
+  // exact wherever the geometry stage cuts
+  return InvocationsSource(r, varyings, KnownOf(r)) + CornerOutputs(varyings, 3, KnownOf(r)) +
+    (MeetsChords(r) ? edge_chords_glsl : "") + cover_precision_glsl + OutputsSource(r) +
+    preclip_write_glsl + preclip_emit_glsl + PlaneSource(r) +
+    (NonCentral(r) ? std::string(non_central_glsl) + non_central_edges_glsl : "") +
+    (CurvedRays(r) ? curved_cover_glsl : "") + preclip_cover_glsl + preclip_narrow_glsl +
+    CoverSource(*r.Projection) + (r.DebugView ? preclip_kinds_glsl : "") + preclip_seen_glsl +
+    (NonCentral(r) ? "" : preclip_grazes_glsl) + preclip_easy_glsl + preclip_measure_glsl +
+    (IsExact(r) ? preclip_exact_glsl : preclip_chords_glsl) + preclip_triangles_glsl;
+}
+
+std::string FragmentSource(
+  const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
+{
+  RewriteFlatNormal(r, fragment);
+  return RaySource(r) + (r.Fp64 ? Fp64Source(*r.Projection) : "") + HitSource(r) +
+    (CurvedRays(r) ? std::string(curved_ray_glsl) + curved_fragment_glsl : "") + BorderSource(r) +
+    order_fragment_glsl + (r.Fp64 ? fine_depth_glsl : "") +
+    (r.Edges || r.DebugView ? edge_distance_glsl : "") +
+    CornerInputs(varyings, { "wfvB.x", "wfvB.y", "wfvB.z" }, KnownOf(r));
+}
+}
+}
