@@ -140,7 +140,7 @@ std::string TimesLine(const Json& times)
     return "  time steps: none\n";
   }
   return "  time steps: " + std::to_string(times.size()) + ", " +
-    Span(times.front(), times.back()) + "; all else is of the first\n";
+    Span(times.front(), times.back()) + (times.size() > 1 ? "; all else is of the first\n" : "\n");
 }
 
 std::string TextOf(const Json& file)
