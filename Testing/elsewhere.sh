@@ -6,6 +6,8 @@
 #   bash Testing/elsewhere.sh SUITE [CTEST OPTION...]    for example trixie -L everywhere
 #   bash Testing/elsewhere.sh --prepare SUITE            the root and its packages, no more
 #   bash Testing/elsewhere.sh --in SUITE COMMAND...      one command in the checkout, there
+#   bash Testing/elsewhere.sh --bare SUITE COMMAND...    the same in a root without any more
+#                                                        packages, which goes with the command
 #
 # SUITE is bookworm (Debian 12), trixie (13) or forky (testing). The root stays in
 # build-roots/SUITE for the next call, with its own builds and pictures in srv/ there; what was
@@ -28,6 +30,11 @@ made_by_builds=(build build-paraview output)
 fail() {
   echo "Testing/elsewhere.sh: $1" >&2
   exit 1
+}
+
+# name_of STEP SUITE: the folder of the root
+name_of() {
+  [ "$1" = bare ] && echo "$2.bare" || echo "$2"
 }
 
 # settings: what of the environment is passed on, as arguments of env
@@ -60,6 +67,7 @@ mount_all() {
   mount --bind "$roots/cache/$suite" "$root/var/cache/apt/archives"
   mount --bind "$checkout" "$root/srv/checkout"
   mount -o remount,bind,ro "$root/srv/checkout"
+  [ "$name" = "$suite" ] || return 0 # nothing is built in a bare one
   for folder in "${made_by_builds[@]}"; do
     mkdir -p "$root/srv/$folder" "$checkout/$folder"
     mount --bind "$root/srv/$folder" "$root/srv/checkout/$folder"
@@ -96,7 +104,8 @@ run() {
 # within STEP SUITE [ARGUMENT...]
 within() {
   suite="$2"
-  root="$roots/$suite"
+  name="$(name_of "$1" "$suite")"
+  root="$roots/$name"
   doing="mounting (a container needs the right to, CAP_SYS_ADMIN)"
   trap '[ "$?" -eq 0 ] || fail "$suite: FAILED while $doing"' EXIT
   mount_all
@@ -104,7 +113,7 @@ within() {
   case "$1" in
     prepare) prepare ;;
     run) run "${@:3}" ;;
-    in)
+    in | bare)
       trap - EXIT
       in_root "${@:3}"
       ;;
@@ -113,12 +122,14 @@ within() {
 
 # ---- on the machine itself
 
-# Less to write and to wait for, no services; and the way to the mirror is this machine's.
+# Less to write and to wait for, no services; and the way to the mirror is this machine's. Packages
+# of ours need copyrights of others.
 configure_root() {
   printf '%s\n' '#!/bin/sh' 'exit 101' > "$1/usr/sbin/policy-rc.d"
   chmod +x "$1/usr/sbin/policy-rc.d"
   printf '%s\n' force-unsafe-io 'path-exclude=/usr/share/doc/*' 'path-exclude=/usr/share/man/*' \
-    'path-exclude=/usr/share/locale/*' > "$1/etc/dpkg/dpkg.cfg.d/90-widefov"
+    'path-exclude=/usr/share/locale/*' 'path-include=/usr/share/doc/*/copyright' \
+    > "$1/etc/dpkg/dpkg.cfg.d/90-widefov"
   {
     printf '%s\n' 'APT::Install-Recommends "false";' 'Acquire::Languages "none";' \
       'APT::Sandbox::User "root";' 'APT::Keep-Downloaded-Packages "true";' 'Dpkg::Use-Pty "0";'
@@ -133,8 +144,8 @@ leave_nothing() {
 
 # Beside the place, then renamed: an interrupted call leaves no half root.
 make_root() {
-  part="$roots/$suite.part"
-  log="$roots/$suite.log"
+  part="$roots/$name.part"
+  log="$roots/$name.log"
   local script=()
   trap leave_nothing EXIT
   rm -rf --one-file-system "$part"
@@ -147,7 +158,7 @@ make_root() {
     fail "no root of $suite could be made: $(grep '^E: ' "$log" | tail -n 1 | grep . ||
       tail -n 1 "$log" | grep . || echo debootstrap failed); look for the network, or set WIDEFOV_MIRROR"
   configure_root "$part"
-  mv "$part" "$roots/$suite"
+  mv "$part" "$roots/$name"
   rm -f "$log"
   trap - EXIT
 }
@@ -167,39 +178,48 @@ become_root() {
   exec sudo env "${kept[@]}" bash "${BASH_SOURCE[0]}" "$@"
 }
 
+# work_in_root STEP SUITE [ARGUMENT...]: the places to mount on that stayed empty go with the last
+# call at work, for one that loses its place loses what is mounted there.
+work_in_root() {
+  local code=0
+  exec 7< "${BASH_SOURCE[0]}"
+  flock --shared 7
+  unshare --mount bash "${BASH_SOURCE[0]}" --within "$@" || code=$?
+  ! flock --nonblock 7 || rmdir "${made_by_builds[@]/#/$checkout/}" 2> /dev/null || true
+  [ "$1" != bare ] || rm -rf --one-file-system "${roots:?}/$name"
+  exit "$code"
+}
+
 main() {
   local step=run known all=("$@")
   known="$(bash "$checkout/Utilities/install-packages.sh" --suites | paste -s -d ' ')"
-  if [ "${1:-}" = --prepare ] || [ "${1:-}" = --in ]; then
+  if [[ " --prepare --in --bare " == *" ${1:-} "* ]]; then
     step="${1#--}"
     shift
   fi
   [ "$#" -gt 0 ] || fail "name a suite of Debian: $known"
-  [ "$step" != in ] || [ "$#" -gt 1 ] || fail "--in $1: name a command as well"
+  [[ "$step" != in && "$step" != bare ]] || [ "$#" -gt 1 ] ||
+    fail "--$step $1: name a command as well"
   [ "$step" != prepare ] || [ "$#" -eq 1 ] || fail "--prepare $1 takes nothing more, not ${*:2}"
   suite="$1"
   [[ " $known " == *" $suite "* ]] || fail "no suite \"$suite\" here; there are $known"
   become_root "${all[@]}"
-  [ -d "$roots/$suite" ] || need_debootstrap
+  name="$(name_of "$step" "$suite")"
+  [ -d "$roots/$name" ] || need_debootstrap
   unshare --mount true 2> /dev/null ||
     fail "this may not mount (unshare --mount); a container needs the right to, CAP_SYS_ADMIN"
   mkdir -p "$roots"
   # one at a time, so that two calls do not make one root
   exec 9< "$roots"
   flock 9
-  [ -d "$roots/$suite" ] || make_root
+  [ "$step" != bare ] || [ ! -d "$roots/$name" ] ||
+    fail "another call is at work in $roots/$name, or was interrupted: then remove it"
+  [ -d "$roots/$name" ] || make_root
   # and up to the end of what this call starts, so that two do not build in one folder
-  exec 8< "$roots/$suite"
-  flock --nonblock 8 || fail "$suite: another call is at work there; wait for its end"
+  exec 8< "$roots/$name"
+  flock --nonblock 8 || fail "$name: another call is at work there; wait for its end"
   exec 9<&-
-  # places to mount on; those that were made for it and stayed empty go again
-  local made=() folder code=0
-  for folder in "${made_by_builds[@]}"; do
-    [ -d "$checkout/$folder" ] || made+=("$checkout/$folder")
-  done
-  unshare --mount bash "${BASH_SOURCE[0]}" --within "$step" "$@" || code=$?
-  [ "${#made[@]}" -eq 0 ] || rmdir "${made[@]}" 2> /dev/null || true
-  exit "$code"
+  work_in_root "$step" "$@"
 }
 
 if [ "${1:-}" = --within ]; then

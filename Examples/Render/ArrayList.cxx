@@ -2,8 +2,8 @@
 #include "ArrayList.h"
 
 #include "Datasets.h"
+#include "Film/FirstStep.h"
 #include "Messages.h"
-#include "Readers.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -82,7 +82,7 @@ Json Describe(const ArrayEntry& entry)
 
 std::string ArrayListOf(const std::string& path, bool json)
 {
-  const vtkSmartPointer<vtkDataObject> data = ReadFile(path);
+  const vtkSmartPointer<vtkDataObject> data = ReadFirstStep(path).Data;
   std::vector<ArrayEntry> all;
   for (const auto& leaf : Leaves(data))
   {

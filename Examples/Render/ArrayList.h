@@ -7,8 +7,9 @@
 
 namespace widefov
 {
-// The arrays of a file: where they are, their names, components, types and ranges; a line each, or
-// JSON. Throws a Failure with ExitFailed where the file cannot be read.
+// The arrays of a file, or of the first step of a series: where they are, their names, components,
+// types and ranges; a line each, or JSON. Throws a Failure with ExitFailed where the file cannot be
+// read.
 std::string ArrayListOf(const std::string& path, bool json);
 }
 

@@ -2,8 +2,8 @@
 #include "Info.h"
 
 #include "Datasets.h"
+#include "Film/FirstStep.h"
 #include "Messages.h"
-#include "Readers.h"
 #include "Scene.h"
 
 #include <vtkAbstractArray.h>
@@ -89,8 +89,9 @@ Json Describe(const ArrayFacts& facts)
 
 Json Describe(const std::string& file)
 {
+  const FirstStep first = ReadFirstStep(file);
   SceneProp prop;
-  prop.Source = ReadFile(file);
+  prop.Source = first.Data;
   prop.Surface = SurfaceOf(prop.Source);
   Scene scene;
   scene.Props.push_back(prop);
@@ -114,7 +115,7 @@ Json Describe(const std::string& file)
   return { { "file", file }, { "kind", prop.Source->GetClassName() }, { "parts", leaves.size() },
     { "points", points }, { "cells", cells },
     { "surface_triangles", CountPrimitives(scene).Triangles }, { "bounds", bounds },
-    { "arrays", arrays }, { "times", TimesOf(prop.Source) } };
+    { "arrays", arrays }, { "times", first.Times } };
 }
 
 std::string Span(const Json& from, const Json& to)
@@ -139,7 +140,7 @@ std::string TimesLine(const Json& times)
     return "  time steps: none\n";
   }
   return "  time steps: " + std::to_string(times.size()) + ", " +
-    Span(times.front(), times.back()) + "\n";
+    Span(times.front(), times.back()) + (times.size() > 1 ? "; all else is of the first\n" : "\n");
 }
 
 std::string TextOf(const Json& file)

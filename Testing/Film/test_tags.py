@@ -71,6 +71,20 @@ class Tags(FilmTest):
         self.assert_version_1("vr180", FullPanoWidthPixels=64, CroppedAreaImageWidthPixels=32,
                               CroppedAreaLeftPixels=16)
 
+    def test_tilted_spheres_are_turned(self):
+        """By as much as the picture's middle is above the horizon, or below it."""
+        for layout, tilt in ((None, 20), ("top-bottom", -31.5)):
+            for ending, found in self.check(layout, "--tilt", str(tilt)).items():
+                sphere = found["Spherical Mapping"]
+                self.assertEqual([sphere.get(angle) for angle in ("yaw", "roll")], [0, 0], ending)
+                self.assertLess(abs(sphere["pitch"] - tilt), 1, ending)  # ffprobe takes whole degrees
+                if ending in ("mp4", "mov"):
+                    with open(self.path("film." + ending), "rb") as stream:
+                        header = stream.read().split(b"prhd")[1]
+                    self.assertEqual(struct.unpack(">4i", header[:16]), (0, 0, int(65536 * tilt), 0))
+        self.film(*FILM, "--tilt", "120", "-o", "head.mp4")  # on its head
+        self.assertEqual(side_data(self.path("head.mp4")), {})
+
     def test_others_have_none(self):
         self.film(*FILM, "--projection", "azimuthal-equidistant", "--fov", "180", "--size", "32x32",
                   "-o", "dome.mp4")

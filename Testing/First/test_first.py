@@ -245,6 +245,31 @@ class Info(Case):
         self.assertIn("bounds: x -1 to 1, y -2 to 2, z -3 to 3", text)
         self.assertIn("    v2 (points): float, 3 components, magnitude, 10 to 10\n", text)
 
+    def test_a_series_tells_its_times_and_its_first_step(self):
+        for step in range(3):  # the first is the largest, and named last
+            box = files.box((0, 0, 0), (6 - step,) * 3)
+            self.path("step%d.vtk" % step, files.legacy(box, heat=[step + 5] * 8, more=[step] * 8))
+        other = files.legacy(files.box((9, 0, 0), (2, 2, 2)), heat=[8] * 8)
+        self.path("other.vtk", other)
+        entry = '<DataSet timestep="%g" file="%s"/>'
+        steps = [entry % (0.5 * step, "step%d.vtk" % step) for step in (2, 1, 0)]
+        pvd = self.path("all.pvd", '<VTKFile type="Collection"><Collection>%s</Collection></VTKFile>'
+                        % "".join([*steps, entry % (0, "other.vtk")]))
+        series = self.path("all.vtk.series", json.dumps({"files": [
+            {"name": "step%d.vtk" % step, "time": 0.5 * step} for step in (2, 1, 0)]}))
+        numbered = os.path.join(self.folder.name, "step%d.vtk")
+        for path, end, cells, heat in (
+                (pvd, 10, 12, [5, 8]), (series, 3, 6, [5, 5]), (numbered, 3, 6, [5, 5])):
+            told = json.loads(self.run_it("--info", path, "--json").stdout)["files"][0]
+            self.assertEqual(told["times"], [0, 1, 2] if path == numbered else [0, 0.5, 1])
+            self.assertEqual(told["bounds"], [-3, end, -3, 3, -3, 3])
+            self.assertEqual((told["cells"], told["surface_triangles"]), (cells, 2 * cells))
+            self.assertEqual({a["name"]: a["range"] for a in told["arrays"]},
+                             {"heat": heat, "more": [0, 0]})
+            listed = json.loads(self.run_it("--list-arrays", path, "--json").stdout)
+            self.assertEqual({a["name"]: a["range"] for a in listed}, {"heat": heat, "more": [0, 0]})
+        self.assertIn("time steps: 3, 0 to 1; all else is of the first\n", self.run_it("--info", pvd).stdout)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -51,7 +51,9 @@ Mp4Box SphericalBox(const SphericalInfo& info)
 {
   const std::string rows = Bound(info.VerticalFov, 180);
   const std::string columns = Bound(info.HorizontalFov, 360);
-  const Mp4Box header = FullBox("prhd", Mp4Number(0, 4) + Mp4Number(0, 4) + Mp4Number(0, 4));
+  // how players turn the sphere: 16.16 fixed point
+  const auto pitch = static_cast<std::uint32_t>(std::lround(std::ldexp(info.Pitch, 16)));
+  const Mp4Box header = FullBox("prhd", Mp4Number(0, 4) + Mp4Number(pitch, 4) + Mp4Number(0, 4));
   const Mp4Box equi = FullBox("equi", rows + rows + columns + columns);
   return { "sv3d", "", { FullBox("svhd", Software + '\0'), { "proj", "", { header, equi } } } };
 }
@@ -86,12 +88,14 @@ SphericalInfo DescribeFilm(const Options& o)
   info.Height = size[1];
   info.HorizontalFov = o.View.HorizontalFov;
   info.VerticalFov = o.View.VerticalFov;
+  info.Pitch = o.View.Tilt;
   const bool two = HasTwoEyes(o) && layout.Columns * layout.Rows == 2;
   if (two)
   {
     info.StereoMode = layout.Columns == 2 ? "left-right" : "top-bottom";
   }
-  info.Equirectangular = o.Projection == "equirectangular" &&
+  const double steepest = 90; // beyond, the view stands on its head, which players do not know
+  info.Equirectangular = o.Projection == "equirectangular" && std::abs(info.Pitch) <= steepest &&
     (!HasTwoEyes(o) || (!ShowsCube(o) && (two || layout.IsOneEye())));
   return info;
 }

@@ -19,6 +19,7 @@ struct SphericalInfo
   int Height = 0;
   double HorizontalFov = 360; // degrees, around the middle
   double VerticalFov = 180;
+  double Pitch = 0; // degrees of the middle above the horizon
 
   // Players are told something.
   bool HasTags() const { return this->Equirectangular || !this->StereoMode.empty(); }
