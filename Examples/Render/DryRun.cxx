@@ -84,17 +84,28 @@ Json EyesOf(const Options& o)
   return json;
 }
 
+// Points along x, y and z of each volume; null where there is none.
+Json VolumesOf(const Scene& scene)
+{
+  Json volumes;
+  for (const SceneVolume& volume : scene.Volumes)
+  {
+    const int* const d = volume.Data->GetDimensions();
+    volumes.push_back({ d[0], d[1], d[2] });
+  }
+  return volumes;
+}
+
 Json SceneOf(const Options& o, const Scene& scene)
 {
   const PrimitiveCount count = CountPrimitives(scene);
   std::array<double, 6> b;
   const bool bounded = SceneBounds(scene, b.data());
-  return {
-    { "scene", o.Scene.empty() ? Json(nullptr) : Json(o.Scene) }, { "files", o.Files },
+  return { { "scene", o.Scene.empty() ? Json(nullptr) : Json(o.Scene) }, { "files", o.Files },
     { "bounds", bounded ? Json(b) : Json(nullptr) },
     { "primitives",
-      { { "triangles", count.Triangles }, { "lines", count.Lines }, { "points", count.Points } } }
-  };
+      { { "triangles", count.Triangles }, { "lines", count.Lines }, { "points", count.Points } } },
+    { "volumes", VolumesOf(scene) } };
 }
 
 Json PlanOf(const Options& o, const Scene& scene)

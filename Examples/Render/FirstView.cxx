@@ -3,6 +3,7 @@
 
 #include "Angles.h"
 #include "CameraSetup.h"
+#include "Film/FilmOptions.h"
 #include "MeshBuilder.h"
 #include "Messages.h"
 #include "OptionCheck.h"
@@ -39,6 +40,9 @@ constexpr double Flat = 0.1;
 constexpr double ToTheRight = 30;
 constexpr double Above = 25;
 constexpr double AboveFlat = 50; // of what lies flat
+
+// Degrees: nearer to straight down nobody knows where up is.
+constexpr double Steepest = 85;
 
 constexpr int MostPoints = 20000; // that are fitted into the picture
 constexpr int FitSteps = 14;      // halvings: a field of view to a thousandth
@@ -97,7 +101,19 @@ void AddPoints(const SceneProp& prop, vtkIdType stride, Cloud& cloud)
   }
 }
 
-Cloud CloudOf(const Scene& scene)
+// The corners of what the scene becomes, where it is more than it is now.
+void AddCorners(const vtkBoundingBox& all, Cloud& cloud)
+{
+  for (int i = 0; i < 8; i++)
+  {
+    Vector3 corner;
+    all.GetCorner(i, corner.data());
+    cloud.Points.push_back(corner);
+    cloud.Radius = std::max(cloud.Radius, Length(corner - cloud.Middle));
+  }
+}
+
+Cloud CloudOf(const Scene& scene, const vtkBoundingBox& later)
 {
   Cloud cloud;
   double b[6];
@@ -105,10 +121,14 @@ Cloud CloudOf(const Scene& scene)
   {
     return cloud;
   }
-  vtkIdType all = 0;
+  const vtkBoundingBox now(b);
+  vtkBoundingBox all = now;
+  all.AddBox(later);
+  all.GetBounds(b);
+  vtkIdType points = 0;
   for (const SceneProp& prop : scene.Props)
   {
-    all += prop.Surface->GetNumberOfPoints();
+    points += prop.Surface->GetNumberOfPoints();
   }
   for (std::size_t i = 0; i < 3; i++)
   {
@@ -117,7 +137,11 @@ Cloud CloudOf(const Scene& scene)
   }
   for (const SceneProp& prop : scene.Props)
   {
-    AddPoints(prop, 1 + all / MostPoints, cloud);
+    AddPoints(prop, 1 + points / MostPoints, cloud);
+  }
+  if (all != now)
+  {
+    AddCorners(all, cloud);
   }
   return cloud;
 }
@@ -134,8 +158,8 @@ int FlatAxis(const Vector3& size)
   return static_cast<int>(std::min_element(size.begin(), size.end()) - size.begin());
 }
 
-// The direction of view of a thing that is seen from outside.
-Vector3 DirectionTo(const Cloud& cloud, const Vector3& up)
+// The direction to a thing that is seen from outside; from no more above than `most` degrees.
+Vector3 DirectionTo(const Cloud& cloud, const Vector3& up, double most)
 {
   const int flat = FlatAxis(cloud.Size);
   const Frame f = FrameOf(UsualDirection(up), up);
@@ -148,7 +172,7 @@ Vector3 DirectionTo(const Cloud& cloud, const Vector3& up)
       return (Dot(normal, f.Back) + Dot(normal, f.Right) > 0 ? -1 : 1) * normal;
     }
   }
-  const double elevation = (flat >= 0 ? AboveFlat : Above) * Degree;
+  const double elevation = std::min(flat >= 0 ? AboveFlat : Above, most) * Degree;
   const double azimuth = ToTheRight * Degree;
   return -1 *
     (std::sin(elevation) * f.Up +
@@ -193,6 +217,11 @@ const wfv::Projection& ProjectionOf(const Options& o)
   return *wfv::FindProjection(o.Projection);
 }
 
+bool HasRoundMap(const Options& o)
+{
+  return ProjectionOf(o).Axis == wfv::Family::Azimuthal;
+}
+
 // The angle in which the ball round the thing is to be seen, degrees.
 double AngleOf(const Options& o, bool fits)
 {
@@ -200,10 +229,30 @@ double AngleOf(const Options& o, bool fits)
   {
     return UsualAngle;
   }
-  const bool round = ProjectionOf(o).Axis == wfv::Family::Azimuthal;
   const double field =
-    round ? o.View.HorizontalFov : std::min(o.View.HorizontalFov, o.View.VerticalFov);
-  return std::min(Filled * field, LargestAngle);
+    HasRoundMap(o) ? o.View.HorizontalFov : std::min(o.View.HorizontalFov, o.View.VerticalFov);
+  return std::min(Filled * field, o.View.Tilt == 0 ? LargestAngle : UsualAngle);
+}
+
+// How far above the direction of view a thing is to be that is seen in that angle, degrees: as low
+// as all of it is shown, for there the audience of a dome looks, and no higher than the middle.
+double Rise(const Options& o, double angle, double reach)
+{
+  const double half = 0.5 * (HasRoundMap(o) ? o.View.HorizontalFov : o.View.VerticalFov);
+  const double tilt = o.View.Tilt;
+  const double rise = std::max(0., std::abs(tilt) - reach * half + 0.5 * angle);
+  return std::copysign(std::min(std::abs(tilt), rise), tilt);
+}
+
+// Towards up, about what is to the right.
+Vector3 Raised(const Vector3& direction, const Vector3& up, double degrees)
+{
+  if (degrees == 0)
+  {
+    return direction;
+  }
+  const Frame f = FrameOf(direction, up);
+  return std::sin(degrees * Degree) * f.Up - std::cos(degrees * Degree) * f.Back;
 }
 
 // Whether the field of view is free to be chosen. Of two eyes all round a player wants the sphere.
@@ -269,17 +318,22 @@ Vector3 Rounded(Vector3 place, const Scene& scene)
   return place;
 }
 
-void StandOutside(Options& o, const Scene& scene)
+void StandOutside(Options& o, const Scene& scene, const vtkBoundingBox& later)
 {
-  const Cloud cloud = CloudOf(scene);
+  const Cloud cloud = CloudOf(scene, later);
   const Vector3 up = o.Up.value_or(Vector3{ { 0, 1, 0 } });
   const bool fits = CanFit(o);
-  o.Direction = o.Direction.value_or(DirectionTo(cloud, up));
-  const Frame f = FrameOf(*o.Direction, up);
-  o.Eye = Rounded(EyeBefore(cloud, f, AngleOf(o, fits)), scene);
+  const double reach = scene.BarMap ? ReachAboveBar : Reach;
+  const double angle = AngleOf(o, fits);
+  const double rise = Rise(o, angle, reach);
+  const Vector3 sight =
+    o.Direction ? Raised(*o.Direction, up, rise) : DirectionTo(cloud, up, Steepest - rise);
+  o.Direction = o.Direction.value_or(Raised(sight, up, -rise));
+  const Frame f = FrameOf(sight, up);
+  o.Eye = Rounded(EyeBefore(cloud, f, angle), scene);
   if (fits)
   {
-    Fit(o, cloud, *o.Eye, f, scene.BarMap ? ReachAboveBar : Reach);
+    Fit(o, cloud, *o.Eye, f, reach);
   }
 }
 
@@ -292,6 +346,14 @@ bool IsGlobe(const Scene& scene)
 std::string Named(const Vector3& v)
 {
   return Text(v[0]) + "," + Text(v[1]) + "," + Text(v[2]);
+}
+
+void SayWhereTheEyeIs(const Vector3& eye, bool inside)
+{
+  Say(inside ? "the eye is inside, at " + Named(eye) +
+        ", for the data are all round it; --outside shows them from outside"
+             : "the eye is outside, at " + Named(eye) +
+        ", for the data are a thing to look at; --inside puts it into their middle");
 }
 }
 
@@ -329,11 +391,19 @@ void CheckFirstView(const Options& o)
   }
 }
 
-void ChooseView(Options& o, const Scene& scene)
+void ChooseView(Options& o, const Scene& scene, const vtkBoundingBox& later)
 {
   const bool asked = o.Inside || o.Outside;
   if (o.Eye || (!asked && (o.LookAt || HasRoom(o) || !o.Scene.empty())))
   {
+    return;
+  }
+  if (SaysWhereTheEyeGoes(o.Film))
+  {
+    if (IsGlobe(scene) && !o.Up)
+    {
+      o.Up = NorthOfGlobe;
+    }
     return;
   }
   const Progress progress("finding where the eye is to be");
@@ -353,16 +423,11 @@ void ChooseView(Options& o, const Scene& scene)
   }
   else
   {
-    StandOutside(o, scene);
+    StandOutside(o, scene, later);
   }
   if (!asked && !o.DryRun) // which prints the view itself
   {
-    Say(inside ? "the eye is inside, at " + Named(*o.Eye) +
-          ", for the data are all round it; "
-          "--outside shows them from outside"
-               : "the eye is outside, at " + Named(*o.Eye) +
-          ", for the data are a thing to look "
-          "at; --inside puts it into their middle");
+    SayWhereTheEyeIs(*o.Eye, inside.has_value());
   }
 }
 }

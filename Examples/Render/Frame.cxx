@@ -13,9 +13,32 @@
 #include <vtkWideFoVStatisticsActor.h>
 
 #include <algorithm>
+#include <cstdio>
 
 namespace widefov
 {
+namespace
+{
+constexpr char LabelFormat[] = "%.3g";
+
+// Of a bar of colours; fewer where they are so long that they would run into each other.
+constexpr int Labels = 5;
+constexpr int FewLabels = 3;
+constexpr int MostCharacters = 4;
+
+int NumberOfLabels(vtkScalarsToColors* map)
+{
+  const double* const range = map->GetRange();
+  int longest = 0;
+  for (int i = 0; i < Labels; i++)
+  {
+    const double value = range[0] + (range[1] - range[0]) * i / (Labels - 1);
+    longest = std::max(longest, std::snprintf(nullptr, 0, LabelFormat, value));
+  }
+  return longest > MostCharacters ? FewLabels : Labels;
+}
+}
+
 vtkSmartPointer<vtkScalarBarActor> MakeScalarBar(const Scene& scene)
 {
   if (!scene.BarMap)
@@ -25,12 +48,12 @@ vtkSmartPointer<vtkScalarBarActor> MakeScalarBar(const Scene& scene)
   auto bar = vtkSmartPointer<vtkScalarBarActor>::New();
   bar->SetLookupTable(scene.BarMap);
   bar->SetTitle(scene.BarTitle.c_str());
-  bar->SetNumberOfLabels(5);
+  bar->SetNumberOfLabels(NumberOfLabels(scene.BarMap));
   bar->SetOrientationToHorizontal();
   bar->SetPosition(0.36, 0.03);
   bar->SetWidth(0.28);
   bar->SetHeight(0.10);
-  bar->SetLabelFormat("%.3g");
+  bar->SetLabelFormat(LabelFormat);
   for (vtkTextProperty* const text : { bar->GetTitleTextProperty(), bar->GetLabelTextProperty() })
   {
     text->ItalicOff();

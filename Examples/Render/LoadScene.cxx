@@ -60,6 +60,21 @@ Scene LoadFixed(const Options& options)
   return scene;
 }
 
+void TellOfScene(const Scene& scene)
+{
+  const PrimitiveCount count = CountPrimitives(scene);
+  std::string text = std::to_string(scene.Props.size()) + " props of " +
+    std::to_string(count.Triangles) + " triangles, " + std::to_string(count.Lines) + " lines and " +
+    std::to_string(count.Points) + " points";
+  for (const SceneVolume& volume : scene.Volumes)
+  {
+    const int* const d = volume.Data->GetDimensions();
+    text += ", and a volume of " + std::to_string(d[0]) + "x" + std::to_string(d[1]) + "x" +
+      std::to_string(d[2]) + " points";
+  }
+  Tell(text);
+}
+
 Scene LoadScene(const Options& options)
 {
   FilmScenes scenes(options);

@@ -20,6 +20,9 @@ Look LookOf(const Options& options);
 
 // Gives what was read that look. Throws a Failure with ExitFailed.
 void Prepare(Scene& scene, const Look& look);
+
+// For --verbose: what is to be drawn.
+void TellOfScene(const Scene& scene);
 }
 
 #endif

@@ -301,6 +301,7 @@ Scene ReadScene(const std::vector<std::string>& paths)
   scene.FromFiles = true;
   for (std::size_t i = 0; i < paths.size(); i++)
   {
+    Tell("reading " + paths[i]);
     for (SceneProp& prop : PropsOf(paths[i]))
     {
       prop.Label = paths[i];

@@ -90,14 +90,6 @@ void DrawSights(const Options& options, const Scene& scene, double reading)
 }
 
 // For --verbose.
-void TellOfScene(const Scene& scene)
-{
-  const PrimitiveCount count = CountPrimitives(scene);
-  Tell(std::to_string(scene.Props.size()) + " props of " + std::to_string(count.Triangles) +
-    " triangles, " + std::to_string(count.Lines) + " lines and " + std::to_string(count.Points) +
-    " points");
-}
-
 void TellOfPictures(const Options& options, const RenderStats& stats)
 {
   Tell("drawn by " + stats.Gl.Renderer + ", OpenGL " + stats.Gl.Version);

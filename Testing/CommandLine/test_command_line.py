@@ -282,7 +282,8 @@ class Streams(Base):
         path = os.path.join(self.place.name, "p.png")
         words = [self.mesh, "--eye", "0,0,0", "--size", "32x16", "--samples", "0", "--verbose"]
         done = run(*words, "--background", "Tomato", "--output", path, "--output", "-")
-        self.assertIn("widefov-render: written: %s\n" % path, done.stderr.decode())
+        for said in ("reading " + self.mesh, "written: " + path):
+            self.assertIn("widefov-render: %s\n" % said, done.stderr.decode())
         with open(path, "rb") as stream:
             self.assertEqual(done.stdout, stream.read())
         self.assertEqual(struct.unpack(">II", done.stdout[16:24]), (32, 16))

@@ -27,6 +27,7 @@ class BadInput(FilmTest):
     def test_usage(self):
         self.assertEqual(self.refuse(2, "--quality", *TURN, "--quality", "60", *MP4), [])
         self.assertEqual(self.refuse(2, "time", "--film", "time", *MP4), [])
+        self.refuse(2, "does not go with --frames;", *TURN, "--frames", "2", *MP4)
 
     def test_before_anything_is_drawn(self):
         nowhere = {**os.environ, "PATH": self.folder}
@@ -46,6 +47,9 @@ class BadInput(FilmTest):
         self.assertEqual(self.refuse(1, "text.pvd", "text.pvd", "--film", "time", *MP4), [])
         self.write("square0.vtp", SQUARE.format(heat=0))
         self.write("a.vtp.series", '{"files": [{"name": "square0.vtp"}]}')
+        self.write("square1.vtp", SQUARE.format(heat=1))
+        self.refuse(1, "the data have no array 'nought'; choose one of heat", "square%d.vtp", "--film", "time",
+                    "--color-by", "nought", *MP4)
         self.assertEqual(
             self.refuse(1, "both", "a.vtp.series", "square%d.vtp", "--film", "time", *MP4), [])
 

@@ -59,7 +59,8 @@ class Files(FilmTest):
         words = [*TURN, "--seconds", "0.4", "-o", "film.mp4"]
         self.assertIn("5 of 10", self.film(*words, "--part", "2/2"))
         self.assertEqual(os.listdir(self.folder), ["film.mp4.parts"])
-        self.assertEqual(self.film(*words, "--part", "1/2"), "")
+        said = self.run_film(*words, "--part", "1/2").stderr
+        self.assertEqual(said.splitlines()[-1], "widefov-render: 10 frames are in film.mp4")
         self.assertEqual(os.listdir(self.folder), ["film.mp4"])
         self.assertEqual(probe(self.path("film.mp4"))["nb_read_packets"], "10")
 
@@ -67,7 +68,8 @@ class Files(FilmTest):
 class Resuming(FilmTest):
     def test_frames_that_are_there_stay(self):
         words = [*TURN, "--seconds", "0.16", "-o", "frames/%05d.png"]
-        self.film(*words)
+        self.assertIn("frames 1 to 2 of 4 are in frames/%05d.png", self.run_film(*words, "--part", "1/2").stderr)
+        self.assertEqual(self.run_film(*words, "--quiet").stderr, "")
         os.remove(self.path("frames/00003.png"))
         before = {name: os.stat(self.path("frames/" + name)).st_mtime_ns
                   for name in os.listdir(self.path("frames"))}

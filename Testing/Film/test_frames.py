@@ -65,11 +65,21 @@ class Ways(FilmTest):
                    '<Piece Extent="0 8 0 8 0 8"><PointData><DataArray type="Float32" Name="wind" '
                    'NumberOfComponents="3" format="ascii">%s</DataArray></PointData></Piece>'
                    "</ImageData></VTKFile>" % ahead)
-        self.film("wind.vti", "--film", "fly", "--vectors", "wind", "--eye", "0.5,0.5,3", "--seconds", "0.12",
-                  "--background", "0,0,1", *FRAMES)
+        fly = ["wind.vti", "--film", "fly", "--vectors", "wind", "--seconds", "0.12", "--background", "0,0,1"]
+        self.film(*fly, "--eye", "0.5,0.5,3", *FRAMES)
         frames = self.frames()
         self.assertEqual(len(frames), 3)
         self.assertGreater(numpy.abs(frames[0] - frames[2]).mean(), 0.01)
+        self.assertEqual(self.film(*fly, *FRAMES), "")  # the line says where the eye is
+
+    def test_a_path_says_where_the_eye_is(self):
+        self.write("square.vtp", SQUARE.format(heat=1))
+        self.write("way.txt", "0 0 0  0 0 -1\n0 0 1  0 0 -1\n")
+        path = ["square.vtp", "--film", "path", "--path", "way.txt", "--seconds", "0.12", *FRAMES]
+        self.assertEqual(self.film(*path), "")
+        frames = self.frames()
+        self.film(*path, "--eye", "5,5,5")  # which says nothing
+        self.assertEqual([a.tobytes() for a in frames], [b.tobytes() for b in self.frames()])
 
     def test_separate_eyes_have_folders(self):
         self.film("--film", "turn", "--seconds", "0.08", "--stereo", "omnidirectional", "--ipd", "0.3",
@@ -112,6 +122,18 @@ class Steps(FilmTest):
             self.film(*data, *self.TIME)
             self.assertEqual(colours or self.assert_three_steps(), self.colours(), data)
             colours = self.colours()
+
+    def test_the_eye_sees_all_steps(self):
+        for i, x in enumerate((0, 4, 9)):
+            corners = "%d -1 -1  %d -1 -1  %d 1 -1  %d 1 -1" % (x - 1, x + 1, x + 1, x - 1)
+            self.write("square%d.vtp" % i, SQUARE.format(heat=i).replace(
+                "-1 -1 -1  1 -1 -1  1 1 -1  -1 1 -1", corners))
+        for more in ([], ["--range", "0,2"]):  # which is known without all steps
+            self.film("square%d.vtp", "--film", "time", "--projection", "perspective", *more, *FRAMES)
+            lit = [frame.max(axis=2) > 0.05 for frame in self.frames()]
+            self.assertGreater(min(mask.sum() for mask in lit), 20)
+            columns = numpy.nonzero(numpy.any(lit, axis=(0, 1)))[0]
+            self.assertTrue(columns[0] > 0 and columns[-1] < SIZE[0] - 1, columns)
 
     def test_times_that_are_not_equal(self):
         """The times 0, 1 and 8 of twelve: one frame, seven, and the mean, four."""

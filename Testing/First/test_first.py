@@ -96,6 +96,18 @@ class Eye(Case):
         self.assertLess(numpy.hypot(rows - 63.5, columns - 63.5).max(), 62)
         self.assertGreater(max(extent(lit(picture))), 0.6)
 
+    def test_domes_show_a_thing_before_the_audience(self):
+        for mesh in (files.box((7, 8, 9), (1, 1, 1)), files.sheet()):
+            for tilt, more in ((90, []), (75, []), (90, ["--direction", "0,-0.2,-1"])):
+                dome = ["--projection", "azimuthal-equidistant", "--fov", "180", "--tilt", str(tilt)]
+                picture, said = self.draw("thing.vtk", files.legacy(mesh), *dome, *more, size="128x128")
+                self.assertIn("is outside", said)
+                rows, columns = numpy.nonzero(lit(picture))
+                self.assertLess(numpy.hypot(rows - 63.5, columns - 63.5).max(), 62)
+                self.assertGreater(rows.mean(), 70)  # below the middle is ahead
+                self.assertGreater(max(extent(lit(picture))), 0.15)
+                self.assertLess(abs(columns.mean() - 63.5), 6)
+
     def test_what_is_flat_is_seen_as_a_face(self):
         text = files.legacy(files.sheet())
         face = self.check_outside("sheet.vtk", text)
@@ -206,6 +218,11 @@ class Volumes(Case):
         self.assertGreater(faces[rows[-quarter:]].mean(), 1.5 * below)
         around = self.draw("image.vtk", text, "--inside", "--no-scalar-bar")[0]
         self.assertEqual(lit(around[:32]).mean(), 1)
+
+    def test_a_dry_run_names_them(self):
+        words = [self.path("image.vtk", files.grid(count=5)), "--dry-run"]
+        self.assertEqual(json.loads(self.run_it(*words, "--json").stdout)["volumes"], [[5, 5, 5]])
+        self.assertIn("volumes: 5 5 5\n", self.run_it(*words).stdout)
 
     def test_what_is_thin_is_made_dense(self):
         text = files.grid(count=24, layer=True)

@@ -186,6 +186,24 @@ class Refusals(unittest.TestCase):
         self.assertEqual(done.returncode, 1)
         self.assertIn("RuntimeError: there is no display", done.stderr)
 
+    def test_display_stays_connected(self):
+        """A server that resets when its last client leaves would throw VTK out."""
+        if vtk.vtkRenderWindow().GetClassName() != "vtkXOpenGLRenderWindow":
+            self.skipTest("this VTK needs no display")
+        code = """if True:
+            import os, vtk
+            from widefov._display import check_display
+            def sockets():
+                files = ["/proc/self/fd/" + name for name in os.listdir("/proc/self/fd")]
+                return sum(os.readlink(file).startswith("socket:") for file in files if os.path.islink(file))
+            before = sockets()
+            check_display(vtk.vtkRenderWindow())
+            check_display(vtk.vtkRenderWindow())
+            print(sockets() - before)"""
+        done = subprocess.run(
+            [sys.executable, "-B", "-c", code], check=True, capture_output=True, text=True)
+        self.assertEqual(done.stdout.strip(), "1")
+
 
 class Words(unittest.TestCase):
     def test_documentation(self):

@@ -109,7 +109,7 @@ FilmFile::FilmFile(
   , Kind(*FindContainer(path))
   , Coding(*FindCodec(CodecNameFor(o.Film, path)))
 {
-  if (o.Film.Resume && Exists(path) && !Exists(path + ".parts"))
+  if (o.Film.Resume && Exists(path) && !Exists(FilmParts::FolderOf(path)))
   {
     Say(path + " is whole already; remove it to draw it again");
     return;

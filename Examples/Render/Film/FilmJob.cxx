@@ -7,6 +7,7 @@
 #include "Film/Codecs.h"
 #include "Film/Ffmpeg.h"
 #include "Film/FilmOptions.h"
+#include "Film/FilmParts.h"
 #include "Film/FilmPath.h"
 #include "Film/FilmProgress.h"
 #include "Film/FilmScenes.h"
@@ -14,6 +15,7 @@
 #include "Film/FilmWriter.h"
 #include "FirstView.h"
 #include "Listing.h"
+#include "LoadScene.h"
 #include "Messages.h"
 #include "OutputFiles.h"
 #include "Progress.h"
@@ -25,6 +27,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 namespace widefov
 {
@@ -228,6 +231,32 @@ void FitEyesAlong(Options& o, const Scene& scene, const FilmPath& path)
       std::string(some ? "; frames that are finished are kept, and --resume goes on" : ""));
 }
 
+// In one line: how many frames are in each file that is whole.
+void SayWhere(const Options& o, const FilmPlan& plan)
+{
+  const std::string count = std::to_string(plan.Frames);
+  const std::string part = o.Film.Parts == 1 ? count + " frames are"
+                                             : "frames " + std::to_string(plan.First + 1) + " to " +
+      std::to_string(plan.End) + " of " + count + " are";
+  std::string text;
+  for (const std::string& output : o.Outputs)
+  {
+    for (const std::string& file : FilesOfFilm(o, output))
+    {
+      const bool film = FindContainer(file) != nullptr;
+      std::error_code error;
+      if (!film || !std::filesystem::exists(FilmParts::FolderOf(file), error))
+      {
+        text += (text.empty() ? "" : "; ") + (film ? count + " frames are" : part) + " in " + file;
+      }
+    }
+  }
+  if (!text.empty())
+  {
+    Say(text);
+  }
+}
+
 void WriteStats(const Options& o, const Scene& scene, const RenderStats& stats)
 {
   if (!o.Stats.empty())
@@ -249,7 +278,9 @@ void MakeFilm(Options& o)
   const StandardInput input(o.Files);
   FilmScenes scenes(o);
   const Scene first = scenes.GetScene(0);
-  ChooseView(o, first);
+  TellOfScene(first);
+  const bool placed = o.Eye || SaysWhereTheEyeGoes(o.Film);
+  ChooseView(o, first, placed ? vtkBoundingBox() : scenes.FindBounds());
   const FilmPath path = MakeFilmPath(first, o);
   FitEyesAlong(o, first, path);
   const FilmPlan plan = PlanOf(o.Film, scenes.GetNumberOfSteps());
@@ -269,6 +300,9 @@ void MakeFilm(Options& o)
   {
     FailKeeping(failure, plan, sinks);
   }
-  WriteStats(o, first, drawing.TakeStats());
+  const RenderStats stats = drawing.TakeStats();
+  WriteStats(o, first, stats);
+  Tell("drawn by " + stats.Gl.Renderer + ", OpenGL " + stats.Gl.Version);
+  SayWhere(o, plan);
 }
 }

@@ -5,10 +5,11 @@
 #include "Film/NumberPattern.h"
 #include "ImageOutput.h"
 #include "Messages.h"
+#include "OptionGroup.h"
 #include "OptionValues.h"
 #include "PictureFiles.h"
-#include "Sights.h"
 #include "Presets/Presets.h"
+#include "Sights.h"
 #include "StereoChoice.h"
 #include "StereoLayout.h"
 
@@ -103,12 +104,24 @@ void CheckFrames(const std::string& output)
 
 void CheckOthers(const Options& o)
 {
-  if (!o.Aov.empty() || o.Frames > 0 || o.Tile || !o.DumpShaders.empty() || HasRoom(o) ||
-    o.Technique == Technique::CubeMap || o.ConvergeOnDepth || o.DryRun || o.Time)
+  const std::pair<bool, const char*> others[] = {
+    { !o.Aov.empty(), "--aov" },
+    { o.Frames > 0, "--frames" },
+    { o.Tile.has_value(), "--tile" },
+    { !o.DumpShaders.empty(), "--dump-shaders" },
+    { !o.Screens.empty(), "--screens" },
+    { !o.Poses.empty(), "--pose" },
+    { o.Technique == Technique::CubeMap, "--technique cubemap" },
+    { o.ConvergeOnDepth, "a convergence or an offset that is auto" },
+    { o.Time.has_value(), "--time" },
+    { o.DryRun, "--dry-run" },
+  };
+  for (const auto& [given, name] : others)
   {
-    FailUsage(
-      "--film goes with none of --aov, --frames, --tile, --dump-shaders, --screens, --pose, "
-      "--technique cubemap, --convergence auto, --offset auto, --time and --dry-run; leave it out");
+    if (given)
+    {
+      FailUsage(std::string("--film does not go with ") + name + "; leave one of them out");
+    }
   }
 }
 
@@ -220,6 +233,11 @@ void CompleteFilm(Options& o, int argc, char** argv)
 bool HasFilm(const Options& o)
 {
   return !o.Film.Kind.empty();
+}
+
+bool SaysWhereTheEyeGoes(const FilmOptions& film)
+{
+  return film.Kind == "path" || film.Kind == "fly";
 }
 
 void CheckFilm(const Options& o)

@@ -18,6 +18,9 @@ void CompleteFilm(Options& options, int argc, char** argv);
 
 bool HasFilm(const Options& options);
 
+// A path or a flight: the places of the eye are those of a file, or of the data.
+bool SaysWhereTheEyeGoes(const FilmOptions& film);
+
 // After everything is known. Throws a Failure with ExitUsage for an option that does not go with
 // the film, or for one of films where there is none.
 void CheckFilm(const Options& options);

@@ -68,7 +68,7 @@ LockedFile::~LockedFile()
 FilmParts::FilmParts(const std::string& film, const std::string& segment,
   const FilmOptions& options, const FilmPlan& plan)
   : Film(film)
-  , Folder(film + ".parts")
+  , Folder(FolderOf(film))
   , Segment(segment)
   , Own("part-" + std::to_string(options.Part) + "-of-" + std::to_string(options.Parts))
   , Plan(plan)

@@ -42,6 +42,9 @@ public:
   FilmParts(const FilmParts&) = delete;
   FilmParts& operator=(const FilmParts&) = delete;
 
+  // Where the frames of a film wait; it is there until the film is whole.
+  static std::string FolderOf(const std::string& film) { return film + ".parts"; }
+
   // The frame was there when this was made.
   bool Has(int frame) const { return this->Present[static_cast<std::size_t>(frame)]; }
 

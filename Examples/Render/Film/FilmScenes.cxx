@@ -70,6 +70,7 @@ FilmScenes::FilmScenes(const Options& o)
   {
     this->Shown = LoadFixed(o);
     this->ShownStep = 0;
+    this->AddBounds();
   }
   else if (o.Time)
   {
@@ -156,6 +157,8 @@ bool FilmScenes::TryStep(std::size_t step)
   {
     this->Shown = this->ReadStep(step);
     this->ShownStep = step;
+    this->AddBounds();
+    this->SayComplaints();
     return true;
   }
   catch (const Failure& failure)
@@ -164,12 +167,41 @@ bool FilmScenes::TryStep(std::size_t step)
     {
       throw;
     }
-    this->FirstComplaint = this->Broken.empty() ? failure.what() : this->FirstComplaint;
-    this->Broken.insert(step);
-    Say("time step " + std::to_string(step) +
-      " is left out, and its frames show another: " + failure.what());
+    this->Complain(step, failure.what());
     return false;
   }
+}
+
+void FilmScenes::AddBounds()
+{
+  double b[6];
+  if (SceneBounds(this->Shown, b))
+  {
+    this->Bounds.AddBounds(b);
+  }
+}
+
+// One line says it where no step can be read: so lines of steps wait for one that can.
+void FilmScenes::Complain(std::size_t step, const std::string& complaint)
+{
+  this->FirstComplaint = this->Broken.empty() ? complaint : this->FirstComplaint;
+  this->SameComplaint = this->SameComplaint && complaint == this->FirstComplaint;
+  this->Broken.insert(step);
+  this->Untold.emplace_back(step, complaint);
+  if (this->Bounds.IsValid() != 0)
+  {
+    this->SayComplaints();
+  }
+}
+
+void FilmScenes::SayComplaints()
+{
+  for (const auto& [step, complaint] : this->Untold)
+  {
+    Say("time step " + std::to_string(step) +
+      " is left out, and its frames show another: " + complaint);
+  }
+  this->Untold.clear();
 }
 
 void FilmScenes::FindRange()
@@ -185,6 +217,7 @@ void FilmScenes::FindRange()
     }
     progress.Update(static_cast<double>(i + 1) / static_cast<double>(count));
   }
+  this->AllRead = true;
   if (range[0] < range[1])
   {
     this->Look.Range = range;
@@ -208,6 +241,18 @@ const Scene& FilmScenes::GetScene(std::size_t step)
       return this->Shown;
     }
   }
-  Fail("no time step can be read; the first complaint: " + this->FirstComplaint);
+  // the same trouble with all is that of the command line
+  Fail(this->SameComplaint
+      ? this->FirstComplaint
+      : "no time step can be read; the first complaint: " + this->FirstComplaint);
+}
+
+vtkBoundingBox FilmScenes::FindBounds()
+{
+  if (!this->AllRead)
+  {
+    this->GetScene(this->GetNumberOfSteps() - 1);
+  }
+  return this->Bounds;
 }
 }

@@ -7,9 +7,12 @@
 #include "Options.h"
 #include "Scene.h"
 
+#include <vtkBoundingBox.h>
+
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace widefov
@@ -41,11 +44,17 @@ public:
   // of the first after it. It lasts until another one is asked for.
   const Scene& GetScene(std::size_t step);
 
+  // Round all steps where all were read, else round those that were, and the last.
+  vtkBoundingBox FindBounds();
+
 private:
   void CheckTime(const Options& options) const;
   void FindFiles(const Options& options);
   void FindRange();
   bool TryStep(std::size_t step);
+  void AddBounds();
+  void SayComplaints();
+  void Complain(std::size_t step, const std::string& complaint);
   Scene ReadStep(std::size_t step) const;
 
   widefov::Look Look;
@@ -55,6 +64,10 @@ private:
   Scene Fixed; // what does not change, before it gets its look; all of it where nothing changes
   std::set<std::size_t> Broken;
   std::string FirstComplaint;
+  bool SameComplaint = true; // of all broken steps
+  std::vector<std::pair<std::size_t, std::string>> Untold;
+  vtkBoundingBox Bounds; // of what was read
+  bool AllRead = false;  // all steps, one after the other
   Scene Shown;
   std::optional<std::size_t> ShownStep;
 };
