@@ -51,6 +51,21 @@ void wfvEmitPlace(WfvPlace from, WfvPlace place, WfvPlace to)
 #endif
 }
 
+// Pixels: what is drawn up to a jump goes on by so much. It stops within WFV_BESIDE_JUMP of it, and by the
+// hardware's rule a line lacks the pixel that it ends in.
+const float WFV_TO_JUMP = 0.2;
+
+WfvPlace wfvAtJump(WfvPlace from, WfvPlace place)
+{
+#if !WFV_FACES // beside a face another one begins, in the middle of a pixel
+  vec2 d = wfvPixelOf(place) - wfvPixelOf(from);
+  float l = length(d);
+  vec2 more = l > 0.0 ? d * (WFV_TO_JUMP / l) : vec2(0.0);
+  place.clip.xy += more * 2.0 / wfvViewport.zw * place.clip.w;
+#endif
+  return place;
+}
+
 // The place between two pieces, which are drawn or not.
 void wfvEmitJoint(bool drawn, bool draws, WfvPlace from, WfvPlace place, WfvPlace to)
 {
@@ -87,7 +102,7 @@ void wfvEmitPieces()
       continue;
     }
     bool draws = piece == WFV_PIECE_DRAWN;
-    wfvEmitJoint(drawing, draws, before, here, next);
+    wfvEmitJoint(drawing, draws, before, draws ? here : wfvAtJump(before, here), next);
     drawing = draws;
     before = here;
     here = next;
