@@ -70,7 +70,7 @@ public:
   // Whether ray-tested triangles are decided so, as the view and its samples are now.
   bool IsFp64() const { return this->Fp64 && this->HasFp64Rays(); }
 
-  // Lines by the exact variant, as long as they are few: the technique "auto".
+  // Lines as chords, but for a few wide ones, by the exact variant: the technique "auto".
   void SetExactLines(bool exact)
   {
     if (exact != this->ExactLines)

@@ -196,6 +196,35 @@ std::string CornerInputs(
     "void wfvInterpolate()\n{\n" + body + "}\n";
 }
 
+std::string MixedOutputs(const std::vector<Varying>& varyings, const std::string& parameter,
+  const std::vector<std::string>& weights)
+{
+  std::string declarations;
+  std::string body;
+  for (const Varying& v : varyings)
+  {
+    // VTK itself renames the fragment stage's
+    std::string out = v.Name;
+    ReplaceAll(out, "VSOut", "GSOut");
+    if (out == v.Name)
+    {
+      continue;
+    }
+    declarations += v.Input();
+    declarations += (v.Flat ? "flat out " : "out ") + v.Declaration(out);
+    std::string sum;
+    const size_t corners = weights.size();
+    for (size_t c = v.Flat ? corners - 1 : 0; c < corners; c++)
+    {
+      sum += (sum.empty() ? "" : " + ") + (v.Flat ? "" : weights[c] + " * ") + v.Name + "[" +
+        std::to_string(c) + "]";
+    }
+    body += "  " + out + " = " + sum + ";\n";
+  }
+  return "// WideFoV: outputs between the corners\n" + declarations + "void wfvWriteMix(" +
+    parameter + ")\n{\n" + body + "}\n";
+}
+
 int CornerComponents(const std::vector<Varying>& varyings, int corners, const Known& known)
 {
   int count = 0;

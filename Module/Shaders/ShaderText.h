@@ -69,13 +69,19 @@ std::string CornerOutputs(
 std::string CornerInputs(const std::vector<Varying>& varyings,
   const std::vector<std::string>& weights, const Known& known = {});
 
+// For a geometry stage that emits points between the corners: wfvWriteMix(), with this parameter,
+// sets every output from the corners' by one weight each, an expression in GLSL; what is flat is
+// the last corner's.
+std::string MixedOutputs(const std::vector<Varying>& varyings, const std::string& parameter,
+  const std::vector<std::string>& weights);
+
 // Components of all copies.
 int CornerComponents(const std::vector<Varying>& varyings, int corners, const Known& known = {});
 
 // True where nothing is drawn by its chords: WFV_EXACT.
 bool IsExact(const Request& r);
 
-// True for triangles and exact lines of an eye with non-central rays.
+// True for triangles and lines of an eye with non-central rays.
 bool NonCentral(const Request& r);
 
 // True for spheres, cylinders, tubes and splats of an eye with non-central rays.

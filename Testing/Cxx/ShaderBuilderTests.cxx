@@ -122,7 +122,7 @@ TEST(ShaderBuilder, ATriangleKnowsItsFlatNormal)
 TEST(ShaderBuilder, LinesMixTheirTwoEnds)
 {
   const Sources s = Build("equirectangular", Builder::Variant::PreClip, Builder::Primitive::Lines);
-  EXPECT_TRUE(Has(s.GeometryStage, "mix(normalVCVSOutput[0], normalVCVSOutput[1], t)"));
+  EXPECT_TRUE(Has(s.GeometryStage, "(1.0 - t) * normalVCVSOutput[0] + t * normalVCVSOutput[1]"));
   EXPECT_TRUE(Has(s.GeometryStage, "layout(lines) in"));
 }
 

@@ -62,30 +62,11 @@ int ChordVertices(const std::vector<Varying>& varyings)
   return std::min(MostComponents / own, MostChordVertices);
 }
 
-// Lines carry every output on, mixed between the two ends. VTK itself renames the
-// fragment stage's VSOut to GSOut.
-std::string MixedOutputs(const std::vector<Varying>& varyings, bool direction)
-{
-  std::string declarations = direction ? "flat out vec3 wfvDirectionGSOutput;\n" : "";
-  std::string body = direction
-    ? "  wfvDirectionGSOutput = vertexVCVSOutput[1].xyz - vertexVCVSOutput[0].xyz;\n"
-    : "";
-  for (const Varying& v : varyings)
-  {
-    std::string out = v.Name;
-    ReplaceAll(out, "VSOut", "GSOut");
-    if (out == v.Name)
-    {
-      continue;
-    }
-    declarations += v.Input();
-    declarations += (v.Flat ? "flat out " : "out ") + v.Declaration(out);
-    body += "  " + out + " = ";
-    body += v.Flat ? v.Name + "[1];\n" : "mix(" + v.Name + "[0], " + v.Name + "[1], t);\n";
-  }
-  return "// WideFoV: outputs between two ends\n" + declarations +
-    "void wfvWriteMix(float t)\n{\n" + body + "}\n";
-}
+// What light asks of a chord.
+const char* const DirectionSource =
+  "flat out vec3 wfvDirectionGSOutput;\n"
+  "void wfvWriteDirection()\n{\n"
+  "  wfvDirectionGSOutput = vertexVCVSOutput[1].xyz - vertexVCVSOutput[0].xyz;\n}\n";
 
 void RewriteNormal(const Request& r, const std::string& direction, std::string& fragment)
 {
@@ -112,9 +93,11 @@ bool DrawsChords(const Request& r)
 
 std::string ChordSource(const std::vector<Varying>& varyings)
 {
+  const bool known = KnowsPlace(varyings);
   return Define("WFV_CHORD_VERTICES", ChordVertices(varyings)) +
-    MixedOutputs(varyings, KnowsPlace(varyings)) + line_places_glsl + line_pieces_glsl +
-    line_chords_glsl;
+    MixedOutputs(varyings, "float t", { "(1.0 - t)", "t" }) +
+    (known ? DirectionSource : "void wfvWriteDirection() {}\n") + line_places_glsl +
+    line_pieces_glsl + line_chords_glsl;
 }
 
 std::string ChordFragment(

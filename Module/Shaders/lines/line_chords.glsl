@@ -32,6 +32,7 @@ void wfvEmitVertex(WfvPlace place, vec2 shift)
   gl_Position = vec4(place.clip.xy + shift * place.clip.w, place.clip.zw);
   wfvPlaceGSOutput = place.seen * wfvScale();
   wfvWriteMix(mix(wfvShares.x, wfvShares.y, place.way));
+  wfvWriteDirection();
   gl_PrimitiveID = gl_PrimitiveIDIn;
   EmitVertex();
 }

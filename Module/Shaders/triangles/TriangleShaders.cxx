@@ -33,32 +33,15 @@ std::string CoverSource(const Projection& projection)
   }
 }
 
-// Triangles carry every output on, mixed between the corners.
+// Triangles that are cut into smaller ones.
 std::string CutSource(const Request& r, const std::vector<Varying>& varyings)
 {
   const bool seen = r.Stereo && !r.Stereo->Traits.OneCenter;
-  std::string declarations;
-  std::string body;
-  for (const Varying& v : varyings)
-  {
-    std::string out = v.Name;
-    ReplaceAll(out, "VSOut", "GSOut");
-    if (out == v.Name)
-    {
-      continue;
-    }
-    declarations += v.Input();
-    declarations += (v.Flat ? "flat out " : "out ") + v.Declaration(out);
-    body += "  " + out + " = ";
-    body += v.Flat
-      ? v.Name + "[2];\n"
-      : "w.x * " + v.Name + "[0] + w.y * " + v.Name + "[1] + w.z * " + v.Name + "[2];\n";
-  }
   constexpr int rows = Classifier::MostRows;
   constexpr int vertices = std::max(2 * WFV_ROWS_OF_PART + 2, rows * (rows + 2));
-  return "// WideFoV: outputs between three corners\n" + Define("WFV_CUT_VERTICES", vertices) +
-    Define("WFV_SEEN_VERTICES", seen) + (seen ? stereo_vertex_glsl : "") + declarations +
-    "void wfvWriteMix(vec3 w)\n{\n" + body + "}\n" + edge_chords_glsl + cut_triangles_glsl;
+  return Define("WFV_CUT_VERTICES", vertices) + Define("WFV_SEEN_VERTICES", seen) +
+    (seen ? stereo_vertex_glsl : "") + MixedOutputs(varyings, "vec3 w", { "w.x", "w.y", "w.z" }) +
+    edge_chords_glsl + cut_triangles_glsl;
 }
 
 // What follows from the ray and the distance, where triangles are ray-tested whatever their edges.
