@@ -2,13 +2,13 @@
 #include "LensFile.h"
 
 #include "Messages.h"
+#include "SmallFile.h"
 
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 #include <vector>
 
@@ -16,37 +16,10 @@ namespace widefov
 {
 namespace
 {
-// Bytes: no calibration is as large.
-constexpr std::uintmax_t LargestFile = 1 << 20;
-
 // The centre of the first pixel, in OpenCV's pixels, is 0, 0.
 constexpr double HalfPixel = 0.5;
 
 using LensNumbers = std::vector<double>;
-
-// All or nothing of a file that ought to be small.
-std::string ReadText(const std::string& path)
-{
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error))
-  {
-    Fail(path +
-      " is not there, or no file; give a calibration of OpenCV (YAML) or COLMAP "
-      "(cameras.txt)");
-  }
-  if (std::filesystem::file_size(path, error) > LargestFile || error)
-  {
-    FailUsage(path + " is too large for a calibration; check the file");
-  }
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (!file)
-  {
-    Fail(path + " cannot be read; check its permissions");
-  }
-  return text.str();
-}
 
 [[noreturn]] void Refuse(const std::string& path, const std::string& why)
 {
@@ -323,7 +296,8 @@ CalibratedLens ReadLensFile(const std::string& given)
   const bool whole = mark == std::string::npos || std::filesystem::exists(given, error);
   const std::string path = whole ? given : given.substr(0, mark);
   const std::string id = whole ? "" : given.substr(mark + 1);
-  const std::string text = ReadText(path);
+  const std::string text =
+    ReadSmallFile(path, "give a calibration of OpenCV (YAML) or COLMAP (cameras.txt)");
   const std::vector<std::string> lines = ColmapLines(text);
   CalibratedLens lens = lines.empty() ? ParseYaml(path, text) : ChooseColmap(path, lines, id);
   std::vector<double> all{ lens.Size.x, lens.Size.y, lens.Focal.x, lens.Focal.y, lens.Axis.x,

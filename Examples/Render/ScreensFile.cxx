@@ -3,6 +3,7 @@
 
 #include "MessageCatcher.h"
 #include "Messages.h"
+#include "SmallFile.h"
 
 #include <vtkNew.h>
 #include <vtkXMLDataElement.h>
@@ -11,39 +12,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 
 namespace widefov
 {
 namespace
 {
-// Bytes: configurations are some hundred.
-constexpr std::uintmax_t LargestFile = 1 << 20;
-
-const char* const Advice = "; give a screens file as ParaView's .pvx";
-
-std::string ReadText(const std::string& path)
-{
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error))
-  {
-    Fail(path + " is not there, or no file" + Advice);
-  }
-  if (std::filesystem::file_size(path, error) > LargestFile || error)
-  {
-    Fail(path + " is larger than any screens file" + Advice);
-  }
-  std::ifstream file(path, std::ios::binary);
-  std::string text{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
-  if (!file)
-  {
-    Fail(path + " cannot be read; check its permissions");
-  }
-  return text;
-}
+const char* const Advice = "give a screens file as ParaView's .pvx";
 
 // The numbers of an attribute, all of it; empty where it is something else.
 std::vector<double> Numbers(const std::string& text)
@@ -174,7 +149,7 @@ void AddElements(const std::string& path, vtkXMLDataElement* parent, ScreensFile
 
 ScreensFile ReadScreens(const std::string& path)
 {
-  std::istringstream text(ReadText(path));
+  std::istringstream text(ReadSmallFile(path, Advice));
   MessageCatcher::TakeFirstError();
   vtkNew<vtkXMLDataParser> parser;
   parser->SetStream(&text);
@@ -183,11 +158,11 @@ ScreensFile ReadScreens(const std::string& path)
   vtkXMLDataElement* const root = parsed ? parser->GetRootElement() : nullptr;
   if (root == nullptr)
   {
-    Fail(path + " is no XML" + (error.empty() ? "" : " (" + error + ")") + Advice);
+    Fail(path + " is no XML" + (error.empty() ? "" : " (" + error + ")") + "; " + Advice);
   }
   if (std::string(root->GetName()) != "pvx")
   {
-    Fail(path + " is not pvx, but '" + OneLine(root->GetName()) + "'" + Advice);
+    Fail(path + " is not pvx, but '" + OneLine(root->GetName()) + "'; " + Advice);
   }
   ScreensFile file;
   AddElements(path, root, file);

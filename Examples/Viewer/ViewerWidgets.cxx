@@ -23,7 +23,7 @@ namespace
 {
 constexpr float Border = 8;           // between the panel and the window
 constexpr float ItemWidth = 13.5F;    // letters' sizes
-constexpr float LargestShare = 0.5F;  // of the window's width, at most
+constexpr float WidestItem = 0.5F;    // of the window's width, at most
 constexpr float LeastAngle = 1;       // degrees
 constexpr float LeastOpacity = 0.05F; // of volumes, times what is usual
 constexpr float MostOpacity = 20;
@@ -89,7 +89,7 @@ void Viewer::Widgets()
         ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
           ImGuiWindowFlags_NoSavedSettings))
   {
-    ImGui::PushItemWidth(std::min(ItemWidth * ImGui::GetFontSize(), LargestShare * size.x));
+    ImGui::PushItemWidth(std::min(ItemWidth * ImGui::GetFontSize(), WidestItem * size.x));
     this->ChoosePreset();
     this->ChooseView();
     this->ChooseEyes();

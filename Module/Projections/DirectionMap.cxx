@@ -141,7 +141,9 @@ double RadiusOf(const DirectionMap& map, int x, int y)
     for (int k = 0; k < 9; k++)
     {
       // just inside, where the pixel is this one
-      const vec2 at(x + JustInside * (k % 3 - 1), y + JustInside * (k / 3 - 1));
+      const int column = k % 3 - 1;
+      const int row = k / 3 - 1;
+      const vec2 at(x + JustInside * column, y + JustInside * row);
       chord = std::max(chord, glm::length(wfvRayOfPixel(at, view).direction - d));
     }
   }

@@ -188,7 +188,7 @@ std::string CheckOptions(const Projection& p, const ViewOptions& o)
   }
   if (o.Stereo.Model)
   {
-    const std::string problem = o.Stereo.Model->Check(o.Stereo, p);
+    std::string problem = o.Stereo.Model->Check(o.Stereo, p);
     if (!problem.empty())
     {
       return problem;

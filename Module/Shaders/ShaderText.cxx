@@ -285,7 +285,7 @@ void RewriteFlatNormal(const Request& r, std::string& fragment)
 std::string TakeFromEye(const Request& r, std::string& vertex, bool keepModel)
 {
   const bool both = vertex.find("MCDCMatrix") != std::string::npos;
-  const std::string matrix = both ? "MCDCMatrix" : "MCVCMatrix";
+  std::string matrix = both ? "MCDCMatrix" : "MCVCMatrix";
   if (stock::Replace(vertex, stock::Edit::FromEye, "wfvFromEyeOf(" + matrix + ", vertexMC)",
         r.Stock.If(!r.Stock.Glyphs)) < 0)
   {

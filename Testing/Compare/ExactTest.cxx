@@ -22,7 +22,7 @@ constexpr double ExactTolerance = 0.02;
 // Relative error of the distance along the pixel's ray.
 constexpr double ExactDepthTolerance = 1e-5;
 
-const std::vector<double> Fovs{ 60, 180, 270, 360 };
+const std::vector<double> ExactFovs{ 60, 180, 270, 360 };
 }
 
 class CompareExact : public DrawingTest
@@ -50,7 +50,7 @@ protected:
   void CheckAll(const std::vector<NamedPose>& poses, const std::string& mesh)
   {
     const Projection& p = *FindProjection(this->GetParam());
-    for (double fov : FovsOf(p, Fovs))
+    for (double fov : FovsOf(p, ExactFovs))
     {
       for (const NamedPose& pose : poses)
       {

@@ -43,20 +43,20 @@ constexpr long LostFlatFolds = 4;
 constexpr long LostTurnedFolds = 8;
 
 // Where folds are: so many of them, one in so many pixels from the first row on.
-struct Places
+struct FoldPlaces
 {
   int Count;
   int Step;
 };
 
 // All over the picture.
-Places Everywhere(const Shot& shot)
+FoldPlaces Everywhere(const Shot& shot)
 {
   return { RandomFolds, shot.Width * shot.Height / RandomFolds };
 }
 
 // The top 24 rows of 512 pixels.
-constexpr Places BesideAPole = { 4096, 3 };
+constexpr FoldPlaces BesideAPole = { 4096, 3 };
 
 using Between = std::function<double(double, double)>;
 
@@ -203,7 +203,7 @@ using Add = std::function<void(vtkPolyData*, const vec3&, int, const Between&)>;
 
 // One at each of these pixels.
 vtkSmartPointer<vtkPolyData> MakeFolds(
-  const View& view, const Shot& shot, const Places& places, const Add& add)
+  const View& view, const Shot& shot, const FoldPlaces& places, const Add& add)
 {
   std::mt19937 generator(1);
   const auto between = [&](double low, double high) {
@@ -265,7 +265,7 @@ protected:
   }
 
   static reference::Metrics Compare(
-    const Shot& shot, int technique, double tolerance, const Places& places, const Add& add)
+    const Shot& shot, int technique, double tolerance, const FoldPlaces& places, const Add& add)
   {
     const std::string& projection = shot.Projection;
     Picture->SetTechnique(technique);
@@ -288,7 +288,7 @@ protected:
     return Compare(shot, technique, tolerance, Everywhere(shot), add);
   }
 
-  static void CheckFaces(const Shot& shot, const Places& places, const Add& add)
+  static void CheckFaces(const Shot& shot, const FoldPlaces& places, const Add& add)
   {
     constexpr double Tolerance = 0.25;
     const reference::Metrics m = Compare(shot, vtkWideFoVPass::AUTO, Tolerance, places, add);

@@ -230,7 +230,7 @@ vec3 Direction(double lambda, double phi)
 }
 
 // Directions beside everything that tears a map, and others. Degrees.
-std::vector<vec3> Places(const Shot& shot, std::mt19937& generator)
+std::vector<vec3> PointPlaces(const Shot& shot, std::mt19937& generator)
 {
   const View view(*FindProjection(shot.Projection), shot.Options);
   std::uniform_real_distribution<double> u(-1, 1);
@@ -265,7 +265,7 @@ std::vector<vec3> Points(const Shot& shot, unsigned int seed)
   std::mt19937 generator(seed);
   std::uniform_real_distribution<double> distance(0.8, 4.3);
   std::vector<vec3> points;
-  for (const vec3& d : Places(shot, generator))
+  for (const vec3& d : PointPlaces(shot, generator))
   {
     const vec3 p = glm::normalize(d) * distance(generator);
     points.push_back(vec3(float(p.x), float(p.y), float(p.z)));

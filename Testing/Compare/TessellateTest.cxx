@@ -19,7 +19,7 @@ using namespace wfv::test;
 
 namespace
 {
-const double Tolerances[] = { 0.05, 0.25, 1 }; // pixels
+const double ChordTolerances[] = { 0.05, 0.25, 1 }; // pixels
 
 struct Mesh
 {
@@ -69,7 +69,7 @@ TEST_P(Tessellate, KeepsTheTolerance)
     Picture->SetMesh(mesh.Data);
     for (const NamedPose& pose : PlainPoses())
     {
-      for (double tolerance : Tolerances)
+      for (double tolerance : ChordTolerances)
       {
         const double fov = FindProjection(this->GetParam())->MaxHorizontalFov;
         Shot shot = MakeShot(this->GetParam(), fov, pose);
@@ -98,7 +98,7 @@ TEST_P(Tessellate, KeepsTheToleranceInACornellBox)
   ASSERT_EQ(scene.Props.size(), 1u);
   Picture->SetMesh(scene.Props[0].Surface);
   const widefov::Vector3 eye = widefov::SceneEye(scene);
-  for (double tolerance : Tolerances)
+  for (double tolerance : ChordTolerances)
   {
     Shot shot = MakeShot(this->GetParam(), 360, PlainPoses()[1]);
     shot.Eye = vec3(eye[0], eye[1], eye[2]);

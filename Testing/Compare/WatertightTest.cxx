@@ -28,13 +28,13 @@ void Check(Drawing& drawing, const Shot& shot, const std::string& scene)
   EXPECT_EQ(count.Outside, 0) << scene << "\n  " << Describe(shot) << "\n" << count.First;
 }
 
-struct Place
+struct EyePlace
 {
   const char* Name;
   Placement Where;
 };
 
-const Place Places[] = { { "at the origin", { vec3(0), 1, false } },
+const EyePlace EyePlaces[] = { { "at the origin", { vec3(0), 1, false } },
   { "at 1e5", { vec3(1e5, -1e5, 1e5), 1, true } }, { "scale 1e-6", { vec3(0), 1e-6, false } },
   { "scale 1e8", { vec3(0), 1e8, false } },
   { "scale 1e-6 at 0.1", { vec3(0.1, -0.1, 0.1), 1e-6, true } } };
@@ -48,7 +48,7 @@ protected:
   void CheckEverywhere(Maker make, int n, const std::string& mesh)
   {
     const Projection& p = *FindProjection(this->GetParam());
-    for (const Place& place : Places)
+    for (const EyePlace& place : EyePlaces)
     {
       Picture->SetMesh(make(n, place.Where));
       for (const NamedPose& pose : PlainPoses())

@@ -70,13 +70,13 @@ void AddBlocks(vtkRenderer* renderer, bool composite)
   }
 }
 
-struct Drawn
+struct DrawnBlocks
 {
   vtkSmartPointer<vtkUnsignedCharArray> Pixels;
   int Clusters;
 };
 
-Drawn Draw(bool composite, bool twice)
+DrawnBlocks Draw(bool composite, bool twice)
 {
   WideFoVTestWindow test("equirectangular", PartsWidth, PartsHeight);
   AddBlocks(test.Renderer, composite);
@@ -144,7 +144,7 @@ vtkSmartPointer<vtkActor> MakeVariedBlocks()
   return MakeActor(mapper);
 }
 
-Drawn DrawVaried(bool composite)
+DrawnBlocks DrawVaried(bool composite)
 {
   WideFoVTestWindow test("equirectangular", PartsWidth, PartsHeight);
   for (int i = 0; i < (composite ? 0 : Blocks); i++)
@@ -187,7 +187,7 @@ std::vector<Selected> SelectAll(bool composite)
   return all;
 }
 
-int CountDifferent(const Drawn& a, const Drawn& b)
+int CountDifferent(const DrawnBlocks& a, const DrawnBlocks& b)
 {
   int n = 0;
   for (vtkIdType i = 0; i < a.Pixels->GetNumberOfValues(); i++)
@@ -200,8 +200,8 @@ int CountDifferent(const Drawn& a, const Drawn& b)
 
 TEST(Composite, BlocksAreDrawnAsOwnMappersAre)
 {
-  const Drawn own = Draw(false, false);
-  const Drawn blocks = Draw(true, false);
+  const DrawnBlocks own = Draw(false, false);
+  const DrawnBlocks blocks = Draw(true, false);
   EXPECT_GT(own.Clusters, 100);
   EXPECT_EQ(blocks.Clusters, WIDEFOV_CLASSIFIES_BLOCKS ? own.Clusters : 0);
   EXPECT_EQ(CountDifferent(blocks, own), 0);
@@ -215,7 +215,7 @@ TEST(Composite, BlocksAreDrawnAsOwnMappersAre)
 // One block red, one hidden, one translucent and one coloured by its cells: as actors of their own.
 TEST(Composite, BlocksKeepWhatIsSetOfEach)
 {
-  const Drawn blocks = DrawVaried(true);
+  const DrawnBlocks blocks = DrawVaried(true);
   EXPECT_EQ(CountDifferent(blocks, DrawVaried(false)), 0);
   EXPECT_GT(CountDifferent(blocks, Draw(true, false)), PartsWidth * PartsHeight / 20);
 }

@@ -27,7 +27,7 @@ enum class Way
   PerspectiveCamera
 };
 
-void AddScene(vtkRenderer* renderer, bool own)
+void AddStockScene(vtkRenderer* renderer, bool own)
 {
   for (int i = 0; i < 6; i++)
   {
@@ -72,7 +72,7 @@ vtkSmartPointer<vtkUnsignedCharArray> Picture(Way way)
   {
     renderer->SetPass(pass);
   }
-  AddScene(renderer, way == Way::Mapper);
+  AddStockScene(renderer, way == Way::Mapper);
   window->AddRenderer(renderer);
   window->Render();
   return TestPixels(window).Data;

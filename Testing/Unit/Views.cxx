@@ -144,6 +144,17 @@ std::vector<vec3> RandomDirections(int count)
   return d;
 }
 
+std::vector<vec3> ManyDirections()
+{
+  std::vector<vec3> all = RandomDirections(20000);
+  for (double offset : { 1e-9, 1e-7, 1e-5, 1e-3, 0.1 })
+  {
+    const std::vector<vec3> special = SpecialDirections(offset);
+    all.insert(all.end(), special.begin(), special.end());
+  }
+  return all;
+}
+
 std::vector<vec3> RimDirections(const View& view, double offset)
 {
   std::vector<vec3> d;

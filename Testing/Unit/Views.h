@@ -46,6 +46,9 @@ std::vector<vec3> SpecialDirections(double offset);
 // Uniform on the sphere, always the same ones.
 std::vector<vec3> RandomDirections(int count);
 
+// 20,000 of them, and the special ones from 1e-9 to 0.1 radians.
+std::vector<vec3> ManyDirections();
+
 // Directions `offset` radians inside the rim of a round map, or the largest longitude and
 // latitude of a meridian one; none for the others.
 std::vector<vec3> RimDirections(const View& view, double offset);

@@ -119,7 +119,7 @@ void MoveChunks(Mp4Box& movie)
 }
 
 // A box of the file itself.
-struct Place
+struct BoxPlace
 {
   std::string Type;
   std::uint64_t Begin = 0;
@@ -136,11 +136,11 @@ std::string ReadPart(std::ifstream& file, std::uint64_t begin, std::uint64_t siz
   return bytes;
 }
 
-std::vector<Place> PlacesOf(std::ifstream& file)
+std::vector<BoxPlace> PlacesOf(std::ifstream& file)
 {
   file.seekg(0, std::ios::end);
   const auto end = static_cast<std::uint64_t>(file.tellg());
-  std::vector<Place> places;
+  std::vector<BoxPlace> places;
   for (std::uint64_t at = 0; at < end;)
   {
     const std::string header = ReadPart(file, at, LongHeaderBytes);
@@ -156,7 +156,7 @@ std::vector<Place> PlacesOf(std::ifstream& file)
   return places;
 }
 
-void CopyPart(std::ifstream& file, const Place& place, const WriteBytes& write)
+void CopyPart(std::ifstream& file, const BoxPlace& place, const WriteBytes& write)
 {
   constexpr std::uint64_t Block = 1 << 20;
   for (std::uint64_t done = 0; done < place.Size;)
@@ -258,7 +258,7 @@ void RewriteMovie(
   const std::string& path, const std::function<void(Mp4Box& movie)>& edit, const WriteBytes& write)
 {
   std::ifstream file(path, std::ios::binary);
-  const std::vector<Place> places = PlacesOf(file);
+  const std::vector<BoxPlace> places = PlacesOf(file);
   // ffmpeg writes it last, for it is known last; so everything before it moves by its size
   if (places.size() < 2 || places.back().Type != "moov" || places.front().Type != "ftyp")
   {

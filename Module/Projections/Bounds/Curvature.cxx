@@ -111,7 +111,8 @@ std::vector<vec3> BorderDirections(const Projection& p, const WfvView& v)
   {
     // four sides, from corner to corner
     const int side = i % 4;
-    const double t = -1 + 2 * (i / 4) / (Border / 4.0);
+    const int step = i / 4;
+    const double t = -1 + 2 * step / (Border / 4.0);
     const vec2 ndc =
       side < 2 ? vec2(side ? -t : t, side ? 1 : -1) : vec2(side == 2 ? 1 : -1, side == 2 ? t : -t);
     const WfvRay ray = p.Unproject(ndc - v.center, v);
@@ -146,7 +147,8 @@ vec3 Compute(const Projection& p, const WfvView& v)
     for (int i = 0; i < MarginSteps * MarginDirections; i++)
     {
       const vec3 t = tangents.At(2 * WFV_PI * i / MarginDirections);
-      const double a = Margin * (1 + i / MarginDirections) / MarginSteps;
+      const int step = 1 + i / MarginDirections;
+      const double a = Margin * step / MarginSteps;
       curvature = glm::max(curvature, CurvatureAt(p, v, d * std::cos(a) + t * std::sin(a)));
     }
   }

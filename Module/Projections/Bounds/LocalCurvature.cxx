@@ -45,8 +45,10 @@ std::vector<LocalCurvature::Around> FindNeighbours()
     const int j = static_cast<int>(cell % Cells);
     for (int k = 0; k < 9; k++)
     {
-      const double s = -1 + (2.0 * (i + k % 3) - 1) / Cells;
-      const double t = -1 + (2.0 * (j + k / 3) - 1) / Cells;
+      const int column = i + k % 3;
+      const int row = j + k / 3;
+      const double s = -1 + (2.0 * column - 1) / Cells;
+      const double t = -1 + (2.0 * row - 1) / Cells;
       all[cell][k] = LocalCurvature::CellOf(FromFace(face, s, t));
     }
   }

@@ -132,17 +132,6 @@ vec2 Plane(const View& view, const vec3& direction)
   return vec2(ndc.x / scale.x, ndc.y / scale.y);
 }
 
-std::vector<vec3> Directions()
-{
-  std::vector<vec3> all = RandomDirections(20000);
-  for (double offset : { 1e-9, 1e-7, 1e-5, 1e-3, 0.1 })
-  {
-    const std::vector<vec3> special = SpecialDirections(offset);
-    all.insert(all.end(), special.begin(), special.end());
-  }
-  return all;
-}
-
 double Sine(const vec3& d)
 {
   return std::hypot(d.x, d.y);
@@ -170,7 +159,7 @@ TEST_P(Proj, AgreesForward)
   double worst = 0;
   std::string where;
   long count = 0;
-  for (const vec3& d : Directions())
+  for (const vec3& d : ManyDirections())
   {
     const vec2 angles = wfvMeridianAngles(d);
     vec2 xy;

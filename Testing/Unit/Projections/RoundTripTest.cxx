@@ -19,7 +19,7 @@ constexpr double RoundTrip = 1e-12;
 constexpr double TiltRounding = 8 * std::numeric_limits<double>::epsilon();
 
 // Error, the case that has it.
-struct Worst
+struct WorstTrip
 {
   double Error = 0;
   std::string Case;
@@ -140,7 +140,7 @@ vec2 Inwards(const vec2& p)
 
 TEST(RoundTrip, DirectionForwardRay)
 {
-  Worst worst;
+  WorstTrip worst;
   long count = 0;
   for (const NamedView& v : AllViews())
   {
@@ -171,7 +171,7 @@ TEST(RoundTrip, DirectionForwardRay)
 
 TEST(RoundTrip, NdcRayForward)
 {
-  Worst worst;
+  WorstTrip worst;
   long count = 0;
   const std::vector<vec2> points = WindowPoints();
   for (const NamedView& v : AllViews())
