@@ -16,16 +16,19 @@ void Append(std::string& key, const Values&... values)
 // All fields: the compiler counts them here.
 void AppendRequest(std::string& key, const wfv::ShaderBuilder::Request& request)
 {
-  const auto& [projection, stereo, stage, kind, widePoints, wideLines, edges, edgeFlags, byRays,
-    debugView, multisample, tilted, lensed, fades, surface, headlights, depthMapping, meetsChords,
-    severalChords, fp64, runs, lights, stock] = request;
+  const auto& [view, stage, kind, points, lines, triangles, lights, surface, runs, debugView,
+    stock] = request;
+  const auto& [projection, stereo, depthMapping, multisample, tilted, lensed, fades] = view;
+  const auto& [edges, edgeFlags, byRays, meetsChords, severalChords, fp64] = triangles;
+  const auto& [headlights, constants] = lights;
   const auto& [noAmbient, noDiffuse, fullDiffuse, noSpecular, opaque] = surface;
   const auto& [known, light, physical, normals, wireframe, glyphs, clips, impostors] = stock;
-  Append(key, projection, stereo, stage, kind, widePoints, wideLines, edges, edgeFlags, byRays,
-    debugView, multisample, tilted, lensed, fades, headlights, depthMapping, meetsChords,
-    severalChords, fp64, runs, noAmbient, noDiffuse, fullDiffuse, noSpecular, opaque);
+  Append(key, projection, stereo, depthMapping, multisample, tilted, lensed, fades);
+  Append(key, stage, kind, points.Wide, lines.Wide, runs, debugView);
+  Append(key, edges, edgeFlags, byRays, meetsChords, severalChords, fp64);
+  Append(key, headlights, noAmbient, noDiffuse, fullDiffuse, noSpecular, opaque);
   Append(key, known, light, physical, normals, wireframe, glyphs, clips, impostors);
-  key += lights ? *lights : "";
+  key += constants ? *constants : "";
   key += '\0'; // where they end
 }
 }

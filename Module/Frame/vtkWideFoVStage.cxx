@@ -65,13 +65,13 @@ public:
     const bool lines = representation == VTK_WIREFRAME || type == PrimitiveLines;
     request.Kind = points ? Primitive::Points : lines ? Primitive::Lines : Primitive::Triangles;
     auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-    request.WidePoints = request.Kind == Primitive::Points && wfv::PointSize(mapper, actor) > 1.0f;
-    request.WideLines = request.Kind == Primitive::Lines && window &&
+    request.Points.Wide = request.Kind == Primitive::Points && wfv::PointSize(mapper, actor) > 1.0f;
+    request.Lines.Wide = request.Kind == Primitive::Lines && window &&
       actor->GetProperty()->GetLineWidth() > window->GetMaximumHardwareLineWidth();
-    request.Edges = request.Kind == Primitive::Triangles &&
+    request.Triangles.Edges = request.Kind == Primitive::Triangles &&
       actor->GetProperty()->GetEdgeVisibility() && !renderer->GetSelector();
-    request.EdgeFlags =
-      request.Edges && type == PrimitiveTris && !(mapper->*(&MapperAccess::EdgeValues)).empty();
+    request.Triangles.EdgeFlags = request.Triangles.Edges && type == PrimitiveTris &&
+      !(mapper->*(&MapperAccess::EdgeValues)).empty();
     request.Kind = wfv::quadric::KindOf(mapper, actor, request.Kind);
     request.Surface = DescribeMaterial(mapper, renderer, actor, buffer);
     request.Stock = wfv::stock::Describe(mapper, actor);
@@ -107,18 +107,19 @@ private:
 // What of a view is text of the shaders.
 void vtkWideFoVStage::NoteView(const wfv::View& view)
 {
-  const bool tilts = !this->Tilted && view.GetParameters().tilt != wfv::vec2(1, 0);
-  const bool bends = !this->Lensed && view.GetParameters().lens.x != 0;
+  const bool tilts = !this->Seen.Tilted && view.GetParameters().tilt != wfv::vec2(1, 0);
+  const bool bends = !this->Seen.Lensed && view.GetParameters().lens.x != 0;
   const wfv::StereoModel* const stereo = view.GetStereoModel();
-  const bool fades = !this->Fades && stereo && stereo->Fades(view.GetParameters());
-  if (&view.GetProjection() != this->Projection || tilts || bends || fades ||
-    stereo != this->Stereo || view.GetParameters().depthMapping != this->View.depthMapping)
+  const bool fades = !this->Seen.Fades && stereo && stereo->Fades(view.GetParameters());
+  if (&view.GetProjection() != this->Seen.Projection || tilts || bends || fades ||
+    stereo != this->Seen.Stereo || view.GetParameters().depthMapping != this->Seen.DepthMapping)
   {
-    this->Projection = &view.GetProjection();
-    this->Stereo = stereo;
-    this->Tilted = this->Tilted || tilts;
-    this->Lensed = this->Lensed || bends;
-    this->Fades = this->Fades || fades;
+    this->Seen.Projection = &view.GetProjection();
+    this->Seen.Stereo = stereo;
+    this->Seen.DepthMapping = view.GetParameters().depthMapping;
+    this->Seen.Tilted = this->Seen.Tilted || tilts;
+    this->Seen.Lensed = this->Seen.Lensed || bends;
+    this->Seen.Fades = this->Seen.Fades || fades;
     this->SourceTime.Modified();
   }
 }
@@ -192,11 +193,9 @@ bool IsProjected(wfv::ShaderBuilder::Variant variant)
 
 void vtkWideFoVStage::FinishTriangles(wfv::ShaderBuilder::Request& request) const
 {
-  request.Stereo = this->Stereo;
-  request.Headlights = this->Headlights;
-  request.Lights = &this->Lights.GetConstants();
-  request.Fades = this->Fades;
-  const bool straight = !this->Stereo || this->Stereo->Traits.StraightRays;
+  request.Lights.Headlights = this->Headlights;
+  request.Lights.Constants = &this->Lights.GetConstants();
+  const bool straight = !this->Seen.Stereo || this->Seen.Stereo->Traits.StraightRays;
   if (request.Kind == wfv::ShaderBuilder::Primitive::Lines && !straight &&
     request.Stage == wfv::ShaderBuilder::Variant::Exact)
   {
@@ -204,20 +203,20 @@ void vtkWideFoVStage::FinishTriangles(wfv::ShaderBuilder::Request& request) cons
   }
   if (!straight && wfv::quadric::Draws(request.Kind))
   {
-    static const bool said = WarnOfImpostors(this->Stereo->Name);
+    static const bool said = WarnOfImpostors(this->Seen.Stereo->Name);
     (void)said;
   }
   if (request.Kind != wfv::ShaderBuilder::Primitive::Triangles)
   {
     return;
   }
-  request.ByRays = this->ByRays;
+  request.Triangles.ByRays = this->ByRays;
   const bool upright =
-    this->Projection->Axis == wfv::Family::Meridian && this->Projection->StraightSeam;
+    this->Seen.Projection->Axis == wfv::Family::Meridian && this->Seen.Projection->StraightSeam;
   request.Runs = upright ? this->Runs : 1;
   // how far edges are is asked of float32 alone
-  request.Fp64 = this->IsFp64() && !request.Edges && !this->DebugView;
-  if ((!straight || (this->Stereo && !this->Stereo->Traits.OneCenter)) &&
+  request.Triangles.Fp64 = this->IsFp64() && !request.Triangles.Edges && !this->DebugView;
+  if ((!straight || (this->Seen.Stereo && !this->Seen.Stereo->Traits.OneCenter)) &&
     !IsProjected(request.Stage))
   {
     // their edges are no great circles, which is what chords are chosen by
@@ -228,9 +227,10 @@ void vtkWideFoVStage::FinishTriangles(wfv::ShaderBuilder::Request& request) cons
 bool vtkWideFoVStage::HasFp64Rays() const
 {
   const bool exact = this->Variant == wfv::ShaderBuilder::Variant::Exact;
-  const bool moved =
-    this->Stereo && (!this->Stereo->Traits.OneCenter || !this->Stereo->Traits.StraightRays);
-  return exact && !moved && !this->Multisample && this->Projection->Axis != wfv::Family::Planar;
+  const bool moved = this->Seen.Stereo &&
+    (!this->Seen.Stereo->Traits.OneCenter || !this->Seen.Stereo->Traits.StraightRays);
+  return exact && !moved && !this->Seen.Multisample &&
+    this->Seen.Projection->Axis != wfv::Family::Planar;
 }
 
 // Parts that each of few lines is drawn in: the pieces of one that runs round the eye or past a
@@ -242,20 +242,16 @@ wfv::ShaderBuilder::Request vtkWideFoVStage::MakeRequest(
 {
   using Variant = wfv::ShaderBuilder::Variant;
   wfv::ShaderBuilder::Request request;
-  request.Projection = this->Projection;
+  request.View = this->Seen;
   request.Stage = this->Variant;
   request.DebugView = this->DebugView;
-  request.DepthMapping = this->View.depthMapping;
-  request.Multisample = this->Multisample;
-  request.Tilted = this->Tilted;
-  request.Lensed = this->Lensed;
   auto* polydata = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
   if (auto* actor = vtkActor::SafeDownCast(prop); polydata && actor && this->Renderer)
   {
     MapperAccess::Describe(polydata, this->Renderer, actor, request);
   }
   // stock VTK draws these with a geometry stage of its own, straight in the picture
-  if ((request.Edges || request.WideLines) && request.Stage == Variant::Projected &&
+  if ((request.Triangles.Edges || request.Lines.Wide) && request.Stage == Variant::Projected &&
     !this->Clipless)
   {
     request.Stage = Variant::PreClip;
@@ -271,7 +267,7 @@ wfv::ShaderBuilder::Request vtkWideFoVStage::MakeRequest(
   }
   // only our own mapper draws patches; the pieces' edges must not show as the cell's
   const bool patches = wfv::HasTrait(mapper, wfv::OwnMesh) &&
-    request.Kind == wfv::ShaderBuilder::Primitive::Triangles && !request.Edges;
+    request.Kind == wfv::ShaderBuilder::Primitive::Triangles && !request.Triangles.Edges;
   request.Stage =
     request.Stage == Variant::Tessellate && !patches ? Variant::PreClip : request.Stage;
   return request;
@@ -321,8 +317,9 @@ bool vtkWideFoVStage::PostReplaceShaderValues(std::string& vertexShader,
   const bool triangles = request.Kind == wfv::ShaderBuilder::Primitive::Triangles;
   const bool classifies = triangles &&
     (wfv::HasTrait(mapper, wfv::OwnMesh) || wfv::HasTrait(mapper, wfv::ClassifiesBlocks));
-  request.MeetsChords = classifies && this->MeetsChords && !request.Edges && MayClassify(mapper);
-  request.SeveralChords = request.MeetsChords && this->SeveralChords;
+  request.Triangles.MeetsChords =
+    classifies && this->MeetsChords && !request.Triangles.Edges && MayClassify(mapper);
+  request.Triangles.SeveralChords = request.Triangles.MeetsChords && this->SeveralChords;
   const bool others = wfv::IsEditedFurther(this, prop);
   Texts texts{ vertexShader, geometryShader, fragmentShader };
   const Texts* const before =

@@ -206,8 +206,9 @@ private:
   wfv::ShaderBuilder::Variant Variant = wfv::ShaderBuilder::Variant::Projected;
   vtkRenderer* Renderer = nullptr;    // valid between SetView and the end of the frame
   vtkWideFoVCamera* Camera = nullptr; // the same
-  const wfv::Projection* Projection = nullptr;
-  const wfv::StereoModel* Stereo = nullptr;
+  // A tilt, a lens and a fade stay once one was there. Several samples: in a frame that begins with
+  // them, or from the first draw on that has them.
+  wfv::ShaderBuilder::ViewTraits Seen;
   vtkTimeStamp SourceTime;
   wfv::WfvView View{};
   wfv::DirectionTextures* Textures = nullptr;
@@ -219,12 +220,6 @@ private:
   int Headlights = 0;
   wfv::SteadyLights Lights;
   bool Clipless = false;
-  // Shaders reckon with several samples a pixel in a frame that begins with them, or from the first
-  // draw on that has them.
-  bool Multisample = false;
-  bool Tilted = false; // once, and from then on
-  bool Lensed = false; // likewise
-  bool Fades = false;  // likewise
   bool ByRays = false;
   bool MeetsChords = false;
   bool SeveralChords = false;

@@ -16,14 +16,8 @@
 wfv::ShaderBuilder::Request vtkWideFoVStage::MakeRayRequest() const
 {
   wfv::ShaderBuilder::Request request;
-  request.Projection = this->Projection;
-  request.Stereo = this->Stereo;
-  request.DepthMapping = this->View.depthMapping;
-  request.Multisample = this->Multisample;
-  request.Tilted = this->Tilted;
-  request.Lensed = this->Lensed;
-  request.Fades = this->Fades;
-  request.Headlights = this->Headlights;
+  request.View = this->Seen;
+  request.Lights.Headlights = this->Headlights;
   return request;
 }
 

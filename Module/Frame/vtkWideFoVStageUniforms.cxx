@@ -87,18 +87,18 @@ wfv::ProgramUses FindUses(vtkShaderProgram* program)
 void vtkWideFoVStage::TakeSamples()
 {
   const bool several = CountSamples() > 1;
-  if (several != this->Multisample)
+  if (several != this->Seen.Multisample)
   {
-    this->Multisample = several;
+    this->Seen.Multisample = several;
     this->SourceTime.Modified();
   }
 }
 
 void vtkWideFoVStage::NoteSamples()
 {
-  if (CountSamples() > 1 && !this->Multisample)
+  if (CountSamples() > 1 && !this->Seen.Multisample)
   {
-    this->Multisample = true;
+    this->Seen.Multisample = true;
     this->SourceTime.Modified();
   }
 }
@@ -109,7 +109,7 @@ void vtkWideFoVStage::SetFrameParameters(vtkShaderProgram* program, const int vi
   program->SetUniformf("wfvTolerance", this->Tolerance);
   if (program->IsUniformUsed("wfvStretch"))
   {
-    const wfv::vec2 stretch = wfv::Stretch(*this->Projection, this->View);
+    const wfv::vec2 stretch = wfv::Stretch(*this->Seen.Projection, this->View);
     program->SetUniformf("wfvStretch", static_cast<float>(std::max(stretch.x, stretch.y)));
   }
   wfv::SetTileUniforms(

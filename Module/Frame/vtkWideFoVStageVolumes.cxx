@@ -20,7 +20,7 @@ bool vtkWideFoVStage::FinishVolume(vtkProp* prop, vtkAbstractMapper* mapper, std
     return false;
   }
   wfv::ShaderBuilder::Request request = this->MakeRayRequest();
-  request.Multisample = false; // a pixel's volume has one ray in any case
+  request.View.Multisample = false; // a pixel's volume has one ray in any case
   wfv::volume::Finish(request, wfv::volume::Describe(this->Renderer, volume), geometry, fragment);
   wfv::stock::LeaveOutUnedited(this->Renderer, mapper, vertex, geometry, fragment);
   return true;

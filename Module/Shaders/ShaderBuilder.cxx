@@ -23,7 +23,7 @@ namespace
 // what is cut are moved behind the cut.
 bool MovesVertices(const Request& r)
 {
-  return r.Stereo && !r.Stereo->Traits.OneCenter && !wfv::triangle::Covers(r) &&
+  return r.View.Stereo && !r.View.Stereo->Traits.OneCenter && !wfv::triangle::Covers(r) &&
     !wfv::triangle::Cuts(r) && !wfv::quadric::Draws(r.Kind) && !wfv::line::Draws(r) &&
     !wfv::line::DrawsChords(r);
 }
@@ -142,16 +142,16 @@ std::string DebugSource(const Request& r)
 // True where points reach across the curved seam of a map.
 bool EndsAtSeam(const Request& r)
 {
-  return r.Kind == Primitive::Points && r.Projection->Axis == wfv::Family::Meridian &&
-    !r.Projection->StraightSeam;
+  return r.Kind == Primitive::Points && r.View.Projection->Axis == wfv::Family::Meridian &&
+    !r.View.Projection->StraightSeam;
 }
 
 // Where the map ends; empty where nothing reaches across. Of curved rays the border is
 // elsewhere at every depth.
 std::string BorderSource(const Request& r)
 {
-  const bool straight = !r.Stereo || r.Stereo->Traits.StraightRays;
-  if (straight && r.Projection->Axis == wfv::Family::Azimuthal)
+  const bool straight = !r.View.Stereo || r.View.Stereo->Traits.StraightRays;
+  if (straight && r.View.Projection->Axis == wfv::Family::Azimuthal)
   {
     return domain_fragment_glsl;
   }
@@ -161,7 +161,7 @@ std::string BorderSource(const Request& r)
 // True where depth is not what the rasterizer interpolates: places are, on the surface.
 bool WritesDepth(const Request& r)
 {
-  return r.DepthMapping != wfv::WFV_DEPTH_LINEAR || wfv::line::DrawsChords(r);
+  return r.View.DepthMapping != wfv::WFV_DEPTH_LINEAR || wfv::line::DrawsChords(r);
 }
 
 // What the fragment stage has as its place in view coordinates: the stock position, which light
@@ -195,7 +195,7 @@ std::string PlaceSource(const Request& r, const std::string& fragment)
 // What a fragment stage that covers asks OpenGL for.
 std::string Extensions(const Request& r)
 {
-  return Covers(r) ? std::string(SampleMasks) + (r.Fp64 ? Doubles : "") : "";
+  return Covers(r) ? std::string(SampleMasks) + (r.Triangles.Fp64 ? Doubles : "") : "";
 }
 
 void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
@@ -221,7 +221,7 @@ void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std:
   const std::string border = BorderSource(r);
   declarations += border;
   after += border.empty() ? "" : "  if (wfvOutsideDomain()) { discard; }\n";
-  after += covers && r.Fp64 ? "  if (wfvIsBehind(gl_FragDepth)) { discard; }\n" : "";
+  after += covers && r.Triangles.Fp64 ? "  if (wfvIsBehind(gl_FragDepth)) { discard; }\n" : "";
   declarations += DebugSource(r);
   FoldMaterial(r.Surface, fragment);
   RewriteLights(r, fragment);
@@ -283,7 +283,7 @@ void wfv::ShaderBuilder::Prepare(const Request& r, std::string& geometry, std::s
     return;
   }
   geometry.clear();
-  if (r.Edges)
+  if (r.Triangles.Edges)
   {
     stock::Replace(fragment, Edit::EdgesDeclaration,
       Define("WFV_EDGE_OPACITY", stock::HasEdgeOpacity()) + edges_fragment_glsl, r.Stock.If(true));

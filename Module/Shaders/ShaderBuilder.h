@@ -48,32 +48,56 @@ public:
     bool Opaque = false;      // opacity 1
   };
 
-  struct Request
+  // Of the view. The programs of all that is drawn are built anew where it changes.
+  struct ViewTraits
   {
     const wfv::Projection* Projection = nullptr;
     const wfv::StereoModel* Stereo = nullptr; // none: no stereo
-    Variant Stage = Variant::Projected;
-    Primitive Kind = Primitive::Triangles;
-    bool WidePoints = false;    // points wider than a pixel
-    bool WideLines = false;     // lines wider than the hardware draws
+    int DepthMapping = 0;     // wfv::DepthMapping; all but linear by the fragment stage
+    bool Multisample = false; // the framebuffer may have several samples a pixel
+    bool Tilted = false;      // the view may have a tilt
+    bool Lensed = false;      // and a lens
+    bool Fades = false;       // the eyes' circle may have a fade
+  };
+
+  struct PointTraits
+  {
+    bool Wide = false; // wider than a pixel
+  };
+
+  struct LineTraits
+  {
+    bool Wide = false; // wider than the hardware draws
+  };
+
+  struct TriangleTraits
+  {
     bool Edges = false;         // surface with edges
-    bool EdgeFlags = false;     // some edges of the triangles are inside a cell
-    bool ByRays = false;        // triangles are ray-tested, whatever their edges: no chords
-    bool DebugView = false;     // coloured by what happens to each primitive
-    bool Multisample = false;   // the framebuffer may have several samples a pixel
-    bool Tilted = false;        // the view may have a tilt
-    bool Lensed = false;        // and a lens
-    bool Fades = false;         // the eyes' circle may have a fade
-    Material Surface;           // of triangles
-    int Headlights = 0;         // which lights are at the eye, one bit each
-    int DepthMapping = 0;       // wfv::DepthMapping; all but linear by the fragment stage
+    bool EdgeFlags = false;     // some edges are inside a cell
+    bool ByRays = false;        // ray-tested, whatever their edges: no chords
     bool MeetsChords = false;   // triangles that are drawn by their chords may be beside these
     bool SeveralChords = false; // and an edge of these may have several
-    bool Fp64 = false;          // ray-tested triangles are decided in double, where OpenGL has that
-    int Runs = 1;               // of the geometry stage, which share in covering a triangle
+    bool Fp64 = false;          // ray-tested ones are decided in double, where OpenGL has that
+  };
 
-    // Of wfv::SteadyLights; none: all of every light is uniforms.
-    const std::string* Lights = nullptr;
+  struct LightTraits
+  {
+    int Headlights = 0;                     // which lights are at the eye, one bit each
+    const std::string* Constants = nullptr; // of wfv::SteadyLights; none: all are uniforms
+  };
+
+  struct Request
+  {
+    ViewTraits View;
+    Variant Stage = Variant::Projected;
+    Primitive Kind = Primitive::Triangles;
+    PointTraits Points;
+    LineTraits Lines;
+    TriangleTraits Triangles;
+    LightTraits Lights;
+    Material Surface;
+    int Runs = 1;           // of the geometry stage, which share in covering a primitive
+    bool DebugView = false; // coloured by what happens to each primitive
 
     wfv::stock::Traits Stock; // what must be found in VTK's text
   };

@@ -72,7 +72,7 @@ std::string Define(const char* name, int value)
 
 bool IsExact(const Request& r)
 {
-  return r.ByRays || r.Stage == wfv::ShaderBuilder::Variant::Exact;
+  return r.Triangles.ByRays || r.Stage == wfv::ShaderBuilder::Variant::Exact;
 }
 
 namespace
@@ -87,45 +87,48 @@ bool AllRayTested(const Request& r)
 
 bool NonCentral(const Request& r)
 {
-  return r.Stereo && !r.Stereo->Traits.OneCenter &&
+  return r.View.Stereo && !r.View.Stereo->Traits.OneCenter &&
     (AllRayTested(r) || line::Draws(r) || line::DrawsChords(r));
 }
 
 bool NonCentralImpostors(const Request& r)
 {
-  return r.Stereo && !r.Stereo->Traits.OneCenter && quadric::Draws(r.Kind);
+  return r.View.Stereo && !r.View.Stereo->Traits.OneCenter && quadric::Draws(r.Kind);
 }
 
 bool CurvedRays(const Request& r)
 {
-  return r.Stereo && !r.Stereo->Traits.StraightRays && AllRayTested(r);
+  return r.View.Stereo && !r.View.Stereo->Traits.StraightRays && AllRayTested(r);
 }
 
 std::string ViewSource(const Request& r)
 {
-  const bool meridian = r.Projection->Axis == wfv::Family::Meridian;
-  const bool faces = r.Projection->Axis == wfv::Family::Faces;
-  const bool sampled = r.Projection->Axis == wfv::Family::Sampled;
+  const bool meridian = r.View.Projection->Axis == wfv::Family::Meridian;
+  const bool faces = r.View.Projection->Axis == wfv::Family::Faces;
+  const bool sampled = r.View.Projection->Axis == wfv::Family::Sampled;
   return "// WideFoV: what this program is for\n#define WFV_FN\n#define WFV_TABLES int\n" +
     Define("WFV_MERIDIAN", meridian) + Define("WFV_FACES", faces) + Define("WFV_SAMPLED", sampled) +
-    Define("WFV_ROUND", r.Projection->Axis == wfv::Family::Azimuthal) +
-    Define("WFV_STRAIGHT_SEAM", r.Projection->StraightSeam) +
-    Define("WFV_FLAT_RIM", r.Projection->FlatRim) + Define("WFV_EXACT", IsExact(r)) +
-    Define("WFV_BY_RAYS", r.ByRays) + Define("WFV_MEETS_CHORDS", r.MeetsChords && AllRayTested(r)) +
-    Define("WFV_SEVERAL_CHORDS", r.SeveralChords && AllRayTested(r)) + Define("WFV_FP64", r.Fp64) +
-    Define("WFV_DEPTH_MAPPING(v)", r.DepthMapping) + Define("WFV_MULTISAMPLE", r.Multisample) +
-    Define("WFV_WIDE_LINES", r.WideLines) + Define("WFV_EDGES", r.Edges || r.DebugView) +
-    Define("WFV_EDGE_FLAGS", r.EdgeFlags) + Define("WFV_DEBUG_VIEW", r.DebugView) +
-    "#define WFV_TILTED " + (r.Tilted ? "true" : "false") + "\n#define WFV_LENSED " +
-    (r.Lensed ? "true" : "false") + "\n" + "#define WFV_FADES " + (r.Fades ? "true" : "false") +
-    "\n" + "#define WFV_ANGLES " + (meridian ? "wfvMeridianAngles" : "wfvAzimuthalAngles") + "\n" +
+    Define("WFV_ROUND", r.View.Projection->Axis == wfv::Family::Azimuthal) +
+    Define("WFV_STRAIGHT_SEAM", r.View.Projection->StraightSeam) +
+    Define("WFV_FLAT_RIM", r.View.Projection->FlatRim) + Define("WFV_EXACT", IsExact(r)) +
+    Define("WFV_BY_RAYS", r.Triangles.ByRays) +
+    Define("WFV_MEETS_CHORDS", r.Triangles.MeetsChords && AllRayTested(r)) +
+    Define("WFV_SEVERAL_CHORDS", r.Triangles.SeveralChords && AllRayTested(r)) +
+    Define("WFV_FP64", r.Triangles.Fp64) + Define("WFV_DEPTH_MAPPING(v)", r.View.DepthMapping) +
+    Define("WFV_MULTISAMPLE", r.View.Multisample) + Define("WFV_WIDE_LINES", r.Lines.Wide) +
+    Define("WFV_EDGES", r.Triangles.Edges || r.DebugView) +
+    Define("WFV_EDGE_FLAGS", r.Triangles.EdgeFlags) + Define("WFV_DEBUG_VIEW", r.DebugView) +
+    "#define WFV_TILTED " + (r.View.Tilted ? "true" : "false") + "\n#define WFV_LENSED " +
+    (r.View.Lensed ? "true" : "false") + "\n" + "#define WFV_FADES " +
+    (r.View.Fades ? "true" : "false") + "\n" + "#define WFV_ANGLES " +
+    (meridian ? "wfvMeridianAngles" : "wfvAzimuthalAngles") + "\n" +
     Define("WFV_NON_CENTRAL", NonCentral(r)) +
     Define("WFV_NON_CENTRAL_IMPOSTORS", NonCentralImpostors(r)) +
     Define("WFV_CURVED_RAYS", CurvedRays(r)) + Define("WFV_RUNS", r.Runs) +
-    Define("WFV_SHIFTED", r.Stereo && !r.Stereo->Traits.StraightRays && !CurvedRays(r)) +
+    Define("WFV_SHIFTED", r.View.Stereo && !r.View.Stereo->Traits.StraightRays && !CurvedRays(r)) +
     wfv::MathGlsl() + wfv::CommonGlsl() + wfv::DepthGlsl() + limits_glsl +
-    (r.Stereo ? ray_hit_glsl + r.Stereo->Glsl : "") + (sampled ? directions_glsl : "") +
-    r.Projection->Glsl + interface_glsl;
+    (r.View.Stereo ? ray_hit_glsl + r.View.Stereo->Glsl : "") + (sampled ? directions_glsl : "") +
+    r.View.Projection->Glsl + interface_glsl;
 }
 
 std::string EdgeSource()
@@ -135,8 +138,9 @@ std::string EdgeSource()
 
 std::string RaySource(const Request& r)
 {
-  const bool cylinder = r.Projection->Axis == wfv::Family::Meridian && r.Projection->StraightSeam;
-  const bool sampled = r.Projection->Axis == wfv::Family::Sampled;
+  const bool cylinder =
+    r.View.Projection->Axis == wfv::Family::Meridian && r.View.Projection->StraightSeam;
+  const bool sampled = r.View.Projection->Axis == wfv::Family::Sampled;
   return std::string(cylinder ? ray_cylinder_glsl : "") + ray_fragment_glsl +
     (sampled ? ray_steps_sampled_glsl : ray_steps_glsl);
 }
@@ -262,10 +266,10 @@ void RewriteLights(const Request& r, std::string& fragment)
   }
   std::string head = fragment.substr(0, inside);
   std::string body = fragment.substr(inside);
-  FoldLights(r.Lights ? *r.Lights : "", head);
+  FoldLights(r.Lights.Constants ? *r.Lights.Constants : "", head);
   wfv::ShaderBuilder::Declare(head, light_fragment_glsl);
   ReplaceAll(head, "uniform int wfvHeadlights;",
-    "const int wfvHeadlights = " + std::to_string(r.Headlights) + ";");
+    "const int wfvHeadlights = " + std::to_string(r.Lights.Headlights) + ";");
   stock::Replace(body, Edit::LightPlace, "$&\n  wfvFromEye = WFV_FROM_EYE;");
   stock::Replace(body, Edit::HeadlightCosine, "max($1, dot(normalVCVSOutput, -wfvFromEye))",
     r.Stock.If(alone && !r.Stock.Physical));

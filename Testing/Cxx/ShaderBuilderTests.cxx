@@ -36,7 +36,7 @@ struct Sources
 Sources Build(const char* projection, Builder::Variant variant, Builder::Primitive kind,
   Builder::Request request = Builder::Request())
 {
-  request.Projection = wfv::FindProjection(projection);
+  request.View.Projection = wfv::FindProjection(projection);
   request.Stage = variant;
   request.Kind = kind;
   Sources s;
@@ -82,7 +82,7 @@ TEST(ShaderBuilder, PreClipCarriesEveryOutputByThreeCorners)
 TEST(ShaderBuilder, TrianglesKeepAllDigitsOfTheirCorners)
 {
   Builder::Request request;
-  request.Projection = wfv::FindProjection("hammer");
+  request.View.Projection = wfv::FindProjection("hammer");
   for (auto variant :
     { Builder::Variant::Exact, Builder::Variant::Tessellate, Builder::Variant::Projected })
   {
@@ -107,7 +107,7 @@ TEST(ShaderBuilder, ATriangleKnowsItsFlatNormal)
   const std::string stock = "//VTK::System::Dec\nvoid main()\n{\n"
                             "  vec3 normalVCVSOutput = normalize(cross(fdx,fdy));\n}\n";
   Builder::Request request;
-  request.Projection = wfv::FindProjection("hammer");
+  request.View.Projection = wfv::FindProjection("hammer");
   for (auto variant : { Builder::Variant::PreClip, Builder::Variant::Projected })
   {
     request.Stage = variant;
@@ -152,7 +152,7 @@ TEST(ShaderBuilder, OnlyWidePointsNeedAGeometryStage)
   EXPECT_TRUE(s.GeometryStage.empty());
   EXPECT_TRUE(Has(s.VertexStage, "wfvProjectVertex"));
   Builder::Request request;
-  request.WidePoints = true;
+  request.Points.Wide = true;
   const Sources wide =
     Build("equirectangular", Builder::Variant::PreClip, Builder::Primitive::Points, request);
   EXPECT_TRUE(Has(wide.GeometryStage, "layout(points) in;"));
@@ -182,7 +182,7 @@ TEST(ShaderBuilder, HeadlightsShineFromTheEye)
   for (const auto& [stock, ours] : cosines)
   {
     Builder::Request request;
-    request.Projection = wfv::FindProjection("hammer");
+    request.View.Projection = wfv::FindProjection("hammer");
     std::string vertex = Vertex;
     std::string geometry;
     std::string fragment = std::string("//VTK::System::Dec\n"
@@ -215,7 +215,7 @@ TEST(ShaderBuilder, ALineKnowsItsNormal)
   for (const char* const stock : stocks)
   {
     Builder::Request request;
-    request.Projection = wfv::FindProjection("hammer");
+    request.View.Projection = wfv::FindProjection("hammer");
     request.Kind = Builder::Primitive::Lines;
     request.Stage = Builder::Variant::Exact;
     std::string vertex = std::string("out vec4 vertexVCVSOutput;\n") + Vertex;
@@ -241,7 +241,7 @@ TEST(ShaderBuilder, ASplatHasARadius)
     "void main()\n{\n  vec4 posVC = MCVCMatrix * vertexMC;\n"
     "float radius = scaleFactor * radiusMC;\n  gl_Position = VCDCMatrix * posVC;\n}\n";
   Builder::Request request;
-  request.Projection = wfv::FindProjection("hammer");
+  request.View.Projection = wfv::FindProjection("hammer");
   request.Kind = Builder::Primitive::Splats;
   request.Stock.Known = true;
   Sources s;
@@ -266,8 +266,8 @@ TEST(ShaderBuilder, SteadyLightsAreConstants)
 {
   const std::string lights = "lightColor0 vec3(1, 0.5, 0)\nlightDirectionVC1 vec3(0, 0, -1)\n";
   Builder::Request request;
-  request.Projection = wfv::FindProjection("hammer");
-  request.Lights = &lights;
+  request.View.Projection = wfv::FindProjection("hammer");
+  request.Lights.Constants = &lights;
   std::string vertex = Vertex;
   std::string geometry;
   std::string fragment = "//VTK::System::Dec\n"
@@ -296,7 +296,7 @@ TEST(ShaderBuilder, WrappingNests)
 TEST(ShaderBuilder, ADepthMappingIsWrittenInTheFragmentStage)
 {
   Builder::Request request;
-  request.DepthMapping = wfv::WFV_DEPTH_LOGARITHMIC;
+  request.View.DepthMapping = wfv::WFV_DEPTH_LOGARITHMIC;
   for (auto kind : { Builder::Primitive::Triangles, Builder::Primitive::Points })
   {
     const Sources s = Build("hammer", Builder::Variant::Projected, kind, request);
@@ -319,7 +319,7 @@ TEST(ShaderBuilder, ADebugViewReplacesTheColourNotTheLight)
 {
   Builder::Request request;
   request.DebugView = true;
-  request.Projection = wfv::FindProjection("hammer");
+  request.View.Projection = wfv::FindProjection("hammer");
   const std::string stock = "//VTK::System::Dec\nvoid main()\n{\n  //VTK::Color::Impl\n"
                             "  //VTK::Light::Impl\n  //VTK::TCoord::Impl\n}\n";
   for (auto variant : { Builder::Variant::Projected, Builder::Variant::PreClip })
@@ -358,7 +358,7 @@ TEST(ShaderBuilder, ThePiecesOfASpanFitWhatAGeometryStageMayEmit)
   const Sources few = Build("hammer", Builder::Variant::Projected, Builder::Primitive::Cylinders);
   EXPECT_TRUE(Has(few.GeometryStage, "#define WFV_PIECES 4"));
   Builder::Request request;
-  request.Projection = wfv::FindProjection("hammer");
+  request.View.Projection = wfv::FindProjection("hammer");
   request.Kind = Builder::Primitive::Tubes;
   Sources many;
   for (int i = 0; i < 8; i++)
@@ -376,7 +376,7 @@ TEST(ShaderBuilder, AFamilyWithoutAnglesIsCoveredByTheWholeWindow)
   wfv::Projection other = *wfv::FindProjection("hammer");
   other.Axis = wfv::Family::Planar;
   Builder::Request request;
-  request.Projection = &other;
+  request.View.Projection = &other;
   request.Kind = Builder::Primitive::Spheres;
   Sources s;
   Builder::Finish(request, s.VertexStage, s.GeometryStage, s.FragmentStage);

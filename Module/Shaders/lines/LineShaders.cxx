@@ -32,7 +32,7 @@ constexpr int FewestQuads = 3;
 int LineVertices(const Request& r, const std::vector<Varying>& varyings)
 {
   const bool rays = NonCentral(r);
-  const bool cut = r.Projection->Axis == Family::Faces || r.Projection->FlatRim || rays;
+  const bool cut = r.View.Projection->Axis == Family::Faces || r.View.Projection->FlatRim || rays;
   const int own = LineComponents + (cut ? RangeComponents : 0) + (rays ? FootComponents : 0);
   const int quads = MostComponents / (4 * (own + CornerComponents(varyings, 2)));
   return 4 * std::min(std::max(quads, FewestQuads), MostQuads);
@@ -114,7 +114,7 @@ std::string ChordFragment(
 bool Draws(const Request& r)
 {
   return r.Kind == Primitive::Lines && r.Stage == wfv::ShaderBuilder::Variant::Exact &&
-    r.Projection->Axis != Family::Planar;
+    r.View.Projection->Axis != Family::Planar;
 }
 
 std::string GeometrySource(const Request& r, const std::vector<Varying>& varyings)
@@ -127,7 +127,7 @@ std::string GeometrySource(const Request& r, const std::vector<Varying>& varying
       corners + line_emit_glsl + line_shapes_glsl + line_noncentral_geometry_glsl +
       line_geometry_glsl;
   }
-  const Family family = r.Projection->Axis;
+  const Family family = r.View.Projection->Axis;
   return head + line_frame_glsl + corners + line_emit_glsl + line_shapes_glsl + line_central_glsl +
     (family == Family::Faces        ? line_on_faces_glsl
         : family == Family::Sampled ? std::string(places_glsl) + line_on_directions_glsl
@@ -143,7 +143,7 @@ std::string FragmentSource(
   {
     RewriteNormal(r, DirectionOfCorners(varyings), fragment);
   }
-  const bool localMap = r.Projection->Axis == Family::Sampled && !NonCentral(r);
+  const bool localMap = r.View.Projection->Axis == Family::Sampled && !NonCentral(r);
   return std::string(line_arc_glsl) +
     (NonCentral(r) ? std::string(line_noncentral_glsl) + line_noncentral_fragment_glsl : "") +
     line_fragment_glsl +

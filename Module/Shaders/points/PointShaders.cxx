@@ -14,7 +14,7 @@ namespace
 {
 bool OnDirections(const Request& r)
 {
-  return r.Projection->Axis == Family::Sampled;
+  return r.View.Projection->Axis == Family::Sampled;
 }
 }
 
@@ -22,8 +22,8 @@ bool Draws(const Request& r)
 {
   // behind a flat rim even a small one would show, as if it were on it; and what a direction map
   // shows where is not found for sure
-  const bool always = r.Projection->FlatRim || OnDirections(r);
-  return r.Kind == Primitive::Points && (r.WidePoints || always) &&
+  const bool always = r.View.Projection->FlatRim || OnDirections(r);
+  return r.Kind == Primitive::Points && (r.Points.Wide || always) &&
     r.Stage != wfv::ShaderBuilder::Variant::Projected;
 }
 

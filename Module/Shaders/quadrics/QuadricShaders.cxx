@@ -151,11 +151,11 @@ std::string GeometrySource(const Request& r, const std::vector<Varying>& varying
   const bool pixels = r.Kind == Primitive::PointSpheres;
   const std::string head = "//VTK::System::Dec\n" + ViewSource(r) +
     Define("WFV_ANGULAR",
-      r.Projection->Axis == Family::Meridian || r.Projection->Axis == Family::Azimuthal) +
+      r.View.Projection->Axis == Family::Meridian || r.View.Projection->Axis == Family::Azimuthal) +
     Define("WFV_PIECES", pieces) + Define("WFV_SPAN_VERTICES", 8 * pieces) +
     "#define WFV_SPHERE_RADIUS " +
     (pixels ? "wfvPixelRadius(centre)" : "radiusVCVSOutput[0] / wfvScale()") + "\n" +
-    CornerOutputs(r, varyings) + quadric_cover_glsl + CapSource(*r.Projection);
+    CornerOutputs(r, varyings) + quadric_cover_glsl + CapSource(*r.View.Projection);
   switch (r.Kind)
   {
     case Primitive::Tubes:
@@ -234,7 +234,7 @@ void FinishFragment(
   stock::Replace(fragment, Edit::FragmentDepth, "wfvDepth", stock::Found::May);
   stock::Replace(fragment, Edit::FrontFacing, "wfvFront", stock::Found::May);
   RewriteLights(r, fragment);
-  const bool round = r.Projection->Axis == Family::Azimuthal;
+  const bool round = r.View.Projection->Axis == Family::Azimuthal;
   const std::string before = Before(r, fragment);
   wfv::ShaderBuilder::WrapMain(fragment, before,
     std::string("  if (wfvHide) { discard; }\n") +

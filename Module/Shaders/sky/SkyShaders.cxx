@@ -18,7 +18,7 @@ using Request = ShaderBuilder::Request;
 // What both need of the view.
 std::string RaySource(const Request& r, Kind kind)
 {
-  const bool shifted = r.Stereo && r.Stereo->Traits.OneCenter;
+  const bool shifted = r.View.Stereo && r.View.Stereo->Traits.OneCenter;
   return "#extension GL_ARB_sample_shading : enable\n" + shader::ViewSource(r) +
     shader::Define("WFV_SKY_SHIFTED", shifted) + "#define WFV_SKY_HALVES " +
     (kind == Kind::Halves ? "true" : "false") + "\n" + shader::RaySource(r) + sky_fragment_glsl;
@@ -31,7 +31,7 @@ std::string EditFloor(const Request& r, std::string& fragment)
     stock::Replace(fragment, Edit::SkyFloorLookup, "wfvSkyFloor(actortexture, dirv, pos, t)");
   stock::Replace(fragment, Edit::SkyFloorEye, "p0 - wfvSkyEye");
   stock::Replace(fragment, Edit::SkyFloorDepth, "gl_FragDepth = wfvSkyDepth(t);");
-  const bool own = r.Stereo && !r.Stereo->Traits.OneCenter;
+  const bool own = r.View.Stereo && !r.View.Stereo->Traits.OneCenter;
   return std::string("#define WFV_SKY_EYE(d) ") + (own ? "wfvEyeAt(d, wfvView)" : "vec3(0.0)") +
     "\n#define WFV_SKY_TILE " + (lookup == 1 ? "floorTCoordScale" : "vec2(1.0)") + "\n" +
     sky_floor_glsl;

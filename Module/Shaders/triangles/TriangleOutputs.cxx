@@ -28,7 +28,7 @@ std::vector<Output> OutputsOf(const Request& r)
 {
   const bool exact = IsExact(r);
   const bool anchored = NonCentral(r) || CurvedRays(r);
-  const int edges = r.Fp64 ? 3 * 3 * 2 : 3 * 3;
+  const int edges = r.Triangles.Fp64 ? 3 * 3 * 2 : 3 * 3;
   std::vector<Output> all{ { true, edges + 3, preclip_outputs_glsl, "wfvWriteEdges" },
     { anchored, 3, out_anchor_glsl, "wfvWriteAnchor" },
     { !anchored, 3 + 2, out_meets_glsl, "wfvWriteMeets" },
@@ -60,17 +60,18 @@ int OwnComponents(const Request& r)
 
 bool MeetsChords(const Request& r)
 {
-  return r.MeetsChords && IsExact(r);
+  return r.Triangles.MeetsChords && IsExact(r);
 }
 
 bool SeveralChords(const Request& r)
 {
-  return MeetsChords(r) && r.SeveralChords;
+  return MeetsChords(r) && r.Triangles.SeveralChords;
 }
 
 bool CrossesSeam(const Request& r)
 {
-  return !IsExact(r) && r.Projection->Axis == Family::Meridian && r.Projection->StraightSeam;
+  return !IsExact(r) && r.View.Projection->Axis == Family::Meridian &&
+    r.View.Projection->StraightSeam;
 }
 
 std::string OutputsSource(const Request& r)

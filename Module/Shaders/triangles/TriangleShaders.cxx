@@ -36,7 +36,7 @@ std::string CoverSource(const Projection& projection)
 // Triangles that are cut into smaller ones.
 std::string CutSource(const Request& r, const std::vector<Varying>& varyings)
 {
-  const bool seen = r.Stereo && !r.Stereo->Traits.OneCenter;
+  const bool seen = r.View.Stereo && !r.View.Stereo->Traits.OneCenter;
   constexpr int rows = Classifier::MostRows;
   constexpr int vertices = std::max(2 * WFV_ROWS_OF_PART + 2, rows * (rows + 2));
   return Define("WFV_CUT_VERTICES", vertices) + Define("WFV_SEEN_VERTICES", seen) +
@@ -56,7 +56,7 @@ Known KnownOf(const Request& r)
 std::string PlaneSource(const Request& r)
 {
   return std::string(preclip_planes_glsl) +
-    (r.Projection->Axis == Family::Faces ? planes_turn_glsl : "") +
+    (r.View.Projection->Axis == Family::Faces ? planes_turn_glsl : "") +
     "#ifdef GL_ARB_gpu_shader_fp64\n" + planes_fp64_glsl + "#else\n" + planes_fp32_glsl +
     "#endif\n" + preclip_facing_glsl;
 }
@@ -107,7 +107,7 @@ std::string GeometrySource(const Request& r, const std::vector<Varying>& varying
     preclip_write_glsl + preclip_emit_glsl + PlaneSource(r) +
     (NonCentral(r) ? std::string(non_central_glsl) + non_central_edges_glsl : "") +
     (CurvedRays(r) ? curved_cover_glsl : "") + preclip_cover_glsl + preclip_narrow_glsl +
-    CoverSource(*r.Projection) + (r.DebugView ? preclip_kinds_glsl : "") + preclip_seen_glsl +
+    CoverSource(*r.View.Projection) + (r.DebugView ? preclip_kinds_glsl : "") + preclip_seen_glsl +
     (NonCentral(r) ? "" : preclip_grazes_glsl) + preclip_easy_glsl + preclip_measure_glsl +
     (IsExact(r) ? preclip_exact_glsl : preclip_chords_glsl) + preclip_triangles_glsl;
 }
@@ -116,10 +116,10 @@ std::string FragmentSource(
   const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
 {
   RewriteFlatNormal(r, fragment);
-  return RaySource(r) + (r.Fp64 ? Fp64Source(*r.Projection) : "") + HitSource(r) +
+  return RaySource(r) + (r.Triangles.Fp64 ? Fp64Source(*r.View.Projection) : "") + HitSource(r) +
     (CurvedRays(r) ? std::string(curved_ray_glsl) + curved_fragment_glsl : "") + BorderSource(r) +
-    order_fragment_glsl + (r.Fp64 ? fine_depth_glsl : "") +
-    (r.Edges || r.DebugView ? edge_distance_glsl : "") +
+    order_fragment_glsl + (r.Triangles.Fp64 ? fine_depth_glsl : "") +
+    (r.Triangles.Edges || r.DebugView ? edge_distance_glsl : "") +
     CornerInputs(varyings, { "wfvB.x", "wfvB.y", "wfvB.z" }, KnownOf(r));
 }
 }

@@ -63,13 +63,13 @@ std::string RewriteLights(const Request& r, const Traits& traits, std::string& f
   {
     return "";
   }
-  return Define("WFV_VOLUME_LIGHTS", wording == 0 ? r.Headlights : traits.Directional) +
+  return Define("WFV_VOLUME_LIGHTS", wording == 0 ? r.Lights.Headlights : traits.Directional) +
     Define("WFV_POSITIONAL_FIRST", wording != 0) + volume_light_glsl;
 }
 
 bool Curves(const Request& r)
 {
-  return r.Stereo && !r.Stereo->Traits.StraightRays;
+  return r.View.Stereo && !r.View.Stereo->Traits.StraightRays;
 }
 
 // Where a pixel sees along a curve: samples are moved there.
@@ -104,7 +104,7 @@ void Finish(const Request& r, const Traits& traits, std::string& geometry, std::
   const std::string lights = RewriteLights(r, traits, fragment);
   const std::string march = Curves(r) ? RewriteMarch(must, fragment) : "";
   const int matrices = CountMatrices(fragment);
-  const bool eyes = r.Stereo && r.Stereo->Traits.StraightRays;
+  const bool eyes = r.View.Stereo && r.View.Stereo->Traits.StraightRays;
   // declared first, for what it replaces is called all over the text; the rest has VTK's uniforms
   wfv::ShaderBuilder::Declare(fragment,
     ViewSource(r) + Define("WFV_CURVES", Curves(r)) + RaySource(r) + volume_fragment_glsl);
