@@ -47,6 +47,18 @@ bool ReckonsInDepth(vtkRenderPass* pass)
   return vtkDepthImageProcessingPass::SafeDownCast(pass) || pass->IsA("vtkSSAOPass");
 }
 
+// Why one over the picture is left out, or nullptr where it is not.
+const char* WhyLeftOut(vtkRenderPass* pass)
+{
+  if (ReckonsInDepth(pass))
+  {
+    return "it takes the depths of the picture for those of a perspective";
+  }
+  return pass->IsA("vtkPanoramicProjectionPass")
+    ? "it makes a projection of pictures in perspective; see SetProjection of vtkWideFoVCamera"
+    : nullptr;
+}
+
 bool IsShadow(vtkRenderPass* pass)
 {
   return pass->IsA("vtkShadowMapPass") || pass->IsA("vtkShadowMapBakerPass");
@@ -169,9 +181,9 @@ vtkRenderPass* PassChain::Begin(vtkRenderPass* outermost, vtkWideFoVPass* wide)
   vtkRenderPass* pass = outermost;
   while (pass && IsOverPicture(pass))
   {
-    if (ReckonsInDepth(pass))
+    if (const char* const why = WhyLeftOut(pass))
     {
-      WarnOnce(pass, "it takes the depths of the picture for those of a perspective");
+      WarnOnce(pass, why);
     }
     else
     {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWideFoVRenderer.h"
 
+#include "Camera/AreaQuestions.h"
 #include "Camera/Tile.h"
 #include "Compat/Reports.h"
 #include "InsidePlace.h"
@@ -23,11 +24,15 @@
 vtkStandardNewMacro(vtkWideFoVRenderer);
 
 vtkWideFoVRenderer::vtkWideFoVRenderer()
+  : Areas(std::make_unique<wfv::AreaQuestions>())
 {
   this->SetPass(this->OwnPass);
 }
 
-vtkWideFoVRenderer::~vtkWideFoVRenderer() = default;
+vtkWideFoVRenderer::~vtkWideFoVRenderer()
+{
+  this->WarnOfArea();
+}
 
 void vtkWideFoVRenderer::PrintSelf(ostream& os, vtkIndent indent)
 {
@@ -188,12 +193,37 @@ void vtkWideFoVRenderer::ViewToWorld(double& x, double& y, double& z)
     this->Superclass::ViewToWorld(x, y, z);
     return;
   }
+  this->WatchAreas(camera, x, y, z);
   const double ndc[3] = { x, y, 2 * z - 1 };
   double world[3];
   camera->NDCToWorld(ndc, wfv::PictureAspect(this), world);
   x = world[0];
   y = world[1];
   z = world[2];
+}
+
+void vtkWideFoVRenderer::WatchAreas(vtkWideFoVCamera* camera, double x, double y, double z)
+{
+  if (this->Areas->Ask({ x, y }, z))
+  {
+    this->WarnOfArea();
+    const int* const size = this->GetSize();
+    const wfv::vec2 pixel(2.0 / std::max(size[0], 1), 2.0 / std::max(size[1], 1));
+    const double aspect = wfv::PictureAspect(this);
+    this->Areas->Pending = !this->Areas->IsBetweenPlanes(camera, aspect, pixel);
+  }
+}
+
+// Not at once: what draws the rectangle to see what is in it asks for its corners as well.
+void vtkWideFoVRenderer::WarnOfArea()
+{
+  if (this->Areas->Pending && wfv::IsNews("area"))
+  {
+    vtkWarningMacro("what is seen in a large rectangle of a wide picture is not what is between "
+                    "planes through its corners: vtkAreaPicker finds other props there than "
+                    "vtkRenderedAreaPicker, which finds what is seen");
+  }
+  this->Areas->Pending = false;
 }
 
 bool vtkWideFoVRenderer::DisplayToRay(double x, double y, double origin[3], double direction[3])
@@ -336,6 +366,8 @@ void vtkWideFoVRenderer::WarnOfSmallness(vtkWideFoVCamera* camera)
 
 void vtkWideFoVRenderer::DeviceRender()
 {
+  this->Areas->Pending &= !this->GetSelector();
+  this->WarnOfArea();
   vtkWideFoVCamera* const camera = this->GetWideCamera();
   if (!camera || !this->Pass)
   {

@@ -19,6 +19,12 @@
 #include "vtkRenderingWideFoVModule.h" // For export macro
 
 #include <functional> // For std::function
+#include <memory>     // For std::unique_ptr
+
+namespace wfv
+{
+class AreaQuestions;
+}
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkWideFoVCamera;
@@ -147,6 +153,8 @@ protected:
   bool HasFlatEye();                                  // of a perspective, with a place of its own
   bool AnswerPicker(double& x, double& y, double& z); // if a picker asks; z: depth
   void WarnOfSmallness(vtkWideFoVCamera* camera);
+  void WatchAreas(vtkWideFoVCamera* camera, double x, double y, double z); // z: depth
+  void WarnOfArea();
 
   vtkWideFoVCamera* FrameCamera = nullptr;
   vtkNew<vtkWideFoVPass> OwnPass; // that it is made with
@@ -157,6 +165,7 @@ private:
   void operator=(const vtkWideFoVRenderer&) = delete;
 
   std::function<void()> DrawGradient;
+  std::unique_ptr<wfv::AreaQuestions> Areas;
 
   // What ResetCamera was called for, and where it put the eye; not asked of a frame yet.
   struct Reset

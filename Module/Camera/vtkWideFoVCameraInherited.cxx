@@ -189,18 +189,20 @@ void vtkWideFoVCamera::WarnOfFlatRenderer(vtkRenderer* renderer)
 void vtkWideFoVCamera::WarnOfWhatIsIgnored(vtkRenderer* renderer)
 {
   const bool tiled = IsTiled(renderer);
+  const bool shifted = this->WindowCenter[0] != 0 || this->WindowCenter[1] != 0;
   const auto check = [this](bool set, const char* name, const char* instead) {
     if (set)
     {
       WarnOnce(this, name, instead);
     }
   };
-  check(!tiled && std::abs(this->ViewAngle - StockViewAngle) > ViewAngleRounding,
-    "ViewAngle, set by a pointer to vtkCamera,", "; call SetViewAngle or Zoom of vtkWideFoVCamera");
   check(this->ParallelProjection != 0, "ParallelProjection", "");
   check(this->UserTransform != nullptr, "UserTransform", "; SetUserViewTransform works");
-  check(!tiled && (this->WindowCenter[0] != 0 || this->WindowCenter[1] != 0), "WindowCenter",
+  // vtkRenderLargeImage sets both
+  check(!tiled && shifted, "WindowCenter",
     "; for a large picture take vtkWindowToImageFilter, not vtkRenderLargeImage");
+  check(!tiled && !shifted && std::abs(this->ViewAngle - StockViewAngle) > ViewAngleRounding,
+    "ViewAngle, set by a pointer to vtkCamera,", "; call SetViewAngle or Zoom of vtkWideFoVCamera");
   check(this->ViewShear[0] != 0 || this->ViewShear[1] != 0, "ViewShear (or ObliqueAngles)", "");
   check(this->UseOffAxisProjection != 0, "UseOffAxisProjection",
     "; vtkWideFoVScreenCamera sees through a screen");

@@ -8,7 +8,7 @@ import vtk
 
 def concrete(*kinds, but=()):
     """Names of the classes that can be made and are of one of the kinds: what a factory puts in the
-    place of another is under the other's name alone."""
+    place of another is under the other's name alone, if the other can be made."""
     names = []
     for name in sorted(dir(vtk)):
         kind = getattr(vtk, name)
@@ -21,7 +21,8 @@ def concrete(*kinds, but=()):
         except (TypeError, NotImplementedError):
             continue
         names.append(name)
-    return names
+    return [name for name in names if name.replace("OpenGL", "", 1) == name
+            or name.replace("OpenGL", "", 1) not in names]
 
 
 def props():
@@ -34,3 +35,11 @@ def representations():
 
 def passes():
     return concrete(vtk.vtkRenderPass)
+
+
+def mappers():
+    return concrete(vtk.vtkAbstractMapper)
+
+
+def pickers():
+    return concrete(vtk.vtkAbstractPicker)

@@ -3,7 +3,7 @@
 
 import vtk
 
-from materials import BOUNDS, actor_of, ball, image, mapper_of
+from materials import BOUNDS, actor_of, ball, image, mapper_of, slice_of
 
 
 def volume(mapper):
@@ -188,6 +188,48 @@ def reslice():
     return made
 
 
+def overlay(mapper):
+    """In the picture's plane."""
+    made = vtk.vtkActor2D()
+    made.SetMapper(mapper)
+    return made
+
+
+def flat_image():
+    mapper = vtk.vtkImageMapper()
+    mapper.SetInputData(image())
+    mapper.SetColorWindow(255)
+    mapper.SetColorLevel(128)
+    return overlay(mapper)
+
+
+def flat_text():
+    mapper = vtk.vtkTextMapper()
+    mapper.SetInput("Ahoy")
+    return overlay(mapper)
+
+
+def labels_of_points(kind):
+    """Over four points."""
+    plane = vtk.vtkPlaneSource()
+    numbers = vtk.vtkIdFilter() if not hasattr(vtk, "vtkGenerateIds") else vtk.vtkGenerateIds()
+    numbers.SetInputConnection(plane.GetOutputPort())
+    mapper = mapper_of(numbers, kind)
+    mapper.SetLabelModeToLabelIds()
+    return overlay(mapper)
+
+
+def grids():
+    """A volume of tetrahedra in a block."""
+    single = tetrahedra(vtk.vtkProjectedTetrahedraMapper())
+    group = vtk.vtkMultiBlockDataGroupFilter()
+    group.AddInputConnection(single.GetMapper().GetInputConnection(0, 0))
+    mapper = vtk.vtkMultiBlockUnstructuredGridVolumeMapper()
+    mapper.SetInputConnection(group.GetOutputPort())
+    single.SetMapper(mapper)
+    return single
+
+
 # What is drawn by a mapper of its own, by the mapper's name.
 MAPPERS = {
     "vtkPolyDataMapper": lambda: actor_of(ball()),
@@ -204,6 +246,12 @@ MAPPERS = {
     "vtkPointGaussianMapper": lambda: scaled(vtk.vtkPointGaussianMapper),
     "vtkLabeledContourMapper": lambda: contours(vtk.vtkLabeledContourMapper),
     "vtkLabelPlacementMapper": labels,
+    "vtkLabeledDataMapper": lambda: labels_of_points(vtk.vtkLabeledDataMapper),
+    "vtkDynamic2DLabelMapper": lambda: labels_of_points(vtk.vtkDynamic2DLabelMapper),
+    "vtkPolyDataMapper2D": lambda: overlay(mapper_of(ball(40, (60, 60, 0)), vtk.vtkPolyDataMapper2D)),
+    "vtkImageMapper": flat_image,
+    "vtkTextMapper": flat_text,
+    "vtkImageSliceMapper": lambda: slice_of(image()),
     "vtkImageResliceMapper": reslice,
     "vtkGPUVolumeRayCastMapper": lambda: volume(vtk.vtkGPUVolumeRayCastMapper()),
     "vtkSmartVolumeMapper": lambda: volume(vtk.vtkSmartVolumeMapper()),
@@ -215,6 +263,8 @@ MAPPERS = {
     "vtkUnstructuredGridVolumeZSweepMapper": lambda: tetrahedra(
         vtk.vtkUnstructuredGridVolumeZSweepMapper()
     ),
+    "vtkMultiBlockUnstructuredGridVolumeMapper": grids,
+    "vtkOSPRayVolumeInterface": lambda: volume(vtk.vtkOSPRayVolumeInterface()),
     "vtkProjectedTetrahedraMapper": lambda: tetrahedra(vtk.vtkProjectedTetrahedraMapper()),
     "vtkOpenGLFluidMapper": lambda: fluid(),
 }

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Everything that VTK draws, in a wide view: right, or a word.
 
-    test_drawables.py FOLDER props|mappers|representations|widgets [--results FILE.json] [NAME...]
+    test_drawables.py FOLDER props|mappers|representations|widgets|renderpasses|pickers
+        [--results FILE.json] [NAME...]
 
 FOLDER has the package widefov. Each thing is drawn in a process of its own. It fails where that ends
 by itself or OpenGL notes an error, and where a picture differs from stock VTK's six faces of 90
@@ -20,12 +21,20 @@ OWN_SIZE = {
     "vtkBillboardTextActor3D": "as many pixels large as it is told, upright in the picture",
     "vtkFlagpoleLabel": "its label is as many pixels large as it is told, upright in the picture",
     "vtkLabelPlacementMapper": "as many pixels large as it is told, where its places are seen",
+    "vtkLabeledDataMapper": "as many pixels large as it is told, where its places are seen",
+    "vtkDynamic2DLabelMapper": "as many pixels large as it is told, where its places are seen",
     "vtkCaptionActor2D": "an overlay, beside what it points at",
     "vtkLegendScaleActor": "an overlay, as in any view",
 }
 
 # What this test draws nothing of.
-ELSEWHERE = {"vtkMultiVolume": "see [volumes](design/volumes.md): stock VTK 9.1 is no measure of it"}
+ELSEWHERE = {
+    "vtkMultiVolume": "see [volumes](design/volumes.md): stock VTK 9.1 is no measure of it",
+    "vtkAvatar": "nothing to see without a headset",
+    "vtkLabeledTreeMapDataMapper": "labels of a plane tree map, which this test does not make",
+    "vtkQtTreeRingLabelMapper": "labels of a plane tree, which this test does not make",
+    "vtkOpenGLGlyph3DHelper": "a part of vtkGlyph3DMapper",
+}
 
 
 def verdict(name, result, overlay):
@@ -35,10 +44,12 @@ def verdict(name, result, overlay):
     if result["gl"]:
         return "OpenGL notes errors %s" % result["gl"], True
     views = result["views"].values()
-    if overlay:
+    if name in ELSEWHERE:
+        return ELSEWHERE[name], False
+    if overlay and name not in OWN_SIZE:
         return "an overlay, as in any view", False
     if not any(view["stock"] for view in views) and not any(view["wide"] for view in views):
-        return ELSEWHERE.get(name, "nothing to see, as in stock VTK"), False
+        return "nothing to see, as in stock VTK", False
     worst = max(max(view["missing"], view["added"]) for view in views)
     colour = max(view["colour"] for view in views)
     if worst <= SHARE and colour <= COLOURS:
@@ -56,16 +67,22 @@ class Things:
     def __init__(self):
         import classes
         import draw
+        import passes
+        import pickers
         import recipes
         import vtk
         import widgets
 
         self.classes, self.draw, self.recipes = classes, draw, recipes
         self.vtk, self.widgets = vtk, widgets
+        self.own = {"renderpasses": passes, "pickers": pickers}
 
     def names(self, kind):
         if kind == "mappers":
-            return [n for n in self.recipes.MAPPERS if hasattr(self.vtk, n.split()[0])]
+            made = [n for n in self.recipes.MAPPERS if hasattr(self.vtk, n.split()[0])]
+            return made + [n for n in self.classes.mappers() if n not in made]
+        if kind == "renderpasses":
+            return self.classes.passes()
         if kind == "widgets":
             return self.classes.concrete(self.vtk.vtkAbstractWidget, self.vtk.vtk3DWidget)
         return getattr(self.classes, kind)()
@@ -74,6 +91,10 @@ class Things:
         return self.vtk.vtkVersion.GetVTKVersion()
 
     def measure(self, kind, name):
+        if kind in self.own:
+            return self.own[kind].measure(name)
+        if name in ELSEWHERE:
+            return {"views": {}, "gl": [], "said": ""}
         if kind in ("props", "mappers"):
             return self.draw.measure(lambda: self.recipes.make(name))
         return self.draw.show(lambda stage: self.put(kind, name, stage))
@@ -88,7 +109,9 @@ class Things:
         import forked
 
         def draw(name):
-            if kind in ("props", "mappers"):
+            if kind in self.own:
+                pixels = self.own[kind].show_stock(name)
+            elif kind in ("props", "mappers"):
                 pixels = self.draw.stock_pixels(lambda: self.recipes.make(name))
             else:
                 pixels = self.draw.show_stock(lambda stage: self.put(kind, name, stage))
@@ -105,8 +128,10 @@ class Things:
             return "ends the process of a stock renderer too: %s" % stock, False
         if kind in ("representations", "widgets"):
             return shown(result)
+        if kind in self.own:
+            return (result["crash"], True) if "crash" in result else self.own[kind].verdict(result)
         thing = getattr(self.vtk, name.split()[0])
-        return verdict(name, result, issubclass(thing, self.vtk.vtkActor2D))
+        return verdict(name, result, issubclass(thing, (self.vtk.vtkActor2D, self.vtk.vtkMapper2D)))
 
 
 def shown(result):

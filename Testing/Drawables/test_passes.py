@@ -123,6 +123,15 @@ def plain_camera(stage):
     stage.renderer.SetActiveCamera(camera)
 
 
+def large_picture(stage):
+    import vtk
+
+    large = vtk.vtkRenderLargeImage()
+    large.SetInput(stage.renderer)
+    large.SetMagnification(2)
+    large.Update()
+
+
 def cases():
     """Name: what is changed; what the picture is to be, or None; what is said where it is left out."""
     import vtk
@@ -151,6 +160,7 @@ def cases():
         made[name] = (around(kind, "stock"), is_same, name)
     made["UseShadows"] = (shadows, is_same, "UseShadows")
     made["UseSSAO"] = (occlusion, is_same, "UseSSAO")
+    made["vtkRenderLargeImage"] = (large_picture, is_same, "vtkRenderLargeImage")
     made["a camera of VTK's own"] = (plain_camera, None, "flat")
     return made
 

@@ -12,6 +12,7 @@ def checkerboard(representation):
     board = vtk.vtkImageCheckerboard()
     board.SetInputData(0, materials.image())
     board.SetInputData(1, materials.image())
+    board.SetNumberOfDivisions(4, 4, 1)  # of more than there are pixels VTK divides by 0
     picture.GetMapper().SetInputConnection(board.GetOutputPort())
     representation.SetCheckerboard(board)
     representation.SetImageActor(picture)
@@ -65,19 +66,49 @@ NEEDS = {
     "vtkAngleRepresentation2D": lambda r: r.SetHandleRepresentation(
         vtk.vtkPointHandleRepresentation2D()
     ),
-    "vtkDistanceRepresentation2D": lambda r: r.SetHandleRepresentation(
-        vtk.vtkPointHandleRepresentation2D()
-    ),
-    "vtkDistanceRepresentation3D": lambda r: r.SetHandleRepresentation(
-        vtk.vtkPointHandleRepresentation3D()
-    ),
-    "vtkAngleRepresentation3D": lambda r: r.SetHandleRepresentation(
-        vtk.vtkPointHandleRepresentation3D()
-    ),
+    "vtkDistanceRepresentation2D": lambda r: ends(r, vtk.vtkPointHandleRepresentation2D),
+    "vtkDistanceRepresentation3D": lambda r: ends(r, vtk.vtkPointHandleRepresentation3D),
+    "vtkAngleRepresentation3D": lambda r: ends(r, vtk.vtkPointHandleRepresentation3D, True),
     "vtkBiDimensionalRepresentation2D": lambda r: r.SetHandleRepresentation(
         vtk.vtkPointHandleRepresentation2D()
     ),
+    "vtkEllipsoidTensorProbeRepresentation": lambda r: r.SetTrajectory(way()),
+    "vtkPolygonalHandleRepresentation3D": lambda r: r.SetHandle(materials.ball(0.3).GetOutput()),
+    "vtkOrientedPolygonalHandleRepresentation3D": lambda r: r.SetHandle(
+        materials.ball(0.3).GetOutput()
+    ),
+    "vtkOrientedGlyphContourRepresentation": lambda r: contour(r),
+    "vtkOrientedGlyphFocalPlaneContourRepresentation": lambda r: contour(r),
 }
+
+
+def ends(representation, handle, angle=False):
+    """Of what measures: between two places, or three."""
+    representation.SetHandleRepresentation(handle())
+    representation.InstantiateHandleRepresentation()
+    representation.SetPoint1WorldPosition((-0.8, -0.3, 0))
+    representation.SetPoint2WorldPosition((0.8, 0.3, 0))
+    if angle:
+        representation.SetCenterWorldPosition((0, -0.3, 0))
+
+
+def way():
+    """A line with tensors."""
+    line = vtk.vtkLineSource()
+    line.SetResolution(4)
+    line.Update()
+    data = line.GetOutput()
+    tensors = vtk.vtkDoubleArray()
+    tensors.SetNumberOfComponents(9)
+    for _ in range(data.GetNumberOfPoints()):
+        tensors.InsertNextTuple((0.3, 0, 0, 0, 0.2, 0, 0, 0, 0.1))
+    data.GetPointData().SetTensors(tensors)
+    return data
+
+
+def contour(representation):
+    for place in ((-0.7, -0.4, 0), (0.7, -0.3, 0), (0.1, 0.6, 0)):
+        representation.AddNodeAtWorldPosition(place)
 
 
 def textured_button(representation, placed=False):

@@ -13,8 +13,8 @@ import sys
 
 HEAD = """# What of VTK is drawn how
 
-Everything that draws in Python's vtk {version}, in a `vtkWideFoVRenderer`: made by the test that is named, and written
-from its results by `python3 Testing/Drawables/write_page.py build` after `ctest --test-dir build -L drawables`. `right`
+Everything that draws in Python's vtk {version}, and what works on pictures or finds what is in them, in a
+`vtkWideFoVRenderer`: made by the test that is named, and written from its results by `python3 Testing/Drawables/write_page.py build` after `ctest --test-dir build -L drawables`. `right`
 is the picture of stock VTK's six faces of 90 degrees, but for 0.3 % of what is covered, of a thing ahead of, beside and
 behind the eye. What is not listed, a class of a program's own say, is drawn right as long as it draws by actors, or by
 mappers of VTK's with a prop that hands its keys on. Whatever draws by shaders of its own alone shows nothing, and one
@@ -28,7 +28,7 @@ Passes over the picture (`vtkGaussianBlurPass`, `vtkSSAAPass`, `vtkToneMappingPa
 `vtkSobelGradientMagnitudePass`, ..) draw the wide view, where a `vtkWideFoVRenderer` has them:
 round its own pass, or in its place. At the borders of a picture they know no neighbours on the other side. Left out
 with one warning each: `vtkEDLShading`, `vtkDepthOfFieldPass`, `vtkSSAOPass`, `vtkShadowMapPass`, `UseSSAO`, `UseShadows`,
-which take the picture's depths for those of a perspective. A pass of a class that VTK does not have is called as it is.
+which take the picture's depths for those of a perspective, and `vtkPanoramicProjectionPass`. A pass of a class that VTK does not have is called as it is.
 An active camera that is not wide draws a flat picture, with one warning. (Test `Drawables.passes`.)
 """
 
@@ -37,12 +37,14 @@ TITLES = {
     "mappers": "Mappers",
     "representations": "Representations of widgets",
     "widgets": "Widgets",
+    "renderpasses": "Render passes",
+    "pickers": "Pickers",
 }
 
 
 def section(kind, found):
     lines = ["", "## %s" % TITLES[kind], "", "Test `Drawables.%s`." % kind, ""]
-    lines += ["| %s | state |" % kind, "| --- | --- |"]
+    lines += ["| %s | state |" % TITLES[kind].lower(), "| --- | --- |"]
     lines += ["| `%s` | %s |" % (name, state) for name, state in found.items()]
     return lines
 

@@ -2,11 +2,18 @@
 // VTK's own pickers find what is drawn at a pixel, all round and in each eye.
 #include "PickScene.h"
 
+#include "Compat/Reports.h"
+
+#include <vtkAreaPicker.h>
 #include <vtkCell.h>
 #include <vtkCellPicker.h>
 #include <vtkDataSet.h>
 #include <vtkMapper.h>
+#include <vtkOutputWindow.h>
 #include <vtkPointPicker.h>
+#include <vtkProp3DCollection.h>
+#include <vtkRenderedAreaPicker.h>
+#include <vtkStringOutputWindow.h>
 #include <vtkWideFoVCellPicker.h>
 
 #include <gtest/gtest.h>
@@ -164,5 +171,55 @@ TEST(Picking, APointPickerFindsThePointThatIsSeen)
       }
     }
     EXPECT_GT(seen, 50) << Describe(view);
+  }
+}
+
+namespace
+{
+// What an area picker finds in a square of so many pixels to each side of a place of the picture,
+// and whether a warning was said by the next frame.
+struct AreaFound
+{
+  bool Body;
+  bool Warned;
+};
+
+AreaFound PickArea(
+  PickScene& scene, vtkAreaPicker* picker, vtkActor* body, const double at[2], double half)
+{
+  ForgetReports();
+  vtkNew<vtkStringOutputWindow> heard;
+  const vtkSmartPointer<vtkOutputWindow> before = vtkOutputWindow::GetInstance();
+  vtkOutputWindow::SetInstance(heard);
+  picker->AreaPick(at[0] - half, at[1] - half, at[0] + half, at[1] + half, scene.Renderer);
+  const bool found = picker->GetProp3Ds()->IsItemPresent(body) != 0;
+  scene.Window->Render();
+  vtkOutputWindow::SetInstance(before);
+  return { found, heard->GetOutput().find("vtkAreaPicker") != std::string::npos };
+}
+}
+
+// A small square is right; of a large one that says what is right in it nothing is said.
+TEST(Picking, AnAreaPickerSaysWhereItIsWrong)
+{
+  std::vector<PickView> views = Views();
+  views.resize(3);
+  for (const PickView& view : views)
+  {
+    PickScene scene(view);
+    for (std::size_t i = 1; i < scene.GetBodies().size(); i += 3)
+    {
+      vtkActor* const body = scene.GetBodies()[i];
+      double at[3];
+      ShowAt(scene, body->GetCenter(), at);
+      vtkNew<vtkAreaPicker> planes;
+      vtkNew<vtkRenderedAreaPicker> drawn;
+      const AreaFound small = PickArea(scene, planes, body, at, 2);
+      EXPECT_TRUE(small.Body) << Describe(view) << " body " << i;
+      EXPECT_FALSE(small.Warned) << Describe(view) << " body " << i;
+      EXPECT_TRUE(PickArea(scene, planes, body, at, 60).Warned) << Describe(view);
+      const AreaFound large = PickArea(scene, drawn, body, at, 60);
+      EXPECT_FALSE(large.Warned) << Describe(view) << " body " << i;
+    }
   }
 }
