@@ -292,6 +292,11 @@ bool vtkWideFoVStage::PreReplaceShaderValues(std::string&, std::string& geometry
 
 namespace
 {
+bool Classifies(vtkAbstractMapper* mapper)
+{
+  return wfv::HasTrait(mapper, wfv::OwnMesh) || wfv::HasTrait(mapper, wfv::ClassifiesBlocks);
+}
+
 // Of one that classifies clusters: meshes of few triangles are drawn as they are. Blocks are not
 // asked for.
 bool MayClassify(vtkAbstractMapper* mapper)
@@ -314,12 +319,11 @@ bool vtkWideFoVStage::PostReplaceShaderValues(std::string& vertexShader,
     return true;
   }
   wfv::ShaderBuilder::Request request = this->MakeRequest(mapper, prop);
-  const bool triangles = request.Kind == wfv::ShaderBuilder::Primitive::Triangles;
-  const bool classifies = triangles &&
-    (wfv::HasTrait(mapper, wfv::OwnMesh) || wfv::HasTrait(mapper, wfv::ClassifiesBlocks));
-  request.Triangles.MeetsChords =
-    classifies && this->MeetsChords && !request.Triangles.Edges && MayClassify(mapper);
-  request.Triangles.SeveralChords = request.Triangles.MeetsChords && this->SeveralChords;
+  const bool classifies =
+    request.Kind == wfv::ShaderBuilder::Primitive::Triangles && Classifies(mapper);
+  wfv::ShaderBuilder::TriangleTraits& t = request.Triangles;
+  t.MeetsChords = classifies && this->MeetsChords && !t.Edges && MayClassify(mapper);
+  t.SeveralChords = t.MeetsChords && this->SeveralChords;
   const bool others = wfv::IsEditedFurther(this, prop);
   Texts texts{ vertexShader, geometryShader, fragmentShader };
   const Texts* const before =
