@@ -17,6 +17,8 @@
 #include <vtkRectilinearGrid.h>
 #include <vtkStructuredGrid.h>
 
+#include "Compat/Renamed.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -123,7 +125,7 @@ bool IsGrid(vtkDataSet* data)
 bool HasBodies(vtkDataSet* data)
 {
   vtkNew<vtkCellTypes> types;
-  data->GetCellTypes(types);
+  wfv::FindCellTypes(data, types);
   for (vtkIdType i = 0; i < types->GetNumberOfTypes(); i++)
   {
     vtkNew<vtkGenericCell> cell;

@@ -15,6 +15,8 @@
 #include <vtkTransform.h>
 #include <vtkTransformPolyDataFilter.h>
 
+#include "Compat/Renamed.h"
+
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -31,11 +33,11 @@ void TurnTextures(vtkActor* actor, vtkPolyData* data)
 {
   vtkInformation* const keys = actor->GetPropertyKeys();
   vtkDataArray* const from = data->GetPointData()->GetTCoords();
-  if (keys == nullptr || from == nullptr || !keys->Has(vtkProp::GeneralTextureTransform()))
+  if (keys == nullptr || from == nullptr || !keys->Has(wfv::TextureTransform()))
   {
     return;
   }
-  const double* const m = keys->Get(vtkProp::GeneralTextureTransform());
+  const double* const m = keys->Get(wfv::TextureTransform());
   vtkSmartPointer<vtkDataArray> to;
   to.TakeReference(from->NewInstance());
   to->DeepCopy(from);
