@@ -252,6 +252,7 @@ void vtkWideFoVPass::RenderWide(const vtkRenderState* s, vtkWideFoVCamera* camer
   vtkRenderer* renderer = s->GetRenderer();
   const int count = s->GetPropArrayCount();
   vtkProp** props = s->GetPropArray();
+  const wfv::GpuVolumes::Frame volumes(in.GpuVolumes, props, count);
   this->FindRelaxation(s);
   if (in.Enlargement > 0)
   {
@@ -337,6 +338,7 @@ void vtkWideFoVPass::ReleaseGraphicsResources(vtkWindow* window)
   this->Internal->Stages.ReleaseGraphicsResources(window);
   this->Internal->Small.ReleaseGraphicsResources(window);
   this->Internal->Backdrop.ReleaseGraphicsResources();
+  this->Internal->GpuVolumes.ReleaseGraphicsResources(window);
   if (this->Internal->Delegate)
   {
     this->Internal->Delegate->ReleaseGraphicsResources(window);

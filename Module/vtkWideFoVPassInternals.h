@@ -8,6 +8,7 @@
 #include "Frame/Backdrop.h"
 #include "Frame/FrameProps.h"
 #include "Frame/FrameRate.h"
+#include "Frame/GpuVolumes.h"
 #include "Frame/Headlights.h"
 #include "Frame/PropKeys.h"
 #include "Frame/PropParts.h"
@@ -36,6 +37,7 @@ struct vtkWideFoVPass::Internals
   wfv::FrameRate Rate;
   wfv::SmallFrame Small;
   wfv::Backdrop Backdrop;
+  wfv::GpuVolumes GpuVolumes;         // of the processor's
   vtkWideFoVCamera* Camera = nullptr; // of this frame
   bool OfCopy = false;                // the renderer's camera was a copy of it
   int Enlargement = 0;                // of this frame; 0: drawn where it is shown

@@ -94,6 +94,13 @@ void SetEnvironment(const CommandLine& line)
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe");
   const std::filesystem::path folder = self.parent_path() / WIDEFOV_RUN_FOLDER;
   const std::filesystem::path made = folder.lexically_normal();
+  for (const char* file : { "widefov-overrides.so", "vtk/widefov-loader.so" })
+  {
+    if (!std::filesystem::exists(made / file)) // the program would be as flat as ever
+    {
+      Fail("there is no " + (made / file).string() + ", which makes the views wide");
+    }
+  }
   Prepend("VTK_AUTOLOAD_PATH", made / "vtk");
   Prepend("PYTHONPATH", made / "python");
 }

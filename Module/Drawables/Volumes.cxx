@@ -96,12 +96,11 @@ int FindDirectional(vtkRenderer* renderer)
   return found;
 }
 
-// Those that draw by GPU ray casting, unless told otherwise.
+}
+
 bool IsByGpu(vtkAbstractVolumeMapper* mapper)
 {
   return HasTrait(mapper, GpuRays) && (!HasTrait(mapper, MayChoose) || MayDrawByGpu(mapper));
-}
-
 }
 
 bool IsFlatVolume(vtkProp* prop)

@@ -9,6 +9,7 @@
 #include "vtkWideFoVAbi.h"
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkAbstractVolumeMapper;
 class vtkProp;
 class vtkRenderer;
 class vtkShaderProgram;
@@ -19,6 +20,9 @@ namespace wfv
 {
 namespace volume
 {
+// Whether the mapper draws by GPU ray casting, as long as it is not told otherwise.
+bool IsByGpu(vtkAbstractVolumeMapper* mapper);
+
 // True of a volume whose mapper makes the rays of a flat picture itself, on the processor or of
 // tetrahedra. Warns once of each kind of mapper.
 bool IsFlatVolume(vtkProp* prop);

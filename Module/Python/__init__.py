@@ -23,4 +23,5 @@ import vtkmodules.vtkRenderingFreeType  # noqa: E402,F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: E402,F401
 
 from .vtkRenderingWideFoV import *  # noqa: E402,F401,F403
+from ._overlays import place_overlay  # noqa: E402,F401
 from ._render import render  # noqa: E402,F401

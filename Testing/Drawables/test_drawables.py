@@ -17,12 +17,13 @@ COLOURS = 0.1  # of what both cover, that may have a colour which is not near in
 
 # What has a size in pixels, or is made for the view that it is drawn in: it cannot be the picture of
 # six views.
-OWN_SIZE = {
+OWN_WAY = {
     "vtkBillboardTextActor3D": "as many pixels large as it is told, upright in the picture",
     "vtkFlagpoleLabel": "its label is as many pixels large as it is told, upright in the picture",
     "vtkLabelPlacementMapper": "as many pixels large as it is told, where its places are seen",
     "vtkLabeledDataMapper": "as many pixels large as it is told, where its places are seen",
     "vtkDynamic2DLabelMapper": "as many pixels large as it is told, where its places are seen",
+    "vtkFixedPointVolumeRayCastMapper": "as `vtkGPUVolumeRayCastMapper` draws it, less than 1/255 off in the mean",
     "vtkCaptionActor2D": "an overlay, beside what it points at",
     "vtkLegendScaleActor": "an overlay, as in any view",
 }
@@ -46,7 +47,7 @@ def verdict(name, result, overlay):
     views = result["views"].values()
     if name in ELSEWHERE:
         return ELSEWHERE[name], False
-    if overlay and name not in OWN_SIZE:
+    if overlay and name not in OWN_WAY:
         return "an overlay, as in any view", False
     if not any(view["stock"] for view in views) and not any(view["wide"] for view in views):
         return "nothing to see, as in stock VTK", False
@@ -56,8 +57,8 @@ def verdict(name, result, overlay):
         return "right", False
     if "left out" in result["said"] and not any(view["wide"] for view in views):
         return "left out, with a warning", False
-    if name in OWN_SIZE and all(view["wide"] for view in views):
-        return OWN_SIZE[name], False
+    if name in OWN_WAY and all(view["wide"] for view in views):
+        return OWN_WAY[name], False
     return "differs: %.3g of what is covered, %.3g in colour" % (worst, colour), True
 
 

@@ -48,26 +48,35 @@ def watch(program, desktop, seconds):
     return last
 
 
-def main():
-    if len(sys.argv) < 4:
-        sys.exit(__doc__)
-    output, seconds, command = sys.argv[1], float(sys.argv[2]), sys.argv[3:]
+def look(command, seconds, folder=None):
+    """What the screen shows of a program that is started in the folder; what is wrong with it, a list
+    of texts; and what it said, its lines."""
     desktop = Desktop()
     program = subprocess.Popen(
         command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
-        errors="replace", env={**os.environ, "DISPLAY": desktop.name})
+        errors="replace", cwd=folder, env={**os.environ, "DISPLAY": desktop.name})
     picture = watch(program, desktop, seconds)
     ended = program.poll()
     program.kill()
     said = [line for line in program.communicate()[1].splitlines() if line.strip()]
     desktop.close()
+    wrong = ["says %s" % line for line in said if GL_WORDS.search(line)]
+    if ended:
+        wrong.append("ends with %d" % ended)
+    if colors_of(picture) < LEAST_COLORS:
+        wrong.append("shows nothing")
+    return picture, wrong, said
+
+
+def main():
+    if len(sys.argv) < 4:
+        sys.exit(__doc__)
+    output, seconds, command = sys.argv[1], float(sys.argv[2]), sys.argv[3:]
+    picture, wrong, said = look(command, seconds)
     image.imsave(output, picture)
-    wrong = [line for line in said if GL_WORDS.search(line)]
-    crashed = ended is not None and ended != 0
     print("%s: %d colours, %s, said %s" % (
-        command[-1].rsplit("/", 1)[-1], colors_of(picture),
-        "runs" if ended is None else "ended with %d" % ended, said[-3:]))
-    sys.exit(1 if crashed or wrong or colors_of(picture) < LEAST_COLORS else 0)
+        command[-1].rsplit("/", 1)[-1], colors_of(picture), "; ".join(wrong) or "right", said[-3:]))
+    sys.exit(1 if wrong else 0)
 
 
 if __name__ == "__main__":

@@ -9,6 +9,7 @@ BIN: the folder of widefov-run; PROGRAM: made of program.cxx; OTHER: of other_vt
 """
 
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -167,6 +168,12 @@ class Refusals(unittest.TestCase):
             command = (sys.executable, "-c", "import vtk; vtk.vtkRenderer(); print('drawn')")
             self.refused(2, name, *command, VTK_AUTOLOAD_PATH=FACTORIES, **{name: value})
             self.refused(2, name, PROGRAM, "x.png", VTK_AUTOLOAD_PATH=FACTORIES, **{name: value})
+
+    def test_a_program_without_its_libraries(self):
+        """It would show what the program is without it, in silence."""
+        with tempfile.TemporaryDirectory() as folder:
+            alone = shutil.copy(RUN, folder)
+            self.refused(1, "which makes the views wide", alone, PROGRAM, "x.png")
 
     def test_other_vtk(self):
         loader = os.path.join(FACTORIES, "widefov-loader.so")

@@ -6,6 +6,7 @@
 #include "Stereo/Stereo.h"
 
 #include <vtkActor.h>
+#include <vtkDataSetTriangleFilter.h>
 #include <vtkFloatArray.h>
 #include <vtkFixedPointVolumeRayCastMapper.h>
 #include <vtkMultiBlockDataSet.h>
@@ -14,6 +15,7 @@
 #include <vtkOutputWindow.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
+#include <vtkProjectedTetrahedraMapper.h>
 #include <vtkProperty.h>
 #include <vtkSmartVolumeMapper.h>
 #include <vtkSphereSource.h>
@@ -342,27 +344,63 @@ TEST(VolumeKinds, TranslucentSurfacesInside)
   }
 }
 
-TEST(VolumeKinds, ThoseOfTheProcessorAreLeftOutWithOneWarning)
+namespace
 {
-  VolumeScene scene(Wavelet());
-  scene.Renderer->RemoveVolume(scene.Volume);
-  const Shot shot = Small("equirectangular", true);
-  const std::vector<unsigned char> nothing = PictureOf(scene, shot);
-  vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
-  mapper->SetInputData(scene.Mapper->GetInput());
-  scene.Volume->SetMapper(mapper);
-  scene.Renderer->AddVolume(scene.Volume);
+// Draws twice; what was said meanwhile is counted.
+int CountWords(VolumeScene& scene, const Shot& shot, std::vector<unsigned char>& picture)
+{
   vtkNew<Counter> counter;
   const vtkSmartPointer<vtkOutputWindow> before = vtkOutputWindow::GetInstance();
   vtkOutputWindow::SetInstance(counter);
-  EXPECT_EQ(PictureOf(scene, shot), nothing);
-  EXPECT_EQ(PictureOf(scene, shot), nothing);
-  EXPECT_EQ(counter->Number, 1);
-  vtkNew<vtkSmartVolumeMapper> smart;
-  smart->SetInputData(scene.Mapper->GetInput());
-  smart->SetRequestedRenderModeToRayCast();
-  scene.Volume->SetMapper(smart);
-  EXPECT_EQ(PictureOf(scene, shot), nothing);
-  EXPECT_EQ(counter->Number, 2);
+  picture = PictureOf(scene, shot);
+  EXPECT_EQ(PictureOf(scene, shot), picture);
   vtkOutputWindow::SetInstance(before);
+  return counter->Number;
+}
+}
+
+TEST(VolumeKinds, ThoseOfTheProcessorAreDrawnOnTheGpu)
+{
+  vtkNew<vtkFixedPointVolumeRayCastMapper> fixed;
+  vtkNew<vtkSmartVolumeMapper> smart;
+  smart->SetRequestedRenderModeToRayCast();
+  const Shot shot = Small("equirectangular", true);
+  for (int mode : { vtkVolumeMapper::COMPOSITE_BLEND, vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND })
+  {
+    VolumeScene scene(Wavelet());
+    vtkNew<vtkGPUVolumeRayCastMapper> rays; // as VTK makes it: it finds the distance of samples
+    rays->SetInputData(scene.Mapper->GetInput());
+    rays->SetBlendMode(mode);
+    scene.Volume->SetMapper(rays);
+    const std::vector<unsigned char> wanted = PictureOf(scene, shot);
+    for (vtkVolumeMapper* mapper : std::initializer_list<vtkVolumeMapper*>{ fixed, smart })
+    {
+      mapper->SetInputData(scene.Mapper->GetInput());
+      mapper->SetBlendMode(mode);
+      scene.Volume->SetMapper(mapper);
+      std::vector<unsigned char> drawn;
+      EXPECT_EQ(CountWords(scene, shot, drawn), 0);
+      EXPECT_LT(MeanDifference(drawn, wanted), 0.5) << mapper->GetClassName();
+      EXPECT_EQ(scene.Volume->GetMapper(), mapper);
+      mapper->SetBlendModeToMinimumIntensity(); // which is seen at once
+      EXPECT_GT(MeanDifference(PictureOf(scene, shot), wanted), 3);
+    }
+  }
+}
+
+TEST(VolumeKinds, ThoseOfTetrahedraAreLeftOutWithOneWarning)
+{
+  VolumeScene scene(Wavelet());
+  const Shot shot = Small("equirectangular", true);
+  vtkNew<vtkDataSetTriangleFilter> tetrahedra;
+  tetrahedra->SetInputData(scene.Mapper->GetInput());
+  vtkNew<vtkProjectedTetrahedraMapper> mapper;
+  mapper->SetInputConnection(tetrahedra->GetOutputPort());
+  scene.Renderer->RemoveVolume(scene.Volume);
+  const std::vector<unsigned char> nothing = PictureOf(scene, shot);
+  scene.Volume->SetMapper(mapper);
+  scene.Renderer->AddVolume(scene.Volume);
+  std::vector<unsigned char> drawn;
+  EXPECT_EQ(CountWords(scene, shot, drawn), 1);
+  EXPECT_EQ(drawn, nothing);
 }

@@ -88,6 +88,7 @@ const DrawableKind Kinds[] = {
   { "vtkGPUVolumeRayCastMapper", 0, GpuRays },
   { "vtkMultiBlockVolumeMapper", 0, GpuRays },
   { "vtkSmartVolumeMapper", 0, GpuRays | MayChoose },
+  { "vtkFixedPointVolumeRayCastMapper", 0, OfImage },
   { "vtkLabelPlacementMapper", 0, InFrontOnly },
   { "vtkOpenGLActor", StockActor, 0 },
 };

@@ -36,7 +36,10 @@ enum DrawableTrait : unsigned
 
   // Others.
   InFrontOnly = 1u << 15, // labels: leaves out what is behind the plane of the camera
-  StockActor = 1u << 16   // draws by its own keys, and once
+  StockActor = 1u << 16,  // draws by its own keys, and once
+
+  // Of a mapper of volumes: what it draws on the processor, GPU ray casting shows alike.
+  OfImage = 1u << 17
 };
 
 bool HasTrait(vtkObjectBase* drawable, DrawableTrait trait);
