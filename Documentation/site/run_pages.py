@@ -78,12 +78,18 @@ def run_page(page, checkout, environment):
     return blocks
 
 
+def environment_of(programs, largest):
+    """What the commands see: the programs, with pictures no larger than that."""
+    environment = dict(os.environ, WIDEFOV_PROGRAMS=programs, WIDEFOV_LARGEST=largest)
+    environment["PATH"] = os.pathsep.join([os.path.join(HERE, "programs"), programs, os.environ["PATH"]])
+    return environment
+
+
 def main():
     if len(sys.argv) < 5 or not sys.argv[2].isdigit():
         sys.exit(__doc__)
     programs, largest, checkout = sys.argv[1:4]
-    environment = dict(os.environ, WIDEFOV_PROGRAMS=programs, WIDEFOV_LARGEST=largest)
-    environment["PATH"] = os.pathsep.join([os.path.join(HERE, "programs"), programs, os.environ["PATH"]])
+    environment = environment_of(programs, largest)
     blocks = 0
     for page in sys.argv[4:]:
         blocks += run_page(page, checkout, environment)

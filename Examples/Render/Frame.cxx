@@ -12,7 +12,6 @@
 #include <vtkWideFoVPass.h>
 #include <vtkWideFoVStatisticsActor.h>
 
-#include <algorithm>
 #include <cstdio>
 
 namespace widefov
@@ -24,18 +23,18 @@ constexpr char LabelFormat[] = "%.3g";
 // Of a bar of colours; fewer where they are so long that they would run into each other.
 constexpr int Labels = 5;
 constexpr int FewLabels = 3;
-constexpr int MostCharacters = 4;
+constexpr int MostCharacters = 12; // of all labels
 
 int NumberOfLabels(vtkScalarsToColors* map)
 {
   const double* const range = map->GetRange();
-  int longest = 0;
+  int characters = 0;
   for (int i = 0; i < Labels; i++)
   {
     const double value = range[0] + (range[1] - range[0]) * i / (Labels - 1);
-    longest = std::max(longest, std::snprintf(nullptr, 0, LabelFormat, value));
+    characters += std::snprintf(nullptr, 0, LabelFormat, value);
   }
-  return longest > MostCharacters ? FewLabels : Labels;
+  return characters > MostCharacters ? FewLabels : Labels;
 }
 }
 

@@ -65,6 +65,19 @@ class Site(unittest.TestCase):
                 self.assertEqual(done.returncode, 1, done.stdout)
                 self.assertIn(command, done.stdout)
 
+    def test_draws_the_gallery(self):
+        data = os.path.join(os.path.dirname(ROOT), "shared", "data")
+        with tempfile.TemporaryDirectory() as folder:
+            done = call("bash", os.path.join(ROOT, "Utilities", "with-display.sh"), sys.executable, "-B",
+                os.path.join(RULES, "gallery.py"), os.path.join(BUILD, "bin"), LARGEST, folder,
+                *([data] if os.path.isdir(data) else []))
+            self.assertEqual(done.returncode, 0, done.stdout)
+            print(done.stdout)
+            for name in ("winds", "sea", "relief"):
+                self.assertIn("data-%s.jpg" % name, os.listdir(folder))
+            pictures = os.path.join(ROOT, "Documentation", "images")
+            self.assertLessEqual(set(os.listdir(folder)), set(os.listdir(pictures)))
+
     def test_refuses(self):
         script = os.path.join(ROOT, "Utilities", "site.sh")
         for arguments, code in (((), 2), ((ROOT, BUILD), 1), ((OUT, ROOT), 1)):
