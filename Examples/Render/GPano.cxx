@@ -15,6 +15,8 @@ wfvxmp::Panorama PanoramaOf(int width, int height, const PanoramaInfo& info)
   panorama.HorizontalFov = info.HorizontalFov;
   panorama.VerticalFov = info.VerticalFov;
   panorama.Pitch = info.Pitch;
+  panorama.Whole = info.Whole;
+  panorama.Before = info.Before;
   return panorama;
 }
 }

@@ -3,6 +3,7 @@
 #ifndef WideFoVImageOutput_h
 #define WideFoVImageOutput_h
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -28,10 +29,12 @@ struct FloatPicture
 struct PanoramaInfo
 {
   bool Equirectangular = false;
-  double HorizontalFov = 360; // degrees
-  double VerticalFov = 180;   // degrees
-  double Pitch = 0;           // degrees of the middle above the horizon
-  std::string StereoMode;     // "left-right", "top-bottom": two pictures in one; empty: one
+  double HorizontalFov = 360;            // degrees
+  double VerticalFov = 180;              // degrees
+  double Pitch = 0;                      // degrees of the middle above the horizon
+  std::array<int, 2> Whole{ { 0, 0 } };  // pixels that have these fields of view; 0: the picture's
+  std::array<int, 2> Before{ { 0, 0 } }; // of these, left of the picture and above it
+  std::string StereoMode; // "left-right", "top-bottom": two pictures in one; empty: one
 };
 
 // Throw a Failure with ExitUsage where the ending is none that can be written.

@@ -29,8 +29,8 @@ void AddEnvironment(OIIO::ImageSpec& spec, const PanoramaInfo& info)
 {
   spec.attribute("compression", "zip");
   // a latitude-longitude environment is the whole sphere by definition
-  if (info.Equirectangular && info.StereoMode.empty() && info.HorizontalFov == 360 &&
-    info.VerticalFov == 180)
+  if (info.Equirectangular && info.StereoMode.empty() && info.Whole[0] == 0 &&
+    info.HorizontalFov == 360 && info.VerticalFov == 180)
   {
     spec.attribute("textureformat", "LatLong Environment");
   }

@@ -2,6 +2,7 @@
 #include "OptionCheck.h"
 
 #include "Angles.h"
+#include "Borders.h"
 #include "Displays.h"
 #include "Film/FilmOptions.h"
 #include "FirstView.h"
@@ -110,6 +111,7 @@ void CompleteView(Options& o, const FieldsOfView& given)
     v.HorizontalFov = fov.Horizontal.value_or(std::min(360., p.MaxHorizontalFov));
     v.VerticalFov = fov.Vertical.value_or(std::min(180., p.MaxVerticalFov));
   }
+  TakeBorders(o, p, given);
   CheckDirectionMap(o, p);
   TakeLens(o, fov);
   TakeCircle(o, p);
@@ -318,7 +320,7 @@ void CheckScene(Options& o, const FieldsOfView& fov)
   {
     CheckInput(o);
     CompleteRoom(o, fov);
-    o.HasFov = fov.Horizontal || fov.Vertical || fov.Round;
+    o.HasFov = fov.Horizontal || fov.Vertical || fov.Round || !o.Borders.empty();
     CompleteView(o, fov);
     CheckCamera(o);
     CheckFirstView(o);

@@ -161,6 +161,13 @@ void DeclareOutput(CLI::App& app, Options& o)
     ->type_name("FILE")
     ->allow_extra_args(false)
     ->group("Output");
+  group.Add("--borders", "L,R,D,U", "even, by --hfov and --vfov",
+    "angles of the picture's borders from the axis: left, right, down, up; degrees, to the left "
+    "and "
+    "down below 0",
+    [&o](const std::string& option, const std::string& value) {
+      o.Borders = ParseNumbers(option, value, 4, 4);
+    });
   group.Size("--tile", o.Tile, "only where needed", "draw the picture in tiles of that size");
   group.Name("--aov", "FILE.exr", o.Aov, "distance, cell, prop, normal beside the colour");
   group.Integer("--frames", o.Frames, 1, 1000000, "frames to time, after two warm-up frames");

@@ -45,6 +45,14 @@ std::vector<std::string> TechniqueNames();
 // Auto where nothing has that name.
 Technique TechniqueOf(const std::string& name);
 
+// A picture that is a part of a larger one: the larger one's size, and where the part begins, from
+// its lower left corner; pixels.
+struct PartOfPicture
+{
+  std::array<int, 2> Whole{ { 0, 0 } };
+  std::array<int, 2> Start{ { 0, 0 } };
+};
+
 // Everything a user can ask for; the defaults are those of the command line. Angles in
 // degrees, distances in scene units.
 struct Options
@@ -60,9 +68,11 @@ struct Options
   bool HasFov = false;   // any field of view
   wfv::ViewOptions View; // complete after ParseOptions; Radii only where HasClip
   bool HasClip = false;
-  std::string DirectionMap;   // file of the projection of that name
-  std::string LensFile;       // of a calibrated camera
-  std::vector<double> Circle; // of a round map: its centre and radius, pixels of the picture
+  std::string DirectionMap;    // file of the projection of that name
+  std::string LensFile;        // of a calibrated camera
+  std::vector<double> Circle;  // of a round map: its centre and radius, pixels of the picture
+  std::vector<double> Borders; // of what is seen: left, right, down, up from the axis; empty: even
+  std::optional<PartOfPicture> Part; // that these are; View has the larger picture's fields of view
   std::optional<CalibratedLens> UnevenLens; // one that is no round map: LoadDirectionMap makes one
   bool HasSize = false;
   std::array<int, 2> Size{ { 2048, 1024 } };

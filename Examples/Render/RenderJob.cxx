@@ -2,6 +2,7 @@
 #include "RenderJob.h"
 
 #include "Aov.h"
+#include "Borders.h"
 #include "CameraSetup.h"
 #include "Frame.h"
 #include "Messages.h"
@@ -69,6 +70,7 @@ void Fill(Stage& stage, const Scene& scene, const Options& o)
   stage.Bar = MakeScalarBar(scene);
   if (stage.Bar)
   {
+    PlaceInPart(stage.Bar, o);
     stage.Renderer->AddViewProp(stage.Bar);
   }
   stage.Overlay = AddOverlay(stage.Renderer, stage.WidePass, o, stage.Tiles.has_value());

@@ -347,6 +347,11 @@ PanoramaInfo DescribePanorama(const Options& o)
     plain && o.Projection == "equirectangular" && std::abs(info.Pitch) <= steepest;
   info.HorizontalFov = o.View.HorizontalFov;
   info.VerticalFov = o.View.VerticalFov;
+  if (o.Part)
+  {
+    info.Whole = o.Part->Whole;
+    info.Before = { { o.Part->Start[0], o.Part->Whole[1] - o.Part->Start[1] - o.Size[1] } };
+  }
   return info;
 }
 }

@@ -2,6 +2,7 @@
 #include "Tiles.h"
 
 #include "Frame.h"
+#include "Messages.h"
 #include "Progress.h"
 #include "StereoLayout.h"
 #include "StereoChoice.h"
@@ -75,6 +76,13 @@ bool OneBelowTheOther(const Options& o)
 }
 }
 
+int TileGrid::Columns(int axis) const
+{
+  const int end =
+    std::max(this->Part.Whole[axis], this->Part.Start[axis] + this->Count(axis) * this->Tile[axis]);
+  return (end + this->Tile[axis] - 1) / this->Tile[axis];
+}
+
 int TileGrid::Rows(int row) const
 {
   return this->Size(1, this->Count(1) - 1 - row);
@@ -87,12 +95,17 @@ int TileGrid::Size(int axis, int i) const
 
 std::optional<TileGrid> PlanTiles(const Options& o, const GlLimits& limits)
 {
+  if (o.Part && !CanBeTiled(o))
+  {
+    FailUsage("--borders does not go with --layout " + o.Layout +
+      " and these stereo options; choose another layout");
+  }
   if (o.Technique == Technique::CubeMap || !CanBeTiled(o))
   {
     return std::nullopt;
   }
   const bool large = static_cast<long>(o.Size[0]) * o.Size[1] > LargestAtOnce;
-  if (!o.Tile && !large && o.Size[0] <= limits.Width && o.Size[1] <= limits.Height)
+  if (!o.Part && !o.Tile && !large && o.Size[0] <= limits.Width && o.Size[1] <= limits.Height)
   {
     return std::nullopt;
   }
@@ -101,6 +114,7 @@ std::optional<TileGrid> PlanTiles(const Options& o, const GlLimits& limits)
   grid.Picture = o.Size;
   grid.Tile = { { FitTile(std::min(wanted[0], limits.Width), o.Size[0]),
     FitTile(std::min(wanted[1], limits.Height), o.Size[1]) } };
+  grid.Part = o.Part.value_or(PartOfPicture{ o.Size, { { 0, 0 } } });
   return grid;
 }
 
@@ -108,21 +122,23 @@ void SetTiles(const TileGrid& grid, vtkRenderWindow* window, vtkRenderer* render
 {
   // the last tiles hang over; the picture is that part of the grid. It begins at the lower left
   // corner, so that pixels come in the same pairs, which fragment shaders are run in.
-  const int nx = grid.Count(0);
-  const int ny = grid.Count(1);
+  const int nx = grid.Columns(0);
+  const int ny = grid.Columns(1);
   window->SetSize(grid.Tile[0], grid.Tile[1]);
   window->SetTileScale(nx, ny);
-  const double right = grid.Picture[0] / (static_cast<double>(nx) * grid.Tile[0]);
-  const double height = grid.Picture[1] / (static_cast<double>(ny) * grid.Tile[1]);
+  const double right = grid.Part.Whole[0] / (static_cast<double>(nx) * grid.Tile[0]);
+  const double height = grid.Part.Whole[1] / (static_cast<double>(ny) * grid.Tile[1]);
   renderer->SetViewport(0, 0, right, height);
 }
 
 void ShowTile(const TileGrid& grid, vtkRenderWindow* window, int column, int row)
 {
-  const double nx = grid.Count(0);
-  const double ny = grid.Count(1);
-  const double fromBelow = ny - 1 - row;
-  window->SetTileViewport(column / nx, fromBelow / ny, (column + 1) / nx, (fromBelow + 1) / ny);
+  const double width = static_cast<double>(grid.Columns(0)) * grid.Tile[0];
+  const double height = static_cast<double>(grid.Columns(1)) * grid.Tile[1];
+  const double left = grid.Part.Start[0] + column * grid.Tile[0];
+  const double bottom = grid.Part.Start[1] + (grid.Count(1) - 1 - row) * grid.Tile[1];
+  window->SetTileViewport(
+    left / width, bottom / height, (left + grid.Tile[0]) / width, (bottom + grid.Tile[1]) / height);
 }
 
 void DrawTiles(const TileGrid& grid, const Options& o, vtkRenderWindow* window, std::size_t eyes,

@@ -26,6 +26,7 @@ struct TileGrid
 {
   std::array<int, 2> Picture; // pixels
   std::array<int, 2> Tile;
+  PartOfPicture Part; // that the picture is; of itself, where it is whole
 
   int Count(int axis) const
   {
@@ -34,6 +35,9 @@ struct TileGrid
 
   // Pixels along an axis of tile number i.
   int Size(int axis, int i) const;
+
+  // Tiles of which VTK's window has place for all of the larger picture.
+  int Columns(int axis) const;
 
   // Of row number i from the top.
   int Rows(int i) const;

@@ -8,8 +8,10 @@ namespace wfvxmp
 {
 std::vector<Field> PanoramaFields(const Panorama& p)
 {
-  const long fullWidth = std::lround(p.Width * 360 / p.HorizontalFov);
-  const long fullHeight = std::lround(p.Height * 180 / p.VerticalFov);
+  const int width = p.Whole[0] > 0 ? p.Whole[0] : p.Width;
+  const int height = p.Whole[1] > 0 ? p.Whole[1] : p.Height;
+  const long fullWidth = std::lround(width * 360 / p.HorizontalFov);
+  const long fullHeight = std::lround(height * 180 / p.VerticalFov);
   const auto text = [](long value) { return std::to_string(value); };
   std::ostringstream pitch;
   pitch << p.Pitch;
@@ -17,9 +19,10 @@ std::vector<Field> PanoramaFields(const Panorama& p)
     { "CroppedAreaImageWidthPixels", text(p.Width) },
     { "CroppedAreaImageHeightPixels", text(p.Height) }, { "FullPanoWidthPixels", text(fullWidth) },
     { "FullPanoHeightPixels", text(fullHeight) },
-    { "CroppedAreaLeftPixels", text((fullWidth - p.Width) / 2) },
-    { "CroppedAreaTopPixels", text((fullHeight - p.Height) / 2) }, { "PoseHeadingDegrees", "0" },
-    { "PosePitchDegrees", pitch.str() }, { "PoseRollDegrees", "0" } };
+    { "CroppedAreaLeftPixels", text((fullWidth - width) / 2 + p.Before[0]) },
+    { "CroppedAreaTopPixels", text((fullHeight - height) / 2 + p.Before[1]) },
+    { "PoseHeadingDegrees", "0" }, { "PosePitchDegrees", pitch.str() },
+    { "PoseRollDegrees", "0" } };
 }
 
 std::vector<Field> CroppedFields(const Panorama& panorama)

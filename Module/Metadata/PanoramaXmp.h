@@ -4,6 +4,7 @@
 #ifndef WideFoVMetadataPanoramaXmp_h
 #define WideFoVMetadataPanoramaXmp_h
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,9 @@ struct Panorama
   int Height = 0;
   double HorizontalFov = 360; // degrees
   double VerticalFov = 180;
-  double Pitch = 0; // degrees of the picture's middle above the horizon
+  double Pitch = 0;                      // degrees of the middle of these above the horizon
+  std::array<int, 2> Whole{ { 0, 0 } };  // pixels that have these fields of view; 0: the picture's
+  std::array<int, 2> Before{ { 0, 0 } }; // of these, left of the picture and above it
 };
 
 struct Field

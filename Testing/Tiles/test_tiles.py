@@ -28,6 +28,9 @@ EXACT = 0
 # Pixels of the 22,684 that the rasterizer's rounding may change.
 ROUNDED = 120
 
+# Pixels of 54,000 that a rounded direction of view may change.
+TURNED = 60
+
 # The same where lines lie along borders between pixels, as meridians do: either side may draw.
 BORDERS = 4000
 
@@ -57,6 +60,20 @@ CHANNELS = [
     ("--scene cornell --technique exact --projection azimuthal-equidistant", EXACT),
     ("--scene cornell --projection perspective --hfov 100 --vfov 60", ROUNDED),
     ("--scene cornell --tolerance 0.02 --projection perspective --hfov 100 --vfov 60", EXACT),
+]
+
+# A part of 100x60 pixels, and the whole that has it: its fields of view, its size, and where the part
+# begins from the upper left.
+BORDERS_OF = [
+    (("--borders -60,90,-45,45", ("--hfov 180 --vfov 90", "120x60", "+20+0")), EXACT),
+    (("--borders 0,90,-30,60", ("--hfov 180 --vfov 120", "200x80", "+100+0")), EXACT),
+    (("--projection mercator --borders -90,0,-50,50", ("--projection mercator --hfov 180 --vfov 100",
+        "200x60", "+0+0")), EXACT),
+    # the lens is shifted by half a picture to the right, and by a quarter up
+    (("--projection perspective --exact-perspective --borders 0,45,-18.43494882,45",
+        ("--projection perspective --exact-perspective --hfov 90 --vfov 90", "200x90", "+100+0")), EXACT),
+    (("--projection perspective --exact-perspective --borders -45,45,-45,45",
+        ("--projection perspective --exact-perspective --hfov 90 --vfov 90", "100x60", "+0+0")), EXACT),
 ]
 
 STEREO = [
@@ -153,6 +170,41 @@ def stereo(tester):
         tester.compare(arguments, "once" + ending, "tiles" + ending, EXACT)
 
 
+def borders(tester):
+    """A part of a picture: the same pixels as in the whole, and those of a head that is turned."""
+    sphere = "--scene globe --technique exact --samples 0"
+    for view, most in BORDERS_OF:
+        part, (whole, size, offset) = view
+        arguments = sphere + " " + part
+        tester.draw(arguments, ["-o", tester.path("part.png")], size="100x60")
+        tester.draw(arguments, ["-o", tester.path("tiles.png")], TILE, "100x60")
+        tester.draw(sphere + " " + whole, ["-o", tester.path("whole.png")], size=size)
+        command = ["oiiotool", tester.path("whole.png"), "--cut", "100x60" + offset, "-o"]
+        subprocess.run(command + [tester.path("cut.png")], timeout=TIMEOUT, check=True)
+        tester.compare(arguments, "part.png", "cut.png", most)
+        tester.compare(arguments, "part.png", "tiles.png", most)
+    panorama = "--scene room --samples 0"
+    for technique, most in (("exact", TURNED), ("auto", 2 * ROUNDED)):
+        drawn = panorama + " --technique " + technique
+        tester.draw(drawn + " --borders -60,90,-45,45", ["-o", tester.path("part.jpg")], size="300x180")
+        tester.draw(drawn + " --borders -60,90,-45,45", ["-o", tester.path("part.png")], size="300x180")
+        tester.draw(drawn + " --hfov 150 --vfov 90 --direction 0.2588190451,0,-0.9659258263",
+            ["-o", tester.path("turned.png")], size="300x180")
+        tester.compare(drawn, "part.png", "turned.png", most)
+    check_crop(tester)
+
+
+def check_crop(tester):
+    """What viewers of panoramas are told of 150 by 90 degrees, two pixels a degree."""
+    command = ["exiftool", "-s3", "-FullPanoWidthPixels", "-FullPanoHeightPixels", "-CroppedAreaLeftPixels",
+        "-CroppedAreaTopPixels", "-CroppedAreaImageWidthPixels", "-CroppedAreaImageHeightPixels"]
+    for name in ("part.jpg", "part.png"):
+        done = subprocess.run(command + [tester.path(name)], capture_output=True, text=True,
+            timeout=TIMEOUT, check=True)
+        told = done.stdout.split()
+        tester.failures.check(told == ["720", "360", "240", "90", "300", "180"], "%s: %s" % (name, told))
+
+
 def check_parts(tester, stats):
     """What each part of a run took: known, and the frames and programs are among it."""
     parts = stats["parts_ms"]
@@ -193,7 +245,7 @@ def files(tester):
     tester.compare(arguments, "once.png", "one.png", EXACT)
 
 
-GROUPS = {"Colors": colors, "Channels": channels, "Stereo": stereo, "Files": files}
+GROUPS = {"Colors": colors, "Channels": channels, "Stereo": stereo, "Borders": borders, "Files": files}
 
 
 def main():
