@@ -88,4 +88,28 @@ vtkSmartPointer<vtkPolyData> MakeDome(const Options& o)
   dome->GetPointData()->SetTCoords(places);
   return dome;
 }
+
+vtkSmartPointer<vtkPolyData> MakeScreen(const wfv::Screen& c)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkFloatArray> places;
+  places->SetNumberOfComponents(2);
+  const wfv::vec3 corners[4] = { c.LowerLeft, c.LowerRight, c.UpperRight,
+    c.LowerLeft + c.UpperRight - c.LowerRight };
+  const double across[4] = { 0, 1, 1, 0 };
+  const double up[4] = { 0, 0, 1, 1 };
+  for (int i = 0; i < 4; i++)
+  {
+    points->InsertNextPoint(corners[i].x, corners[i].y, corners[i].z);
+    places->InsertNextTuple2(across[i], up[i]);
+  }
+  vtkNew<vtkCellArray> cells;
+  const vtkIdType ids[4] = { 0, 1, 2, 3 };
+  cells->InsertNextCell(4, ids);
+  auto screen = vtkSmartPointer<vtkPolyData>::New();
+  screen->SetPoints(points);
+  screen->SetPolys(cells);
+  screen->GetPointData()->SetTCoords(places);
+  return screen;
+}
 }

@@ -32,7 +32,7 @@ enum class Action
   SaveSession,
   PrintCommand,
   ToggleCrosshair,
-  ToggleDome,
+  NextPreview,
   TogglePlay, // time steps and head poses
   NextStep,   // of time
   PreviousStep,

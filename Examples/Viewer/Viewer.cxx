@@ -125,7 +125,7 @@ void Viewer::Show()
   {
     this->Windows.ShowAgain(*this->Shown);
   }
-  this->Windows.RefreshDome();
+  this->Windows.RefreshPreview();
 }
 
 // One eye after the other, in windows that do not do it themselves.

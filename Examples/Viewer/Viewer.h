@@ -115,7 +115,7 @@ private:
   void ZoomBy(double factor);
   void ZoomRoom(double factor);
   void ToggleCrosshair();
-  void ToggleDome();
+  void NextPreview();
   void Leave();
   void TakeScreenshot();
   void Restart();

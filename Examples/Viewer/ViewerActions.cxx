@@ -64,8 +64,8 @@ void Viewer::DoWindow(Action action)
     case Action::NextMonitor:
       this->Windows.NextMonitor();
       break;
-    case Action::ToggleDome:
-      this->ToggleDome();
+    case Action::NextPreview:
+      this->NextPreview();
       break;
     case Action::TogglePanel:
       this->TogglePanel();

@@ -93,11 +93,11 @@ void Viewer::ToggleCrosshair()
   this->Changed();
 }
 
-void Viewer::ToggleDome()
+void Viewer::NextPreview()
 {
-  if (!this->Windows.ToggleDome())
+  if (!this->Windows.NextPreview())
   {
-    this->Say("the dome is of one window");
+    this->Say("the preview is of one window, or of screens in a room");
   }
   this->Changed();
 }

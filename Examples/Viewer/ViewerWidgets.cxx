@@ -368,7 +368,7 @@ void Viewer::ChooseRest()
   this->Check("numbers", this->ShowsNumbers, Action::ToggleNumbers);
   ImGui::SameLine();
   this->Check("crosshair", this->ShowsCrosshair, Action::ToggleCrosshair);
-  this->Check("dome from a seat", this->Windows.HasDome(), Action::ToggleDome);
+  this->Check("preview", this->Windows.HasPreview(), Action::NextPreview);
   this->Press("screenshot", Action::Screenshot);
   ImGui::SameLine();
   this->Press("add pose", Action::AddPose);

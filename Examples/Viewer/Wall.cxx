@@ -105,33 +105,6 @@ void Wall::DrawOver(Panel* over) const
   }
 }
 
-bool Wall::ToggleDome()
-{
-  if (this->IsSeveral())
-  {
-    return false;
-  }
-  this->Dome = this->Dome ? nullptr : std::make_unique<DomeWindow>(*this->Panes[0].Window);
-  return true;
-}
-
-void Wall::DrawDome(const Options& options)
-{
-  if (this->Dome)
-  {
-    this->Dome->Set(options, this->Panes[0].Stage->GetFrame());
-    this->Dome->Refresh();
-  }
-}
-
-void Wall::RefreshDome()
-{
-  if (this->Dome)
-  {
-    this->Dome->Refresh();
-  }
-}
-
 void Wall::ShowAgain(Panel& over)
 {
   this->Panes[0].Window->CheckAlive();
@@ -194,14 +167,14 @@ std::vector<WindowEvent> Wall::TakeEvents()
       all.push_back(event);
     }
   }
-  if (this->Dome)
+  if (this->Preview)
   {
-    const std::vector<WindowEvent> keys = this->Dome->TakeEvents();
+    const std::vector<WindowEvent> keys = this->Preview->TakeEvents();
     all.insert(all.end(), keys.begin(), keys.end());
   }
-  if (this->Dome && this->Dome->IsClosing())
+  if (this->Preview && this->Preview->IsClosing())
   {
-    this->Dome.reset();
+    this->Preview.reset();
   }
   // a pointer that leaves one window for another is heard of by both
   std::sort(all.begin(), all.end(),
@@ -355,7 +328,7 @@ FrameCost Wall::DrawPane(
     return extras.Text(this->SumOfCosts());
   };
   const std::function<std::string(const FrameCost&)> text =
-    first && extras.Text && !this->Dome ? total : std::function<std::string(const FrameCost&)>();
+    first && extras.Text && !this->Preview ? total : std::function<std::string(const FrameCost&)>();
   return pane.Stage->Draw(
     part, pane.Window->GetSize(), text, first ? extras.Help : "", extras.Cross);
 }
@@ -377,7 +350,7 @@ FrameCost Wall::Draw(const std::vector<Options>& parts, const Extras& extras)
       pane.Cost = this->DrawPane(i, parts[pane.Part], extras, under);
     }
   }
-  this->DrawDome(parts[0]);
+  this->DrawPreview(parts);
   this->DrawOver(extras.Over);
   for (const Pane& pane : this->Panes)
   {

@@ -4,9 +4,9 @@
 #ifndef WideFoVWall_h
 #define WideFoVWall_h
 
-#include "DomeWindow.h"
 #include "GlfwWindow.h"
 #include "Panel.h"
+#include "PreviewWindow.h"
 #include "Scene.h"
 #include "ViewerOptions.h"
 #include "ViewerStage.h"
@@ -94,13 +94,14 @@ public:
   // Shows the first window's last frame once more, with these widgets over it.
   void ShowAgain(Panel& over);
 
-  // A window beside the only one, with its picture on a dome, comes or goes. False, and nothing
-  // changes, where there are several.
-  bool ToggleDome();
-  bool HasDome() const { return this->Dome != nullptr; }
+  // A window beside the others shows their pictures on a dome, then in a plain perspective, then it
+  // goes; of screens the room, then it goes. False, and nothing changes, where several windows show
+  // one picture.
+  bool NextPreview();
+  bool HasPreview() const { return this->Preview != nullptr; }
 
-  // Draws the dome where it was turned.
-  void RefreshDome();
+  // Draws the preview where it was turned.
+  void RefreshPreview();
 
   // Shows the other eye, where a layout shows one after the other and the windows do not do it
   // themselves; false where there is nothing to flip.
@@ -126,7 +127,7 @@ private:
   void AddPane(const ViewerOptions& options, const Options& part);
   FrameCost DrawPane(std::size_t i, const Options& part, const Extras& extras, const Place& under);
   void DrawOver(Panel* over) const;
-  void DrawDome(const Options& options);
+  void DrawPreview(const std::vector<Options>& parts);
   FrameCost SumOfCosts() const;
   std::vector<std::size_t> OrderFrom(std::size_t first) const;
 
@@ -137,8 +138,8 @@ private:
 
   int Columns;
   int Rows;
-  std::vector<Pane> Panes;          // a wall's row by row, from the upper left
-  std::unique_ptr<DomeWindow> Dome; // goes first
+  std::vector<Pane> Panes;                // a wall's row by row, from the upper left
+  std::unique_ptr<PreviewWindow> Preview; // goes first
 };
 }
 

@@ -82,6 +82,28 @@ TEST(Dome, CoversWhatTheViewShows)
     AreaOf(widefov::MakeDome(ViewOf("equi-angular-cubemap", 360, 180, 0))), all, 0.03 * all);
 }
 
+TEST(Dome, PutsPicturesOnScreens)
+{
+  wfv::Screen corners;
+  corners.LowerLeft = wfv::vec3(-1, 0, -2);
+  corners.LowerRight = wfv::vec3(1, 0, -3);
+  corners.UpperRight = wfv::vec3(1, 4, -3);
+  const vtkSmartPointer<vtkPolyData> screen = widefov::MakeScreen(corners);
+  ASSERT_EQ(screen->GetNumberOfCells(), 1);
+  ASSERT_EQ(screen->GetNumberOfPoints(), 4);
+  for (vtkIdType i = 0; i < 4; i++)
+  {
+    double place[2];
+    screen->GetPointData()->GetTCoords()->GetTuple(i, place);
+    const wfv::vec3 at = corners.LowerLeft + place[0] * (corners.LowerRight - corners.LowerLeft) +
+      place[1] * (corners.UpperRight - corners.LowerRight);
+    for (int c = 0; c < 3; c++)
+    {
+      EXPECT_DOUBLE_EQ(screen->GetPoint(i)[c], at[c]) << "corner " << i;
+    }
+  }
+}
+
 TEST(Dome, UsesThePictureOnce)
 {
   EXPECT_NEAR(ShareOf(widefov::MakeDome(ViewOf("equirectangular", 360, 180, 0))), 1, 0.001);

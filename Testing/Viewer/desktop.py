@@ -290,6 +290,13 @@ class Viewer:
         size = self.window.get_geometry()
         return pixels_of(self.window, size.width, size.height)
 
+    def preview(self, title):
+        """The window of that title, beside the others: its picture and where it is on the screen."""
+        window = wait_for(title,
+            lambda: next((w for name, w in self.windows().items() if name.endswith(": " + title)), None))
+        size = window.get_geometry()
+        return pixels_of(window, size.width, size.height), (size.x, size.y)
+
     def resize(self, width, height):
         """Returns the state of the first frame of that size."""
 

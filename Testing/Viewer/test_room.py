@@ -28,6 +28,7 @@ CAVE = """<?xml version="1.0" ?>
 </Process></pvx>
 """
 SCREENS = ("Left", "Front", "Right")
+OUTSIDE = "the room from outside"
 SIDE = 200  # pixels of a screen's window
 
 # Of a unit vector: a pixel of a window 640 wide that shows 120 degrees, twice as wide beside
@@ -96,11 +97,33 @@ class RoomTest(ViewerTest):
 
 
 class Screens(RoomTest):
+    def drawn_room(self, viewer):
+        room = viewer.preview(OUTSIDE)
+        return room if (room[0] != room[0][0, 0]).any() else None
+
+    def check_room(self, viewer):
+        """From outside, from behind the audience on the right: all of it is there, and turns."""
+        viewer.key("b")
+        before, (left, top) = wait_for("the room", lambda: self.drawn_room(viewer))
+        seen = (before != before[0, 0]).any(2)
+        self.assertGreater(seen.mean(), 0.1)
+        self.assertFalse(seen[0].any() or seen[-1].any() or seen[:, 0].any() or seen[:, -1].any())
+        self.desktop.point(left + 300, top + 256)
+        self.desktop.press("left")
+        self.desktop.point(left + 400, top + 256)
+        self.desktop.release("left")
+        wait_for("the room that is turned",
+            lambda: (before != viewer.preview(OUTSIDE)[0]).any(2).mean() > 0.1 or None)
+        self.desktop.point(SIDE // 2, SIDE // 2)
+        viewer.key("b")
+        wait_for("the preview to go", lambda: len(viewer.windows()) == 3 or None)
+
     def test_windows_show_what_widefov_render_draws(self):
         viewer = self.start_cave()
         self.assertEqual(len(viewer.windows()), 3)
         self.assertEqual(viewer.state()["size"], [3 * SIDE, SIDE])
         mono = self.check_screens(viewer)
+        self.check_room(viewer)
         viewer.key("o", look=lambda s: s["stereo"] == "offaxis")
         both = self.check_screens(viewer)
         self.assertGreater((mono["Right"] != both["Right"]).any(2).mean(), MOVED)

@@ -21,7 +21,7 @@ import numpy
 from matplotlib import image
 
 import targets
-from desktop import Desktop, Viewer
+from desktop import Desktop, Viewer, wait_for
 
 # Pixels by which a mark may be off: half a pixel of the pointer, and what a few pixels'
 # middle moves when the map bends them.
@@ -30,6 +30,8 @@ NEAR = 1.0
 SAME_DIRECTION = 0.01
 # Sine of the angle by which the horizon may lean: rounding.
 UPRIGHT = 1e-9
+# Of 255, on average: a picture that is made of one with pixels four times as large.
+BLURRED = 12
 # Seconds of processor time in one and a half with nothing to do.
 IDLE_TIME = 0.1
 
@@ -185,6 +187,26 @@ class Shown(ViewerTest):
         for one, two in zip(pictures[:4], pictures[1:4]):
             if one is not pictures[1]:  # another technique shows the same, all but a few pixels
                 self.assertGreater((one != two).any(2).mean(), 0.05)
+
+    def test_previews_beside_the_picture(self):
+        """The plain one is what widefov-render draws, but for the pixels that it is made of."""
+        viewer = self.start("--direction", "1,-0.3,-2", scene=("--scene", "room"))
+        viewer.key("b")
+        self.assertTrue(any(name.endswith("the dome from a seat") for name in viewer.windows()))
+        viewer.key("b")
+        drawn = os.path.join(self.folder, "plain.png")
+        subprocess.run([PROGRAMS["render"], "--quiet", "--scene", "room", "--eye", "0,0,0", "--direction",
+            "1,-0.3,-2", "--projection", "perspective", "--exact-perspective", "--vfov", "60", "--size", "640x512",
+            "-o", drawn], check=True, env={**os.environ, "DISPLAY": self.desktop.name})
+        plain = read_png(drawn).astype(float)
+
+        def off(other):
+            return numpy.abs(viewer.preview("a plain perspective")[0].astype(float) - other).mean()
+
+        wait_for("the plain perspective", lambda: off(plain) < BLURRED or None)
+        self.assertGreater(off(plain[:, ::-1]), 2 * BLURRED)
+        viewer.key("b")
+        wait_for("the preview to go", lambda: len(viewer.windows()) == 1 or None)
 
     def test_every_projection_and_technique_comes_and_goes(self):
         viewer = self.start("--size", "200x100")
