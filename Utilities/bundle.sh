@@ -131,6 +131,7 @@ copy_others() {
   cat > "$folder/README" << EOF
 WideFoV for VTK $version: ./widefov-render --help, ./widefov-viewer --help, ./widefov-bench --help.
 Runs on x86-64 Linux with glibc $(getconf GNU_LIBC_VERSION | awk '{ print $2 }') or newer, an OpenGL driver and an X display (a virtual one serves).
+Films need the program ffmpeg (Debian: apt install ffmpeg), which is not here; numbered frames, -o frames/%05d.png, do not.
 bash check.sh . RESULTS checks and times the machine's OpenGL driver.
 OpenImageIO is here without libraries for films, OpenVDB, HEIF and cameras: stand-ins are in their place.
 EOF

@@ -50,6 +50,12 @@ class BadInput(FilmTest):
         self.write("square1.vtp", SQUARE.format(heat=1))
         self.refuse(1, "the data have no array 'nought'; choose one of heat", "square%d.vtp", "--film", "time",
                     "--color-by", "nought", *MP4)
+        # told by the ends, before what is between is read
+        self.write("end0.vtp", SQUARE.format(heat=0))
+        self.write("end1.vtp", "no data")
+        self.write("end2.vtp", SQUARE.format(heat=2))
+        self.refuse(1, "widefov-render: --color-by: the data have no array 'nought'", "end%d.vtp", "--film",
+                    "time", "--color-by", "nought", *MP4)
         self.assertEqual(
             self.refuse(1, "both", "a.vtp.series", "square%d.vtp", "--film", "time", *MP4), [])
 

@@ -209,6 +209,12 @@ void FilmScenes::FindRange()
   Progress progress("finding the range of the colours in all time steps; --range A,B saves it");
   std::array<double, 2> range{ { HUGE_VAL, -HUGE_VAL } };
   const std::size_t count = this->GetNumberOfSteps();
+  // what both ends complain of in the same words, such as an array that is not there, is said
+  // before those between are read
+  if (count > 2 && !this->TryStep(0) && !this->TryStep(count - 1) && this->SameComplaint)
+  {
+    Fail(this->FirstComplaint);
+  }
   for (std::size_t i = 0; i < count; i++)
   {
     if (this->TryStep(i) && !AddRange(this->Shown, range))
