@@ -304,6 +304,11 @@ void CheckTiles(const Options& o)
   {
     FailUsage("--tile goes neither with --technique cubemap nor with --layout split; leave it out");
   }
+  if (o.Part && !EyesFitTiles(o))
+  {
+    FailUsage("--borders does not go with --layout " + o.Layout +
+      " and these stereo options; choose another layout");
+  }
 }
 
 void CheckDrawn(Options& o)

@@ -331,6 +331,16 @@ std::vector<std::string> FilesOf(const Options& o, const std::string& output)
   return { NameOfPose(o, FileOfEye(layout, name, 0)), NameOfPose(o, FileOfEye(layout, name, 1)) };
 }
 
+bool EyesFitTiles(const Options& o)
+{
+  const StereoLayout& layout = FindStereoLayout(o.Layout);
+  const bool pairs = layout.Rows == 2 && layout.Half && o.Size[1] % 2 != 0;
+  // its bars, and its depths, are those of the whole
+  const bool whole = o.FloatingWindow == 0 && o.Letterbox == 0 && !o.ConvergeOnDepth;
+  return !HasTwoEyes(o) ||
+    (o.Layout != "split" && !pairs && !layout.MultiView && !layout.Vr180 && whole);
+}
+
 PanoramaInfo DescribePanorama(const Options& o)
 {
   const StereoLayout& layout = FindStereoLayout(o.Layout);

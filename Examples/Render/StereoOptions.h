@@ -40,6 +40,10 @@ void AddStereoWindow(vtkRenderer* renderer, const Options& options);
 // The files that an output file becomes: two where each eye has its own.
 std::vector<std::string> FilesOf(const Options& options, const std::string& output);
 
+// Can both eyes be drawn in tiles? Not where each has half of the window, or both go into one file
+// apart, nor where pairs of rows become one and the topmost tiles have an odd number of them.
+bool EyesFitTiles(const Options& options);
+
 // What viewers of panoramas may know of these pictures.
 PanoramaInfo DescribePanorama(const Options& options);
 }

@@ -2,9 +2,9 @@
 #include "Tiles.h"
 
 #include "Frame.h"
-#include "Messages.h"
 #include "Progress.h"
 #include "StereoLayout.h"
+#include "StereoOptions.h"
 #include "StereoChoice.h"
 
 #include <vtkNew.h>
@@ -58,18 +58,6 @@ int FitTile(int wanted, int picture)
   return wanted >= picture ? picture : std::max(2, wanted / 2 * 2);
 }
 
-// Not where each eye has half of the window, or both go into one file apart, nor where pairs of
-// rows become one and the topmost tiles have an odd number of them.
-bool CanBeTiled(const Options& o)
-{
-  const StereoLayout& layout = FindStereoLayout(o.Layout);
-  const bool pairs = layout.Rows == 2 && layout.Half && o.Size[1] % 2 != 0;
-  // its bars, and its depths, are those of the whole
-  const bool whole = o.FloatingWindow == 0 && o.Letterbox == 0 && !o.ConvergeOnDepth;
-  return !HasTwoEyes(o) ||
-    (o.Layout != "split" && !pairs && !layout.MultiView && !layout.Vr180 && whole);
-}
-
 bool OneBelowTheOther(const Options& o)
 {
   return HasTwoEyes(o) && FindStereoLayout(o.Layout).Rows == 2;
@@ -95,12 +83,7 @@ int TileGrid::Size(int axis, int i) const
 
 std::optional<TileGrid> PlanTiles(const Options& o, const GlLimits& limits)
 {
-  if (o.Part && !CanBeTiled(o))
-  {
-    FailUsage("--borders does not go with --layout " + o.Layout +
-      " and these stereo options; choose another layout");
-  }
-  if (o.Technique == Technique::CubeMap || !CanBeTiled(o))
+  if (o.Technique == Technique::CubeMap || !EyesFitTiles(o))
   {
     return std::nullopt;
   }
