@@ -19,7 +19,7 @@ namespace widefov
 {
 namespace
 {
-constexpr std::array<int, 2> WindowSize{ { 640, 512 } }; // pixels
+constexpr std::array<int, 2> PreviewSize{ { 640, 512 } }; // pixels
 constexpr double Seat = 0.5;                             // behind the middle, radii
 constexpr double Away = 3;                               // of the room's middle, half its diagonals
 constexpr double Aside = 25;        // degrees: where the room is seen from at first
@@ -44,7 +44,7 @@ std::string TitleOf(Sight sight)
 }
 
 PreviewWindow::PreviewWindow(const GlfwWindow& other, int right, Sight sight, std::size_t pictures)
-  : Window(TitleOf(sight), WindowSize, false, 0)
+  : Window(TitleOf(sight), PreviewSize, false, 0)
   , From(sight)
 {
   this->Window.PlaceBeside(other, right, 0);

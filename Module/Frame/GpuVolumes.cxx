@@ -13,10 +13,10 @@
 namespace
 {
 // The volume stays as it was: SetMapper would modify it in every frame.
-class Access : public vtkVolume
+class VolumeAccess : public vtkVolume
 {
 public:
-  static auto& MapperOf(vtkVolume* volume) { return volume->*(&Access::Mapper); }
+  static auto& MapperOf(vtkVolume* volume) { return volume->*(&VolumeAccess::Mapper); }
 };
 
 // On the processor, but of an image.
@@ -67,7 +67,7 @@ GpuVolumes::Frame::Frame(GpuVolumes& volumes, vtkProp** props, int count)
     if (onGpu)
     {
       this->Changes.push_back({ volume, own });
-      Access::MapperOf(volume) = onGpu;
+      VolumeAccess::MapperOf(volume) = onGpu;
     }
   }
 }
@@ -76,7 +76,7 @@ GpuVolumes::Frame::~Frame()
 {
   for (const Change& change : this->Changes)
   {
-    Access::MapperOf(change.Volume) = change.Own;
+    VolumeAccess::MapperOf(change.Volume) = change.Own;
   }
 }
 
