@@ -92,8 +92,12 @@ protected:
   void CheckAll(const std::vector<NamedPose>& poses, const std::string& mesh, double depth)
   {
     const Projection& p = *FindProjection(this->GetParam());
-    const std::vector<double> fovs = FovsOf(p, Fovs);
-    for (double fov : fovs.size() > 1 ? fovs : std::vector<double>{ WidestFov(p) })
+    std::vector<double> fovs = FovsOf(p, Fovs);
+    if (fovs.size() <= 1)
+    {
+      fovs.assign(1, WidestFov(p));
+    }
+    for (const double fov : fovs)
     {
       for (const NamedPose& pose : poses)
       {
