@@ -20,8 +20,8 @@ namespace widefov
 namespace
 {
 constexpr std::array<int, 2> PreviewSize{ { 640, 512 } }; // pixels
-constexpr double Seat = 0.5;                             // behind the middle, radii
-constexpr double Away = 3;                               // of the room's middle, half its diagonals
+constexpr double Seat = 0.5;                              // behind the middle, radii
+constexpr double Away = 3;          // of the room's middle, half its diagonals
 constexpr double Aside = 25;        // degrees: where the room is seen from at first
 constexpr double Nod = 0.4;         // of the tilt, that the head looks up at first
 constexpr double MostPitch = 89;    // degrees
