@@ -23,7 +23,7 @@ OWN_WAY = {
     "vtkLabelPlacementMapper": "as many pixels large as it is told, where its places are seen",
     "vtkLabeledDataMapper": "as many pixels large as it is told, where its places are seen",
     "vtkDynamic2DLabelMapper": "as many pixels large as it is told, where its places are seen",
-    "vtkFixedPointVolumeRayCastMapper": "as `vtkGPUVolumeRayCastMapper` draws it, less than 1/255 off in the mean",
+    "vtkFixedPointVolumeRayCastMapper": "as `vtkGPUVolumeRayCastMapper` draws it (`VolumeKinds`), see [limits](known-limits.md)",
     "vtkCaptionActor2D": "an overlay, beside what it points at",
     "vtkLegendScaleActor": "an overlay, as in any view",
 }
