@@ -6,6 +6,7 @@
 #include "Compat/VersionCheck.h"
 #include "Frame/PartActor.h"
 #include "Frame/Technique.h"
+#include "Overrides.h"
 #include "vtkWideFoVCamera.h"
 #include "vtkWideFoVPassInternals.h"
 #include "vtkWideFoVRenderer.h"
@@ -42,7 +43,7 @@ constexpr int Enlargements[wfv::FrameRate::Levels] = { 1, 1, 2, 3, 4 };
 vtkWideFoVPass::vtkWideFoVPass()
   : Internal(new Internals)
 {
-  wfv::MakePartsWide();
+  wfv::RegisterOverrides();
 }
 
 vtkWideFoVPass::~vtkWideFoVPass() = default;

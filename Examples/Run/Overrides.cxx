@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The factory of wide renderers, cameras and mappers, for programs that know nothing of them.
+// The factory of wide renderers and cameras, for programs that know nothing of them.
 #include "Messages.h"
 #include "RunRenderer.h"
 #include "Wishes.h"
@@ -7,7 +7,6 @@
 #include <vtkObjectFactory.h>
 #include <vtkRenderWindow.h>
 #include <vtkVersion.h>
-#include <vtkWideFoVPolyDataMapper.h>
 
 #include "Compat/FutureConst.h"
 
@@ -62,11 +61,8 @@ RunFactory::RunFactory()
   const char* const what = "wide field of view";
   const Wishes& wishes = TheWishes();
   PutFirst("vtkRenderer");
-  PutFirst("vtkPolyDataMapper");
   this->RegisterOverride("vtkRenderer", "vtkWideFoVRenderer", what, 1,
     []() -> vtkObject* { return RunRenderer::New(); });
-  this->RegisterOverride("vtkPolyDataMapper", "vtkWideFoVPolyDataMapper", what, 1,
-    []() -> vtkObject* { return vtkWideFoVPolyDataMapper::New(); });
   if (!wishes.IsFlat())
   {
     PutFirst("vtkCamera");

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The mapper that draws all blocks of composite data itself. Up to VTK 9.2 this is
-// vtkCompositePolyDataMapper2 of the OpenGL module; from 9.3 on it is vtkCompositePolyDataMapper,
-// which hands the blocks in batches to mappers of its own, and the other is deprecated (gone
-// in 9.5).
+// The mapper that draws all blocks of composite data itself, and what it hands them to. Up to
+// VTK 9.2 these are vtkCompositePolyDataMapper2 of the OpenGL module and its helpers; from 9.3 on
+// vtkCompositePolyDataMapper, and the mappers of batches that its delegators have (the other is
+// deprecated there, and gone in 9.5).
 #ifndef WideFoVCompositeMapper_h
 #define WideFoVCompositeMapper_h
 
@@ -10,11 +10,9 @@
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
 #include "vtkCompositePolyDataMapper.h"
 using vtkWideFoVCompositeMapper = vtkCompositePolyDataMapper;
-#define WIDEFOV_CLASSIFIES_BLOCKS 0
 #else
 #include "vtkCompositePolyDataMapper2.h"
 using vtkWideFoVCompositeMapper = vtkCompositePolyDataMapper2;
-#define WIDEFOV_CLASSIFIES_BLOCKS 1
 #endif
 
 namespace wfv

@@ -23,14 +23,14 @@ function(widefov_gl_modules variable)
   set("${variable}" "${found}" PARENT_SCOPE)
 endfunction()
 
-# widefov_compat_sources(VARIABLE): what some versions need, below Module/. Blocks of composite data
-# are classified up to VTK 9.2; see CompositeMapper.h.
+# widefov_compat_sources(VARIABLE): what some versions need, below Module/. How composite mappers
+# are given what draws their blocks: see Frame/BlockClusters.h.
 function(widefov_compat_sources variable)
-  set(sources)
   if(VTK_VERSION VERSION_LESS 9.3)
-    set(sources Frame/vtkWideFoVCompositeHelper.cxx Frame/vtkWideFoVCompositeHelper.h)
+    set("${variable}" Frame/BlockHelpers.cxx PARENT_SCOPE)
+  else()
+    set("${variable}" Frame/BlockDelegator.cxx PARENT_SCOPE)
   endif()
-  set("${variable}" "${sources}" PARENT_SCOPE)
 endfunction()
 
 # A newer VTK is tried: what it changed of its shaders is reported when a scene is drawn.

@@ -41,9 +41,8 @@ bool IsFrameInDrawing();
 
 // Nobody can ask such a prop for its actors. So the ones that VTK makes look for the frame
 // themselves, and so do texts (PartText.h): a factory makes them, under the names of VTK's own
-// classes. Loading this library
-// registers it; to call this again does nothing where it still is.
-void MakePartsWide();
+// classes (Overrides.h).
+vtkObject* MakePartActor();
 
 // True of an actor that was made so.
 bool FindsItsFrame(vtkObject* actor);

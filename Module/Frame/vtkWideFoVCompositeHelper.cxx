@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Frame/vtkWideFoVCompositeHelper.h"
 
-#include "Drawables/Kinds/DrawableKinds.h"
-#include "Frame/BlockClusters.h"
 #include "Frame/ClusterDraw.h"
 #include "Frame/Stages.h"
 
 #include "vtkActor.h"
-#include "vtkCompositePolyDataMapper2.h"
 #include "vtkHardwareSelector.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLCellToVTKCellMap.h"
@@ -20,72 +17,15 @@
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
-#include <array>
-#include <cstring>
 #include <iterator>
 #include <map>
 #include <memory>
-#include <string>
 
 vtkStandardNewMacro(vtkWideFoVCompositeHelper);
 
 namespace
 {
 using wfv::ClusterDraw;
-
-// The names under which a composite mapper looks for the helpers of blocks with or without
-// scalars (A), normals (B) and texture coordinates (C). Helpers that it does not ask for it drops.
-std::array<std::string, 8> NamesOfKinds()
-{
-  std::array<std::string, 8> names;
-  for (std::size_t i = 0; i < names.size(); i++)
-  {
-    const auto digit = [i](int bit) { return std::to_string((i >> bit) & 1); };
-    names[i] = "A" + digit(0) + "B" + digit(1) + "C" + digit(2);
-  }
-  return names;
-}
-
-// What a composite mapper keeps to itself.
-class MapperAccess : public vtkCompositePolyDataMapper2
-{
-public:
-  static void Give(vtkCompositePolyDataMapper2* mapper, vtkWindow* window)
-  {
-    auto& helpers = mapper->*(&MapperAccess::Helpers);
-    vtkTimeStamp& time = mapper->*(&MapperAccess::HelperMTime);
-    for (auto& entry : helpers)
-    {
-      if (wfv::HasTrait(entry.second, wfv::DrawsBlocks) &&
-        !wfv::HasTrait(entry.second, wfv::ClassifiesBlocks))
-      {
-        entry.second->ReleaseGraphicsResources(window);
-        entry.second->Delete();
-        entry.second = NewFor(mapper);
-        time = vtkTimeStamp(); // so that the blocks are handed out anew
-      }
-    }
-    vtkDataObject* const input = mapper->GetInputDataObject(0, 0);
-    if (!input || (time > input->GetMTime() && time > mapper->GetMTime()))
-    {
-      return;
-    }
-    static const std::array<std::string, 8> names = NamesOfKinds();
-    for (const std::string& name : names)
-    {
-      vtkCompositeMapperHelper2*& helper = helpers[name];
-      helper = helper ? helper : NewFor(mapper);
-    }
-  }
-
-private:
-  static vtkCompositeMapperHelper2* NewFor(vtkCompositePolyDataMapper2* mapper)
-  {
-    auto* const helper = vtkWideFoVCompositeHelper::New();
-    helper->SetParent(mapper);
-    return helper;
-  }
-};
 }
 
 struct vtkWideFoVCompositeHelper::Internals
@@ -99,6 +39,7 @@ struct vtkWideFoVCompositeHelper::Internals
     }
     ClusterDraw Triangles;
     bool Classified = false; // in this traversal
+    bool Gone = false;
   };
 
   // Of all blocks the polygons or the strips.
@@ -160,16 +101,6 @@ void vtkWideFoVCompositeHelper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ClassifiedBlocks: " << this->Internal->Polygons.Blocks.size() << "\n";
 }
 
-// Any other mapper, or one that makes helpers of a kind of its own, is left as it is.
-void wfv::ClassifyBlocksOf(vtkMapper* mapper, vtkWindow* window)
-{
-  // a class derived from it may make helpers of its own
-  if (wfv::HasTrait(mapper, wfv::StockComposite))
-  {
-    MapperAccess::Give(static_cast<vtkCompositePolyDataMapper2*>(mapper), window);
-  }
-}
-
 void vtkWideFoVCompositeHelper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internal->Polygons.Release(window);
@@ -183,24 +114,34 @@ void vtkWideFoVCompositeHelper::Forget()
   for (Internals::Surfaces* surfaces : { &this->Internal->Polygons, &this->Internal->Strips })
   {
     auto& blocks = surfaces->Blocks;
+    for (auto& block : blocks)
+    {
+      block.second->Gone = true;
+    }
+    this->ForEachBlock([&](vtkPolyData* data, const BlockOfMapper&) {
+      if (Internals::Block* const found = surfaces->Find(data))
+      {
+        found->Gone = false;
+      }
+    });
     for (auto it = blocks.begin(); it != blocks.end();)
     {
-      it = this->Data.count(it->first) > 0 ? std::next(it) : blocks.erase(it);
+      it = it->second->Gone ? blocks.erase(it) : std::next(it);
     }
   }
 }
 
-bool vtkWideFoVCompositeHelper::IsDrawn(
-  const vtkCompositeMapperHelperData& block, vtkActor* actor) const
+bool vtkWideFoVCompositeHelper::IsDrawn(const BlockOfMapper& block, vtkActor* actor) const
 {
+  const auto& looks = LooksOf(block);
   if (this->CurrentSelector)
   {
-    return block.Visibility && block.Pickability &&
+    return looks.Visibility && looks.Pickability &&
       !actor->IsRenderingTranslucentPolygonalGeometry();
   }
-  const bool opaque = block.IsOpaque || actor->GetForceOpaque();
-  const bool translucent = !block.IsOpaque || actor->GetForceTranslucent();
-  return block.Visibility &&
+  const bool opaque = looks.IsOpaque || actor->GetForceOpaque();
+  const bool translucent = !looks.IsOpaque || actor->GetForceTranslucent();
+  return looks.Visibility &&
     (actor->IsRenderingTranslucentPolygonalGeometry() ? translucent : opaque);
 }
 
@@ -209,19 +150,18 @@ bool vtkWideFoVCompositeHelper::Classify(int primitive, vtkActor* actor, vtkWide
   const bool strips = primitive == PrimitiveTriStrips;
   auto& blocks = this->Internal->Of(primitive).Blocks;
   bool any = false;
-  for (const auto& data : this->Data)
-  {
-    if (!ClusterDraw::IsWorthIt(data.first, strips))
+  this->ForEachBlock([&](vtkPolyData* data, const BlockOfMapper& record) {
+    if (!ClusterDraw::IsWorthIt(data, strips))
     {
-      blocks.erase(data.first);
-      continue;
+      blocks.erase(data);
+      return;
     }
-    std::unique_ptr<Internals::Block>& block = blocks[data.first];
+    std::unique_ptr<Internals::Block>& block = blocks[data];
     block = block ? std::move(block) : std::make_unique<Internals::Block>(strips);
     block->Classified =
-      this->IsDrawn(*data.second, actor) && block->Triangles.Prepare(data.first, actor, stage);
+      this->IsDrawn(record, actor) && block->Triangles.Prepare(data, actor, stage);
     any = any || block->Classified;
-  }
+  });
   return any;
 }
 
@@ -242,10 +182,8 @@ void vtkWideFoVCompositeHelper::DrawKind(int number, int primitive, vtkActor* ac
   vtkOpenGLHelper& own = this->Primitives[primitive];
   vtkShaderProgram* const program =
     kind == ClusterDraw::ByStage ? own.Program : surfaces.Helpers[kind].Program;
-  for (const auto& data : this->Data)
-  {
-    vtkCompositeMapperHelperData& block = *data.second;
-    Internals::Block* const known = surfaces.Find(data.first);
+  this->ForEachBlock([&](vtkPolyData* data, BlockOfMapper& block) {
+    Internals::Block* const known = surfaces.Find(data);
     const bool classified = known && known->Classified;
     wfv::DrawnPart part;
     part.FirstVertex = block.StartVertex;
@@ -256,7 +194,7 @@ void vtkWideFoVCompositeHelper::DrawKind(int number, int primitive, vtkActor* ac
       classified ? known->Triangles.Has(kind) : kind == ClusterDraw::ByStage && part.Indices > 0;
     if (!has || !this->IsDrawn(block, actor))
     {
-      continue;
+      return;
     }
     this->SetShaderValues(program, &block, block.CellCellMap->GetPrimitiveOffsets()[primitive]);
     ClusterDraw& triangles = classified ? known->Triangles : this->Internal->Nothing;
@@ -264,7 +202,7 @@ void vtkWideFoVCompositeHelper::DrawKind(int number, int primitive, vtkActor* ac
     triangles.SetParameters(program, this->Internal->Window);
     triangles.Draw(own.IBO, part);
     triangles.Finish();
-  }
+  });
 }
 
 void vtkWideFoVCompositeHelper::DrawClusters(

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkWideFoVCompositeHelper
- * @brief   draws the blocks of a vtkCompositePolyDataMapper2 by clusters
+ * @brief   draws the blocks of composite data by clusters
  *
- * A composite mapper hands its blocks to helpers, which are mappers of their own. This one draws
+ * A composite mapper hands its blocks to mappers of its own. This one draws
  * as the stock one does, but under a vtkWideFoVPass it classifies the clusters of each block as
  * vtkWideFoVPolyDataMapper does those of its mesh. Visibility, opacity, colours, picking and what
  * is selected stay the stock helper's work.
@@ -11,24 +11,20 @@
 #ifndef vtkWideFoVCompositeHelper_h
 #define vtkWideFoVCompositeHelper_h
 
-#include "Compat/Gl.h"
+#include "Compat/BlockMapper.h"
 #include "vtkWideFoVAbi.h"
-
-#include "vtkColor.h" // which VTK 9.1's header of the helper takes for granted
-#include "vtkCompositeMapperHelper2.h"
 
 #include <memory>
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkCompositeMapperHelperData;
 class vtkWideFoVStage;
 class vtkWindow;
 
-class vtkWideFoVCompositeHelper : public vtkCompositeMapperHelper2
+class vtkWideFoVCompositeHelper : public wfv::BlockMapper
 {
 public:
   static vtkWideFoVCompositeHelper* New();
-  vtkTypeMacro(vtkWideFoVCompositeHelper, vtkCompositeMapperHelper2);
+  vtkTypeMacro(vtkWideFoVCompositeHelper, wfv::BlockMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
@@ -52,7 +48,7 @@ private:
   void DrawKind(int kind, int primitive, vtkActor* actor);
 
   // Whether a block is to be seen, or picked, in this traversal of the props.
-  bool IsDrawn(const vtkCompositeMapperHelperData& block, vtkActor* actor) const;
+  bool IsDrawn(const BlockOfMapper& block, vtkActor* actor) const;
 
   // What was classified for blocks that are gone.
   void Forget();

@@ -10,7 +10,7 @@
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
+#include <vtkOpenGLPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkWideFoVPolyDataMapper.h>
 
@@ -99,7 +99,7 @@ private:
     vtkSmartPointer<vtkPolyDataMapper> mapper;
     mapper.TakeReference(kind == 0
         ? static_cast<vtkPolyDataMapper*>(vtkWideFoVPolyDataMapper::New())
-        : vtkPolyDataMapper::New());
+        : vtkOpenGLPolyDataMapper::New());
     // of its own mapper's some are classified, some are too small for that
     const int cells = kind == 0 && this->Unit() > 0 ? 600 : 40;
     mapper->SetInputData(this->MakeSoup(kind < 2 ? 3 : kind - 1, cells));

@@ -11,7 +11,7 @@
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
+#include <vtkOpenGLPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 
@@ -28,7 +28,7 @@ struct Drawing::Internals
   vtkNew<vtkWideFoVCamera> Camera;
   vtkNew<vtkWideFoVPass> Pass;
   vtkNew<vtkWideFoVDataPass> Data;
-  vtkNew<vtkPolyDataMapper> Mapper;
+  vtkNew<vtkOpenGLPolyDataMapper> Mapper;
   vtkNew<vtkWideFoVPolyDataMapper> WideMapper; // tessellates, and classifies triangles
   vtkNew<vtkActor> Actor;
   std::unique_ptr<View> LastView;

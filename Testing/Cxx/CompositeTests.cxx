@@ -165,11 +165,6 @@ using Selected = std::pair<int, vtkIdType>;
 std::vector<Selected> SelectAll(bool composite)
 {
   WideFoVTestWindow test("equirectangular", PartsWidth, PartsHeight);
-  if (!WIDEFOV_CLASSIFIES_BLOCKS)
-  {
-    // blocks are ray-tested there: so are own mappers, at a tolerance that leaves no chords
-    test.Pass()->SetTolerance(0.02);
-  }
   AddBlocks(test.Renderer, composite);
   vtkNew<vtkHardwareSelector> selector;
   selector->SetRenderer(test.Renderer);
@@ -203,7 +198,7 @@ TEST(Composite, BlocksAreDrawnAsOwnMappersAre)
   const DrawnBlocks own = Draw(false, false);
   const DrawnBlocks blocks = Draw(true, false);
   EXPECT_GT(own.Clusters, 100);
-  EXPECT_EQ(blocks.Clusters, WIDEFOV_CLASSIFIES_BLOCKS ? own.Clusters : 0);
+  EXPECT_EQ(blocks.Clusters, own.Clusters);
   EXPECT_EQ(CountDifferent(blocks, own), 0);
   EXPECT_EQ(CountDifferent(Draw(true, true), own), 0);
   const unsigned char* const pixels = own.Pixels->GetPointer(0);

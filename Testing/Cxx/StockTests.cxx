@@ -5,7 +5,7 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkMath.h"
-#include "vtkPolyDataMapper.h"
+#include "vtkOpenGLPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkSphereSource.h"
@@ -34,7 +34,7 @@ void AddStockScene(vtkRenderer* renderer, bool own)
     vtkNew<vtkSphereSource> sphere;
     sphere->SetCenter(i - 2.5, 0.2 * i, -4);
     vtkSmartPointer<vtkPolyDataMapper> mapper;
-    mapper.TakeReference(own ? vtkWideFoVPolyDataMapper::New() : vtkPolyDataMapper::New());
+    mapper.TakeReference(own ? vtkWideFoVPolyDataMapper::New() : vtkOpenGLPolyDataMapper::New());
     mapper->SetInputConnection(sphere->GetOutputPort());
     vtkNew<vtkActor> actor;
     actor->SetMapper(mapper);

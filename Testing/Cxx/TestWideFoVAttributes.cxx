@@ -10,7 +10,7 @@
 #include "vtkIntArray.h"
 #include "vtkPlane.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataMapper.h"
+#include "vtkOpenGLPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkSphereSource.h"
 #include "vtkTexture.h"
@@ -32,7 +32,7 @@ vtkSmartPointer<vtkActor> CellColors()
     id->InsertNextValue(static_cast<int>(i % 7));
   }
   sphere->GetOutput()->GetCellData()->SetScalars(id);
-  vtkNew<vtkPolyDataMapper> mapper;
+  vtkNew<vtkOpenGLPolyDataMapper> mapper;
   mapper->SetInputData(sphere->GetOutput());
   mapper->SetScalarRange(0, 6);
   vtkNew<vtkActor> actor;
@@ -77,7 +77,7 @@ vtkSmartPointer<vtkActor> Clipped()
   scalars->SetInputConnection(sphere->GetOutputPort());
   scalars->SetLowPoint(-0.7, 0, 0);
   scalars->SetHighPoint(0.7, 0, 0);
-  vtkNew<vtkPolyDataMapper> mapper;
+  vtkNew<vtkOpenGLPolyDataMapper> mapper;
   mapper->SetInputConnection(scalars->GetOutputPort());
   mapper->InterpolateScalarsBeforeMappingOn();
   vtkNew<vtkPlane> plane;

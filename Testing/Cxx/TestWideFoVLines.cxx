@@ -5,7 +5,7 @@
 
 #include "vtkActor.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataMapper.h"
+#include "vtkOpenGLPolyDataMapper.h"
 #include "vtkProperty.h"
 
 #include <string>
@@ -29,7 +29,7 @@ int TestWideFoVLines(int argc, char* argv[])
     { 1.8, 45, 6, { 0.3, 0.8, 1 }, true, VTK_POINTS, 0 } };
   for (const auto& set : sets)
   {
-    vtkNew<vtkPolyDataMapper> mapper;
+    vtkNew<vtkOpenGLPolyDataMapper> mapper;
     mapper->SetInputData(MakeGraticule(set.Radius, set.Step, set.Coarse));
     vtkNew<vtkActor> actor;
     actor->SetMapper(mapper);

@@ -12,7 +12,7 @@
 #include "vtkPNGWriter.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataMapper.h"
+#include "vtkOpenGLPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRegressionTestImage.h"
 #include "vtkTriangleFilter.h"
@@ -41,7 +41,7 @@ WideFoVTestWindow::WideFoVTestWindow(const char* projection, int width, int heig
 
 vtkSmartPointer<vtkActor> MakeTestActor(vtkAlgorithm* source, double r, double g, double b)
 {
-  vtkNew<vtkPolyDataMapper> mapper;
+  vtkNew<vtkOpenGLPolyDataMapper> mapper;
   mapper->SetInputConnection(source->GetOutputPort());
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);

@@ -14,7 +14,7 @@
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
+#include <vtkOpenGLPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderState.h>
 #include <vtkUnsignedCharArray.h>
@@ -57,7 +57,7 @@ struct HitCounter::Internals
   vtkNew<vtkWideFoVPass> Pass;
   vtkNew<vtkCameraPass> CameraPass;
   vtkNew<AddingPass> Adding;
-  vtkNew<vtkPolyDataMapper> Mapper;
+  vtkNew<vtkOpenGLPolyDataMapper> Mapper;
   vtkNew<vtkWideFoVPolyDataMapper> WideMapper; // what tessellates needs it
   vtkNew<vtkActor> Actor;
 };

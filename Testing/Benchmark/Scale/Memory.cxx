@@ -38,7 +38,7 @@ double ReadStatus(const std::string& key)
 
 vtkSmartPointer<vtkPolyDataMapper> MakeStock()
 {
-  return vtkSmartPointer<vtkPolyDataMapper>::New();
+  return vtkSmartPointer<vtkOpenGLPolyDataMapper>::New();
 }
 
 vtkSmartPointer<vtkPolyDataMapper> MakeWide()

@@ -35,7 +35,7 @@ struct ScaleOptions
 
 vtkSmartPointer<vtkPolyDataMapper> MakeStock()
 {
-  return vtkSmartPointer<vtkPolyDataMapper>::New();
+  return vtkSmartPointer<vtkOpenGLPolyDataMapper>::New();
 }
 
 vtkSmartPointer<vtkPolyDataMapper> MakeWide()
