@@ -212,7 +212,7 @@ def compare_all(options):
 def main(options):
     scene.load_plugin(options)
     prefix = os.environ["WIDEFOV_PARAVIEW_PREFIX"]
-    (peer,) = glob.glob(os.path.join(prefix, PANORAMIC))
+    (peer,) = glob.glob(os.path.join(os.path.abspath(prefix), PANORAMIC))
     simple.LoadPlugin(peer, False, vars(simple))
     turning = time_turning()
     print_turning(turning)

@@ -65,9 +65,11 @@ def save_extracts(folder, frames):
 
 
 def load_plugin(options, remote=False):
-    simple.LoadPlugin(options.plugin, remote=remote, ns=vars(simple))
+    """ParaView 5.13 finds none by a relative path."""
+    plugin = os.path.abspath(options.plugin)
+    simple.LoadPlugin(plugin, remote=remote, ns=vars(simple))
     if remote:
-        simple.LoadPlugin(options.plugin, remote=False, ns=vars(simple))
+        simple.LoadPlugin(plugin, remote=False, ns=vars(simple))
 
 
 def make_view(size=None, kind="WideFoVView", **properties):
