@@ -306,7 +306,19 @@ Classifier::Triangle Classifier::OfTriangle(const vec3& a, const vec3& b, const 
   return t;
 }
 
-DrawClass Classifier::OfCluster(const Box& box, double radius, double edge) const
+bool Classifier::HasChordsAround(const vec3& centre, double radius, double edge, int chords) const
+{
+  const double distance = glm::length(centre);
+  const double nearest = distance - radius;
+  const double part = edge / chords;
+  const double limit = this->HasCircle() ? this->Circle.LimitAround(centre, radius, part)
+                                         : this->V.Limits->LeastAround(centre, radius / distance);
+  return !this->V.Limits->IsBesideSingularity(centre, radius / distance) &&
+    part * part <= limit * nearest * nearest &&
+    !this->SphereMayTear(centre, radius, chords * ChordLimits::LongestChord);
+}
+
+int Classifier::ChordsOfAll(const Box& box, double radius, double edge, int most) const
 {
   Box seen = box;
   seen.Grow(this->V.BaselineRadius);
@@ -314,25 +326,32 @@ DrawClass Classifier::OfCluster(const Box& box, double radius, double edge) cons
     (this->AllAround ? !IsBetweenClips(this->V.View, seen)
                      : IsCulled(*this->V.Map, this->V.View, seen, this->V.Part)))
   {
-    return DrawClass::Culled;
-  }
-  if (!this->V.Limits)
-  {
-    return DrawClass::RayTested;
+    return Unseen;
   }
   const vec3 centre = 0.5 * (box.Low + box.High);
   const double distance = glm::length(centre);
   const double nearest = distance - radius;
   const double farthest = distance + radius;
-  if (!(nearest > 0 && nearest * nearest > this->Inner2 && farthest * farthest < this->Outer2))
+  if (!this->V.Limits ||
+    !(nearest > 0 && nearest * nearest > this->Inner2 && farthest * farthest < this->Outer2))
   {
-    return DrawClass::Mixed;
+    return None;
   }
-  const double limit = this->HasCircle() ? this->Circle.LimitAround(centre, radius, edge)
-                                         : this->V.Limits->LeastAround(centre, radius / distance);
-  const bool all = !this->V.Limits->IsBesideSingularity(centre, radius / distance) &&
-    edge * edge <= limit * nearest * nearest &&
-    !this->SphereMayTear(centre, radius, ChordLimits::LongestChord);
-  return all ? DrawClass::Projected : DrawClass::Mixed;
+  int chords = 1;
+  while (chords <= most && !this->HasChordsAround(centre, radius, edge, chords))
+  {
+    chords *= 2;
+  }
+  return chords <= most ? chords : None;
+}
+
+DrawClass Classifier::OfCluster(const Box& box, double radius, double edge) const
+{
+  const int chords = this->ChordsOfAll(box, radius, edge, 1);
+  if (chords == None)
+  {
+    return this->V.Limits ? DrawClass::Mixed : DrawClass::RayTested;
+  }
+  return chords == Unseen ? DrawClass::Culled : DrawClass::Projected;
 }
 }

@@ -52,6 +52,12 @@ public:
   // longest of its triangles.
   DrawClass OfCluster(const Box& box, double radius, double edge) const;
 
+  // The same of what is to be drawn in one way: how many chords stand for the longest edge, a power
+  // of two up to `most`; None, where a ray decides, or Unseen.
+  static constexpr int None = 0;
+  static constexpr int Unseen = -1;
+  int ChordsOfAll(const Box& box, double radius, double edge, int most) const;
+
   // Of a triangle: a class of its own; and for the edge opposite to each corner the chords that
   // stand for it, 1 to 32 for parts of it that are alike, or 0, where so few do not do. Both
   // triangles at an edge have the same there, so that what is drawn in two ways meets.
@@ -72,6 +78,7 @@ private:
   bool IsFarEnough(const vec3 p[3], double nearest2, double angle2) const;
   void LeaveDiscontinuousEdges(const vec3 p[3], Triangle& t) const;
   bool MayTear(const vec3 p[3], double farthest, double angle) const;
+  bool HasChordsAround(const vec3& centre, double radius, double edge, int chords) const;
   bool SphereMayTear(const vec3& centre, double radius, double angle) const;
   bool IsOnOneFace(const vec3 p[3], double beside) const;
 

@@ -2,6 +2,7 @@
 // ClusterDraw: classifies a mesh, and lists its triangles by the kinds that they are drawn as.
 #include "Frame/ClusterDraw.h"
 
+#include "Clusters/Affine.h"
 #include "Frame/Stages.h"
 #include "Frame/vtkWideFoVStage.h"
 #include "Shaders/Limits.h"
@@ -29,41 +30,6 @@ constexpr vtkIdType FewCorners = 768;
 // ray-tested. It takes up to five microseconds more for each (llvmpipe, two cores), and another
 // program half a second for being made.
 constexpr vtkIdType FewByStage = 1280;
-
-// A row-major affine matrix.
-struct Affine
-{
-  wfv::vec3 Columns[3];
-  wfv::vec3 Shift;
-
-  explicit Affine(const double m[16])
-    : Columns{ wfv::vec3(m[0], m[4], m[8]), wfv::vec3(m[1], m[5], m[9]),
-      wfv::vec3(m[2], m[6], m[10]) }
-    , Shift(m[3], m[7], m[11])
-  {
-  }
-
-  wfv::vec3 Of(double x, double y, double z) const
-  {
-    return this->Columns[0] * x + this->Columns[1] * y + this->Columns[2] * z + this->Shift;
-  }
-
-  // By how much it stretches at the most: exact where all axes are scaled alike.
-  double GetScale() const
-  {
-    double most = 0;
-    for (const wfv::vec3& a : this->Columns)
-    {
-      double sum = 0;
-      for (const wfv::vec3& b : this->Columns)
-      {
-        sum += std::abs(glm::dot(a, b));
-      }
-      most = std::max(most, sum);
-    }
-    return std::sqrt(most);
-  }
-};
 }
 
 namespace wfv

@@ -10,6 +10,7 @@
 #include "Frame/DirectionTextures.h"
 #include "Frame/FineDepth.h"
 #include "Frame/FrameStatistics.h"
+#include "Frame/GlyphDraw.h"
 #include "Frame/ProgramMemory.h"
 #include "Frame/ShaderClock.h"
 #include "Frame/ShaderFolder.h"
@@ -55,12 +56,14 @@ public:
   {
     this->Textures.Unbind();
     this->Fine.End();
+    this->Glyphs.Finish();
   }
 
   void ReleaseGraphicsResources(vtkWindow* window)
   {
     this->Textures.ReleaseGraphicsResources(window);
     this->Fine.ReleaseGraphicsResources(window);
+    this->Glyphs.ReleaseGraphicsResources(window);
     this->Programs.ForgetAll();
     this->Folder.Forget();
   }
@@ -115,6 +118,9 @@ public:
 
   // What of it has been drawn.
   wfv::FineDepth Fine;
+
+  // Copies of glyph mappers.
+  wfv::GlyphDraws Glyphs;
 
   // Of what it drew so far, the keys: many props are drawn by an actor in their place that has the
   // same ones.

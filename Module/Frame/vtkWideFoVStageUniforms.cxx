@@ -151,6 +151,7 @@ bool vtkWideFoVStage::SetShaderParameters(
   this->NumberOfDraws++;
   const bool tessellates = this->Variant == wfv::ShaderBuilder::Variant::Tessellate;
   this->NumberOfTessellateDraws += tessellates && wfv::Tessellation::IsIn(program);
+  this->Stages->Glyphs.Draw(this->Renderer, mapper, prop, this);
   return true;
 }
 
