@@ -23,9 +23,9 @@ struct FrameStatistics
   int Clusters = 0;
   int CulledClusters = 0;
 
-  // Of these clusters; left out with their cluster; and drawn by their chords, as they are or cut
-  // into smaller ones, but for props that are projected as a whole. What a geometry stage lets fall
-  // is not known here.
+  // Of these clusters, and of glyphs; left out with their cluster or copy; and drawn by their
+  // chords, as they are or cut into smaller ones, but for props that are projected as a whole. What
+  // a geometry stage lets fall is not known here.
   vtkIdType Triangles = 0;
   vtkIdType CulledTriangles = 0;
   vtkIdType ProjectedTriangles = 0;

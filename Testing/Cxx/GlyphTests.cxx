@@ -84,9 +84,16 @@ int CountAstray(const TestPixels& a, const TestPixels& b)
   return astray;
 }
 
-void CheckArrows(const char* projection)
+// eye: VTK_STEREO_LEFT, VTK_STEREO_RIGHT, or 0: between the two.
+void CheckArrows(const char* projection, int eye = 0)
 {
   WideFoVTestWindow test(projection, GlyphPicture[0], GlyphPicture[1]);
+  if (eye != 0)
+  {
+    test.Camera->SetStereoModelToOmnidirectional();
+    test.Window->SetStereoType(eye);
+    test.Window->StereoRenderOn();
+  }
   test.Renderer->AddActor(MakeArrows(400));
   test.Window->Render();
   const TestPixels drawn(test.Window);
@@ -111,6 +118,15 @@ TEST(Glyphs, AreSeenWhereRaysSeeThem)
   {
     SCOPED_TRACE(projection);
     CheckArrows(projection);
+  }
+}
+
+TEST(Glyphs, AreSeenByEachEye)
+{
+  for (const int eye : { VTK_STEREO_LEFT, VTK_STEREO_RIGHT })
+  {
+    SCOPED_TRACE(eye);
+    CheckArrows("equirectangular", eye);
   }
 }
 
