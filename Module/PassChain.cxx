@@ -78,9 +78,10 @@ void WarnOnce(vtkRenderPass* pass, const char* why)
 bool IsStock(vtkRenderPass* pass)
 {
   static constexpr const char* names[] = { "vtkCameraPass", "vtkClearRGBPass", "vtkClearZPass",
-    "vtkDefaultPass", "vtkDepthPeelingPass", "vtkHiddenLineRemovalPass", "vtkImageProcessingPass",
-    "vtkLightsPass", "vtkOrderIndependentTranslucentPass", "vtkRenderStepsPass", "vtkSSAAPass",
-    "vtkSequencePass", "vtkShadowMapBakerPass", "vtkShadowMapPass", "vtkWideFoVDataPass" };
+    "vtkCompositeRGBAPass", "vtkCompositeZPass", "vtkDefaultPass", "vtkDepthPeelingPass",
+    "vtkHiddenLineRemovalPass", "vtkImageProcessingPass", "vtkLightsPass",
+    "vtkOrderIndependentTranslucentPass", "vtkRenderStepsPass", "vtkSSAAPass", "vtkSequencePass",
+    "vtkShadowMapBakerPass", "vtkShadowMapPass", "vtkWideFoVDataPass" };
   return std::any_of(
     std::begin(names), std::end(names), [pass](const char* name) { return pass->IsA(name); });
 }

@@ -323,7 +323,7 @@ void StandOutside(Options& o, const Scene& scene, const vtkBoundingBox& later)
   const Cloud cloud = CloudOf(scene, later);
   const Vector3 up = o.Up.value_or(Vector3{ { 0, 1, 0 } });
   const bool fits = CanFit(o);
-  const double reach = scene.BarMap ? ReachAboveBar : Reach;
+  const double reach = scene.BarMap && o.ScalarBarAt.empty() ? ReachAboveBar : Reach;
   const double angle = AngleOf(o, fits);
   const double rise = Rise(o, angle, reach);
   const Vector3 sight =

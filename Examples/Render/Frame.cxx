@@ -7,60 +7,14 @@
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
-#include <vtkTextProperty.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkWideFoVPass.h>
 #include <vtkWideFoVStatisticsActor.h>
 
-#include <cstdio>
+#include <algorithm>
 
 namespace widefov
 {
-namespace
-{
-constexpr char LabelFormat[] = "%.3g";
-
-// Of a bar of colours; fewer where they are so long that they would run into each other.
-constexpr int Labels = 5;
-constexpr int FewLabels = 3;
-constexpr int MostCharacters = 12; // of all labels
-
-int NumberOfLabels(vtkScalarsToColors* map)
-{
-  const double* const range = map->GetRange();
-  int characters = 0;
-  for (int i = 0; i < Labels; i++)
-  {
-    const double value = range[0] + (range[1] - range[0]) * i / (Labels - 1);
-    characters += std::snprintf(nullptr, 0, LabelFormat, value);
-  }
-  return characters > MostCharacters ? FewLabels : Labels;
-}
-}
-
-vtkSmartPointer<vtkScalarBarActor> MakeScalarBar(const Scene& scene)
-{
-  if (!scene.BarMap)
-  {
-    return nullptr;
-  }
-  auto bar = vtkSmartPointer<vtkScalarBarActor>::New();
-  bar->SetLookupTable(scene.BarMap);
-  bar->SetTitle(scene.BarTitle.c_str());
-  bar->SetNumberOfLabels(NumberOfLabels(scene.BarMap));
-  bar->SetOrientationToHorizontal();
-  bar->SetPosition(0.36, 0.03);
-  bar->SetWidth(0.28);
-  bar->SetHeight(0.10);
-  bar->SetLabelFormat(LabelFormat);
-  for (vtkTextProperty* const text : { bar->GetTitleTextProperty(), bar->GetLabelTextProperty() })
-  {
-    text->ItalicOff();
-    text->ShadowOn();
-  }
-  return bar;
-}
-
 vtkSmartPointer<vtkProp> AddOverlay(
   vtkRenderer* renderer, vtkWideFoVPass* pass, const Options& o, bool tiles)
 {

@@ -9,9 +9,8 @@
 #include "Display.h"
 #include "ImageOutput.h"
 #include "Options.h"
-#include "Scene.h"
 
-#include <vtkScalarBarActor.h>
+#include <vtkProp.h>
 #include <vtkSmartPointer.h>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -22,9 +21,6 @@ VTK_ABI_NAMESPACE_END
 
 namespace widefov
 {
-// The bar of the scene's colour map, or nullptr where it has none.
-vtkSmartPointer<vtkScalarBarActor> MakeScalarBar(const Scene& scene);
-
 // Puts what the pass counts onto the picture, where the options ask for it, with a warning where
 // the picture is drawn in tiles; the prop, or nullptr.
 vtkSmartPointer<vtkProp> AddOverlay(

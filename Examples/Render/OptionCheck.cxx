@@ -12,6 +12,7 @@
 #include "Messages.h"
 #include "OptionValues.h"
 #include "OutputFiles.h"
+#include "ScalarBar.h"
 #include "Sights.h"
 #include "StereoChoice.h"
 #include "StereoLayout.h"
@@ -317,6 +318,7 @@ void CheckDrawn(Options& o)
   CheckDrawing(o);
   CheckStereo(o);
   CheckTiles(o);
+  CheckScalarBar(o);
 }
 
 void CheckScene(Options& o, const FieldsOfView& fov)

@@ -13,6 +13,7 @@
 #include "OptionValues.h"
 #include "PresetChoice.h"
 #include "ProjectionNames.h"
+#include "ScalarBar.h"
 #include "Scenes.h"
 #include "Sights.h"
 #include "StereoOptions.h"
@@ -155,6 +156,7 @@ void DeclareData(CLI::App& app, Options& o)
 void DeclareOutput(CLI::App& app, Options& o)
 {
   Group group(app, "Output");
+  DeclareScalarBar(group, o);
   app
     .add_option("-o,--output", o.Outputs,
       "picture: .png .jpg .tif .exr, - for PNG to standard output; repeatable")

@@ -112,6 +112,7 @@ struct Options
   std::optional<std::size_t> Number; // of the pose, where there are several
 
   widefov::Look Look;                       // colours, glyphs
+  std::vector<double> ScalarBarAt;          // azimuth, elevation, depth; empty: in the picture
   Vector3 Background{ { 0, 0, 0 } };        // red, green, blue, 0 to 1
   std::optional<Vector3> Zenith;            // none: as the background
   std::string Sky;                          // file of a picture of all directions

@@ -2,13 +2,13 @@
 #include "RenderJob.h"
 
 #include "Aov.h"
-#include "Borders.h"
 #include "CameraSetup.h"
 #include "Frame.h"
 #include "Messages.h"
 #include "Passes.h"
 #include "PictureFiles.h"
 #include "Progress.h"
+#include "ScalarBar.h"
 #include "SkyPicture.h"
 #include "ShownScene.h"
 #include "StereoChoice.h"
@@ -21,7 +21,6 @@
 #include <vtkPanoramicProjectionPass.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
-#include <vtkScalarBarActor.h>
 #include <vtkWideFoVCamera.h>
 #include <vtkWideFoVDataPass.h>
 #include <vtkWideFoVPass.h>
@@ -46,7 +45,7 @@ struct Stage
   vtkNew<vtkWideFoVPass> WidePass;
   ShownScene Shown;
   std::vector<int> StereoTypes; // one a traversal of a frame; none: mono
-  vtkSmartPointer<vtkScalarBarActor> Bar;
+  vtkSmartPointer<vtkProp> Bar;
   vtkSmartPointer<vtkProp> Overlay;
   std::optional<TileGrid> Tiles;
   int ProgramsAtFirst = 0; // made before frames were timed
@@ -67,12 +66,7 @@ void Fill(Stage& stage, const Scene& scene, const Options& o)
   }
   SetBackground(stage.Renderer, o);
   stage.Shown = ShowScene(stage.Renderer, scene, o.Look);
-  stage.Bar = MakeScalarBar(scene);
-  if (stage.Bar)
-  {
-    PlaceInPart(stage.Bar, o);
-    stage.Renderer->AddViewProp(stage.Bar);
-  }
+  stage.Bar = AddScalarBar(stage.Renderer, scene, o);
   stage.Overlay = AddOverlay(stage.Renderer, stage.WidePass, o, stage.Tiles.has_value());
   SetCamera(stage.Renderer, scene, o);
   if (HasTwoEyes(o))
@@ -202,7 +196,7 @@ void SetUpAov(Stage& stage, vtkWideFoVDataPass* pass)
   {
     volume->VisibilityOff(); // nor has it one
   }
-  for (vtkProp* const prop : { static_cast<vtkProp*>(stage.Bar), stage.Overlay.Get() })
+  for (vtkProp* const prop : { stage.Bar.Get(), stage.Overlay.Get() })
   {
     if (prop)
     {

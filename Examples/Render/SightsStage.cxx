@@ -4,6 +4,7 @@
 #include "CameraSetup.h"
 #include "Frame.h"
 #include "Passes.h"
+#include "ScalarBar.h"
 #include "SkyPicture.h"
 #include "StereoChoice.h"
 #include "StereoLayout.h"
@@ -35,11 +36,7 @@ void SightsStage::SetScene(const Scene& scene, const Options& o)
   HideScene(this->Renderer, this->Shown);
   this->Shown = ShowScene(this->Renderer, scene, o.Look);
   this->Renderer->RemoveViewProp(this->Bar);
-  this->Bar = MakeScalarBar(scene);
-  if (this->Bar)
-  {
-    this->Renderer->AddViewProp(this->Bar);
-  }
+  this->Bar = AddScalarBar(this->Renderer, scene, o);
   this->What = &scene;
 }
 

@@ -12,8 +12,8 @@
 #include "ShownScene.h"
 
 #include <vtkNew.h>
+#include <vtkProp.h>
 #include <vtkRenderWindow.h>
-#include <vtkScalarBarActor.h>
 #include <vtkSmartPointer.h>
 #include <vtkWideFoVPass.h>
 #include <vtkWideFoVRenderer.h>
@@ -52,7 +52,7 @@ private:
   vtkNew<vtkWideFoVRenderer> Renderer;
   vtkNew<vtkWideFoVPass> Pass;
   ShownScene Shown;
-  vtkSmartPointer<vtkScalarBarActor> Bar;
+  vtkSmartPointer<vtkProp> Bar;
 };
 }
 

@@ -6,6 +6,7 @@
 #include "Frame.h"
 #include "Messages.h"
 #include "Passes.h"
+#include "ScalarBar.h"
 #include "SkyPicture.h"
 #include "StereoChoice.h"
 #include "StereoLayout.h"

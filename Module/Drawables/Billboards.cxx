@@ -10,6 +10,7 @@
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkOpenGLCamera.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
@@ -44,6 +45,16 @@ bool FindPlace(vtkWideFoVCamera* camera, double aspect, const double world[3], d
   return camera->WorldToNDC(place, aspect, ndc);
 }
 
+// The rectangle that letters are drawn on, which is the prop's own.
+class QuadAccess : public vtkBillboardTextActor3D
+{
+public:
+  static vtkProperty* Look(vtkBillboardTextActor3D* text)
+  {
+    return (text->*(&QuadAccess::QuadActor))->GetProperty();
+  }
+};
+
 // A camera from the same place that shows `world` at `ndc`, and what is round it in parallel.
 void ShowAt(vtkCamera* flat, vtkCamera* camera, const double world[3], const double ndc[3])
 {
@@ -62,7 +73,7 @@ void ShowAt(vtkCamera* flat, vtkCamera* camera, const double world[3], const dou
   }
   flat->SetExplicitProjectionTransformMatrix(projection);
   flat->UseExplicitProjectionTransformMatrixOn();
-  flat->ParallelProjectionOn(); // light falls on it from the picture's front, wherever it stands
+  flat->ParallelProjectionOn();
 }
 }
 
@@ -95,7 +106,12 @@ void ShowBillboard(vtkBillboardTextActor3D* actor, vtkRenderer* renderer, vtkWid
   vtkNew<vtkOpenGLCamera> flat;
   ShowAt(flat, camera, actor->GetPosition(), ndc);
   const ActiveCamera active(renderer, flat);
+  // it faces where the camera looks, not the eye: lights of the scene would make it black elsewhere
+  vtkProperty* const look = QuadAccess::Look(actor);
+  const bool lit = look->GetLighting();
+  look->SetLighting(false);
   draw();
+  look->SetLighting(lit);
 }
 
 void Billboards::Draw(vtkRenderer* renderer, vtkWideFoVCamera* camera, const float tile[4]) const

@@ -5,6 +5,7 @@
 #include "vtkOpenGLHelper.h"
 #include "vtkOpenGLIndexBufferObject.h"
 #include "vtkOpenGLPolyDataMapper.h"
+#include "vtkPolyData.h"
 #include "vtkProperty.h"
 
 #include <algorithm>
@@ -71,5 +72,12 @@ bool HasFewLines(vtkOpenGLPolyDataMapper* mapper)
 bool NeedsStrips(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor)
 {
   return actor && LineWidth(mapper, actor) > WidestChords && HasFewLines(mapper);
+}
+
+bool HasWideLines(vtkActor* actor, vtkDataObject* data)
+{
+  auto* const mesh = vtkPolyData::SafeDownCast(data);
+  return mesh && actor->GetProperty()->GetLineWidth() > WidestChords &&
+    mesh->GetNumberOfLines() > 0;
 }
 }

@@ -7,6 +7,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
+class vtkDataObject;
 class vtkOpenGLPolyDataMapper;
 VTK_ABI_NAMESPACE_END
 
@@ -24,6 +25,9 @@ bool HasFewLines(vtkOpenGLPolyDataMapper* mapper);
 // True where the technique "auto" draws them as exact strips: few lines, so wide that their ends
 // and joints show.
 bool NeedsStrips(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor);
+
+// True where an actor shows lines so wide of these data.
+bool HasWideLines(vtkActor* actor, vtkDataObject* data);
 }
 
 #endif

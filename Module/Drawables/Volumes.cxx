@@ -6,6 +6,7 @@
 #include "Drawables/Kinds/DrawableKinds.h"
 
 #include "vtkAbstractVolumeMapper.h"
+#include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkRenderer.h"
@@ -96,6 +97,20 @@ int FindDirectional(vtkRenderer* renderer)
   return found;
 }
 
+// Across one layer of points VTK's texture coordinates are not defined.
+bool IsOneLayer(vtkAbstractVolumeMapper* mapper)
+{
+  auto* const image = vtkImageData::SafeDownCast(mapper->GetInputDataObject(0, 0));
+  const int* const d = image ? image->GetDimensions() : nullptr;
+  const bool layer = d && std::count(d, d + 3, 1) > 0;
+  if (layer && wfv::IsNews("volume of one layer"))
+  {
+    vtkGenericWarningMacro(<< "a volume is left out: its image of " << d[0] << " x " << d[1]
+                           << " x " << d[2]
+                           << " points has no thickness. vtkImageSlice shows it as a picture.");
+  }
+  return layer;
+}
 }
 
 bool IsByGpu(vtkAbstractVolumeMapper* mapper)
@@ -109,7 +124,7 @@ bool IsFlatVolume(vtkProp* prop)
   vtkAbstractVolumeMapper* const mapper = volume ? volume->GetMapper() : nullptr;
   if (!mapper || IsByGpu(mapper))
   {
-    return false;
+    return mapper && IsOneLayer(mapper);
   }
   const std::string name = mapper->GetClassName();
   if (wfv::IsNews("volume " + name))

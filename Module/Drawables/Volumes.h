@@ -24,7 +24,7 @@ namespace volume
 bool IsByGpu(vtkAbstractVolumeMapper* mapper);
 
 // True of a volume whose mapper makes the rays of a flat picture itself, on the processor or of
-// tetrahedra. Warns once of each kind of mapper.
+// tetrahedra, or whose image has no thickness. Warns once of each kind.
 bool IsFlatVolume(vtkProp* prop);
 
 // Of the text that VTK's GPU ray casting writes for the volume.

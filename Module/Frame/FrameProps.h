@@ -59,6 +59,7 @@ private:
     double Bounds[6] = { 1, -1, 1, -1, 1, -1 };
     bool HasBounds = false;
     bool Culled = false;
+    bool WideLines = false;
     PropTraits Traits;
     vtkWideFoVStage* Stage = nullptr;
     std::uint64_t View = 0; // that Culled and Stage are of; 0: none

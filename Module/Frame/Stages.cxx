@@ -124,6 +124,14 @@ void wfv::Stages::Instruct(vtkWideFoVStage* stage)
   stage->SetExactLines(automatic && (!this->Stereo || this->Stereo->Traits.StraightRays));
 }
 
+void wfv::Stages::SetManyWideLines(bool many)
+{
+  for (vtkWideFoVStage* const stage : this->GetAll())
+  {
+    stage->SetManyWideLines(many);
+  }
+}
+
 void wfv::Stages::SetDebugView(bool debugView)
 {
   for (vtkWideFoVStage* const stage : this->GetAll())

@@ -262,8 +262,9 @@ wfv::ShaderBuilder::Request vtkWideFoVStage::MakeRequest(
   if (lines && this->ExactLines)
   {
     const Variant chords = request.Stage == Variant::Exact ? Variant::PreClip : request.Stage;
-    request.Stage =
-      wfv::NeedsStrips(polydata, vtkActor::SafeDownCast(prop)) ? Variant::Exact : chords;
+    const bool strips =
+      !this->ManyWideLines && wfv::NeedsStrips(polydata, vtkActor::SafeDownCast(prop));
+    request.Stage = strips ? Variant::Exact : chords;
   }
   // only our own mapper draws patches; the pieces' edges must not show as the cell's
   const bool patches = wfv::HasTrait(mapper, wfv::OwnMesh) &&

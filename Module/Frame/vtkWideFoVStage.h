@@ -70,6 +70,16 @@ public:
   // Whether ray-tested triangles are decided so, as the view and its samples are now.
   bool IsFp64() const { return this->Fp64 && this->HasFp64Rays(); }
 
+  // Of so many wide lines none are strips.
+  void SetManyWideLines(bool many)
+  {
+    if (many != this->ManyWideLines)
+    {
+      this->ManyWideLines = many;
+      this->SourceTime.Modified();
+    }
+  }
+
   // Lines as chords, but for a few wide ones, by the exact variant: the technique "auto".
   void SetExactLines(bool exact)
   {
@@ -224,6 +234,7 @@ private:
   bool MeetsChords = false;
   bool SeveralChords = false;
   bool ExactLines = false;
+  bool ManyWideLines = false;
   bool DebugView = false;
   int Runs = 1;
   bool Fp64 = false;

@@ -8,11 +8,13 @@
 #include "vtkCellData.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkHardwareSelector.h"
+#include "vtkLight.h"
 #include "Compat/CompositeMapper.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkSphereSource.h"
+#include "vtkTextProperty.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkWideFoVPolyDataMapper.h"
 
@@ -260,5 +262,35 @@ TEST(Billboards, StandWhereTheirPlaceIsShown)
     EXPECT_NEAR(low, 0.5 * (ndc[1] + 1) * PartsHeight, 6);
     EXPECT_GT(high - low, 5);
     EXPECT_LT(high - low, 30);
+  }
+}
+
+// Lights of the scene shine on where the camera looks from one side alone.
+TEST(Billboards, HaveTheColorThatTheyAreTold)
+{
+  WideFoVTestWindow test("hammer", PartsWidth, PartsHeight);
+  vtkNew<vtkBillboardTextActor3D> text;
+  text->SetInput("MM");
+  text->GetTextProperty()->SetColor(1, 1, 1);
+  test.Renderer->AddActor(text);
+  test.Renderer->RemoveAllLights();
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToSceneLight();
+  test.Renderer->AddLight(light);
+  double eye[3];
+  test.Camera->GetPosition(eye);
+  for (const double side : { -1., 1. })
+  {
+    text->SetPosition(eye[0] + 1, eye[1], eye[2] + 3 * side);
+    light->SetPosition(eye);
+    light->SetFocalPoint(text->GetPosition());
+    test.Window->Render();
+    const TestPixels pixels(test.Window);
+    int brightest = 0;
+    for (int i = 0; i < PartsWidth * PartsHeight; i++)
+    {
+      brightest = std::max<int>(brightest, pixels.At(i % PartsWidth, i / PartsWidth)[0]);
+    }
+    EXPECT_GT(brightest, 250) << side;
   }
 }

@@ -272,27 +272,42 @@ def stock_pixels(make):
 
 
 def show(put):
-    """What wide and stock views cover once put(stage) has put something into them: all that was said and
-    noted is of the wide ones."""
-    stock = show_stock(put)
+    """What the wide views show once put(stage) has put something into them, beside the six faces, as
+    measure says it, and whether all of them have the same picture: all that was said and noted is of
+    the wide ones."""
+    faces = shown_faces(put)
     heard = vtk.vtkStringOutputWindow()
     vtk.vtkOutputWindow.SetInstance(heard)
     stage = wide_stage()
     stage.draw()  # widgets ask where the picture is
     kept = put(stage)
-    wide = 0
-    for gaze in GAZES.values():
+    found = {}
+    pictures = []
+    for name, gaze in GAZES.items():
         stage.look(gaze, (0, 1, 0))
         stage.draw()
-        wide += int(covered(stage.draw()).sum())
+        pictures.append(stage.draw())
+        found[name] = compare(pictures[-1], faces, gaze)
     del kept
-    return {"stock": stock, "wide": wide, "gl": gl_errors(), "said": heard.GetOutput()}
+    flat = all((picture == pictures[0]).all() for picture in pictures)
+    return {"views": found, "flat": flat, "gl": gl_errors(), "said": heard.GetOutput()}
 
 
-def show_stock(put):
+def shown_faces(put):
+    """What six stock faces show of it."""
     stage = stock_stage()
     stage.draw()
     kept = put(stage)
-    seen = int(covered(stage.draw()).sum())
+    pictures = []
+    for direction, up in FACES:
+        stage.look(direction, up)
+        stage.renderer.ResetCameraClippingRange()
+        stage.draw()  # sizes follow the last picture
+        pictures.append(stage.draw())
     del kept
-    return seen
+    return pictures
+
+
+def show_stock(put):
+    """How many pixels they cover."""
+    return sum(int(covered(face).sum()) for face in shown_faces(put))

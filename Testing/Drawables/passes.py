@@ -36,11 +36,20 @@ def translucent(made):
     return made
 
 
+def alone(made):
+    """One for several ranks, with a controller of the only one."""
+    if hasattr(made, "SetController"):
+        made.SetController(vtk.vtkDummyController())
+    if hasattr(made, "SetServerSideRendering"):
+        made.SetServerSideRendering(False)
+    return made
+
+
 def in_steps(name):
     """Of one that calls no other: with the lights and what is opaque, in a camera pass."""
     steps = [vtk.vtkLightsPass(), vtk.vtkOpaquePass()]
     if name not in ("vtkCameraPass", "vtkSequencePass"):
-        steps.insert(0 if name in FIRST else len(steps), translucent(getattr(vtk, name)()))
+        steps.insert(0 if name in FIRST else len(steps), translucent(alone(getattr(vtk, name)())))
     made = vtk.vtkCameraPass()
     made.SetDelegatePass(sequence(*steps))
     return made
@@ -49,6 +58,10 @@ def in_steps(name):
 def chains(name, own):
     """The ways to use a pass: round the renderer's own, round stock VTK's steps, or among them."""
     kind = getattr(vtk, name)
+    if hasattr(kind, "SetRenderPass"):  # it draws what it is told to draw
+        made = alone(kind())
+        made.SetRenderPass(own or vtk.vtkRenderStepsPass())
+        return [made]
     if not hasattr(kind, "SetDelegatePass") or name == "vtkCameraPass":
         return [in_steps(name)]
     made = []

@@ -25,6 +25,24 @@ OWN_WAY = {
     "vtkDynamic2DLabelMapper": "as many pixels large as it is told, where its places are seen",
     "vtkFixedPointVolumeRayCastMapper": "as `vtkGPUVolumeRayCastMapper` draws it (`VolumeKinds`), see [limits](known-limits.md)",
     "vtkCaptionActor2D": "an overlay, beside what it points at",
+    "vtkCaptionRepresentation": "an overlay, beside what it points at",
+    "vtkCaptionWidget": "an overlay, beside what it points at",
+    "vtkAngleRepresentation2D": "an overlay, where its places are seen",
+    "vtkDistanceRepresentation2D": "an overlay, where its places are seen",
+    "vtkPointHandleRepresentation2D": "an overlay, where its place is seen",
+    "vtkRectilinearWipeRepresentation": "an overlay, where its image is seen",
+    "vtkRectilinearWipeWidget": "an overlay, where its image is seen",
+    "vtkFixedSizeHandleRepresentation3D": "seen, of its size in pixels",
+    "vtkMeasurementCubeHandleRepresentation3D": "seen, of its size in pixels",
+    "vtkSphereRepresentation": "its text is as many pixels large as it is told, upright in the picture",
+    "vtkSphereWidget2": "its text is as many pixels large as it is told, upright in the picture",
+    "vtkResliceCursorLineRepresentation": "turns the camera to its slice in each frame, as in stock VTK",
+    "vtkResliceCursorThickLineRepresentation": "turns the camera to its slice in each frame, as in stock VTK",
+    "vtkResliceCursorWidget": "turns the camera to its slice in each frame, as in stock VTK",
+    "vtkAngleRepresentation3D": "right but for its text, see [limits](known-limits.md)",
+    "vtkDistanceRepresentation3D": "right but for its text, see [limits](known-limits.md)",
+    "vtkFinitePlaneWidget": "right but for the colour of its plane, which is by chance in stock VTK too",
+    "vtkPointCloudWidget": "right; its outline shows where the pointer picks it",
     "vtkLegendScaleActor": "an overlay, as in any view",
 }
 
@@ -128,24 +146,18 @@ class Things:
         if stock:
             return "ends the process of a stock renderer too: %s" % stock, False
         if kind in ("representations", "widgets"):
-            return shown(result)
+            return shown(name, result)
         if kind in self.own:
             return (result["crash"], True) if "crash" in result else self.own[kind].verdict(result)
         thing = getattr(self.vtk, name.split()[0])
         return verdict(name, result, issubclass(thing, (self.vtk.vtkActor2D, self.vtk.vtkMapper2D)))
 
 
-def shown(result):
-    """Of what has handles, whose sizes follow the view."""
-    if "crash" in result:
-        return "ends the process: %s" % result["crash"], True
-    if result["gl"]:
-        return "OpenGL notes errors %s" % result["gl"], True
-    if result["stock"] and not result["wide"] and "left out" not in result["said"]:
-        return "is not seen, and nothing was said", True
-    if result["stock"] and not result["wide"]:
-        return "left out, with a warning", False
-    return ("seen" if result["wide"] else "nothing to see, as in stock VTK"), False
+def shown(name, result):
+    """Of what widgets show: what of it is in the plane of the picture is the same wherever one looks."""
+    if "crash" not in result and result["flat"] and any(v["wide"] for v in result["views"].values()):
+        return ("an overlay, as in any view", False) if not result["gl"] else verdict(name, result, False)
+    return verdict(name, result, False)
 
 
 def main(folder, kind, *names):

@@ -16,6 +16,9 @@ def checkerboard(representation):
     picture.GetMapper().SetInputConnection(board.GetOutputPort())
     representation.SetCheckerboard(board)
     representation.SetImageActor(picture)
+    for side in ("Top", "Right", "Bottom", "Left"):  # thinner than a pixel they are seen by chance
+        slider = getattr(representation, "Get%sRepresentation" % side)()
+        slider.SetTubeWidth(0.1)
 
 
 def wipe(representation):
@@ -38,6 +41,7 @@ def cursor(representation):
 
 
 def cloud(representation):
+    vtk.vtkMath.RandomSeed(1)
     points = vtk.vtkPointSource()
     points.Update()
     actor = materials.actor_of(points)
@@ -88,6 +92,9 @@ def ends(representation, handle, angle=False):
     representation.InstantiateHandleRepresentation()
     representation.SetPoint1WorldPosition((-0.8, -0.3, 0))
     representation.SetPoint2WorldPosition((0.8, 0.3, 0))
+    for scale in ("SetLabelScale", "SetTextActorScale"):
+        if hasattr(representation, scale):
+            getattr(representation, scale)((0.2, 0.2, 0.2))
     if angle:
         representation.SetCenterWorldPosition((0, -0.3, 0))
 
@@ -163,6 +170,8 @@ def widget(name, stage):
         if isinstance(made, image):
             made.SetInputData(materials.image(16, 8))
         made.PlaceWidget(materials.BOUNDS)
+        if hasattr(made, "TubingOff"):
+            made.TubingOff()  # thinner than a pixel they are seen by chance
     elif name in SUBJECTS:
         kind = SUBJECTS[name][0]
         shown = getattr(vtk, kind)()

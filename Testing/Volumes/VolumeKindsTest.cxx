@@ -404,3 +404,20 @@ TEST(VolumeKinds, ThoseOfTetrahedraAreLeftOutWithOneWarning)
   EXPECT_EQ(CountWords(scene, shot, drawn), 1);
   EXPECT_EQ(drawn, nothing);
 }
+
+TEST(VolumeKinds, OneLayerOfPointsIsLeftOutWithOneWarning)
+{
+  VolumeScene scene(Wavelet());
+  const Shot shot = Small("equirectangular", true);
+  scene.Renderer->RemoveVolume(scene.Volume);
+  const std::vector<unsigned char> nothing = PictureOf(scene, shot);
+  vtkNew<vtkImageData> layer;
+  layer->SetDimensions(8, 8, 1);
+  layer->AllocateScalars(VTK_FLOAT, 1);
+  layer->GetPointData()->GetScalars()->Fill(100);
+  scene.Mapper->SetInputData(layer);
+  scene.Renderer->AddVolume(scene.Volume);
+  std::vector<unsigned char> drawn;
+  EXPECT_EQ(CountWords(scene, shot, drawn), 1);
+  EXPECT_EQ(drawn, nothing);
+}
