@@ -2,6 +2,8 @@
 #include "Drawables/FlatHabits.h"
 
 #include "Compat/ImageModule.h"
+#include "Compat/Reports.h"
+#include "Drawables/Kinds/DrawableKinds.h"
 #include "vtkWideFoVCamera.h"
 
 #include "vtkActor.h"
@@ -14,6 +16,7 @@
 #include "vtkProp3DFollower.h"
 
 #include <cmath>
+#include <string>
 
 namespace
 {
@@ -118,6 +121,26 @@ void FlatHabits::Face(vtkProp* prop, vtkWideFoVCamera* camera, double aspect)
   });
 }
 
+// Nobody can ask such a prop for its followers.
+void WarnOfFollowers(vtkProp* prop, vtkWideFoVCamera* camera)
+{
+  const double* const b = HasTrait(prop, KeepsFollowers) ? prop->GetBounds() : nullptr;
+  if (!b || !vtkMath::AreBoundsInitialized(b))
+  {
+    return;
+  }
+  double eye[3];
+  double ahead[3];
+  camera->GetPosition(eye);
+  camera->GetDirectionOfProjection(ahead);
+  const double way[3] = { 0.5 * (b[0] + b[1]) - eye[0], 0.5 * (b[2] + b[3]) - eye[1],
+    0.5 * (b[4] + b[5]) - eye[2] };
+  if (vtkMath::Dot(way, ahead) < 0 && IsNews(std::string("followers of ") + prop->GetClassName()))
+  {
+    vtkWarningWithObjectMacro(prop, << "its text is upside down behind the eye");
+  }
+}
+
 void FlatHabits::Stop(vtkProp* prop, vtkWideFoVCamera* camera, double aspect)
 {
   this->Face(prop, camera, aspect);
@@ -136,6 +159,7 @@ void FlatHabits::Stop(vtkProp* prop, vtkWideFoVCamera* camera, double aspect)
     }
     return;
   }
+  WarnOfFollowers(prop, camera);
   auto* const slice = vtkImageSlice::SafeDownCast(prop);
   vtkImageMapper3D* const mapper = slice ? slice->GetMapper() : nullptr;
   if (mapper && SetResamplesToPixels(mapper, false))

@@ -91,6 +91,8 @@ const DrawableKind Kinds[] = {
   { "vtkFixedPointVolumeRayCastMapper", 0, OfImage },
   { "vtkLabelPlacementMapper", 0, InFrontOnly },
   { "vtkOpenGLActor", StockActor, 0 },
+  { "vtkDistanceRepresentation3D", 0, KeepsFollowers },
+  { "vtkAngleRepresentation3D", 0, KeepsFollowers },
 };
 }
 

@@ -39,7 +39,10 @@ enum DrawableTrait : unsigned
   StockActor = 1u << 16,  // draws by its own keys, and once
 
   // Of a mapper of volumes: what it draws on the processor, GPU ray casting shows alike.
-  OfImage = 1u << 17
+  OfImage = 1u << 17,
+
+  // Of a prop: keeps followers to itself, which turn to the camera as in a perspective.
+  KeepsFollowers = 1u << 18
 };
 
 bool HasTrait(vtkObjectBase* drawable, DrawableTrait trait);
