@@ -31,10 +31,10 @@ void CheckBorders(const Options& o, const wfv::Projection& p, const FieldsOfView
     FailUsage("--borders: left must be below right, and down below up");
   }
   const bool others = given.Horizontal || given.Vertical || given.Round || !o.Screens.empty();
-  if (others || o.Technique == Technique::CubeMap || HasFilm(o))
+  if (others || o.Technique == Technique::CubeMap)
   {
-    FailUsage("--borders says what is seen of a picture; leave --hfov, --vfov, --fov, --screens, "
-              "--film and --technique cubemap out");
+    FailUsage("--borders says what is seen of a picture; leave --hfov, --vfov, --fov, --screens "
+              "and --technique cubemap out");
   }
 }
 
@@ -50,7 +50,9 @@ void FitHeight(Options& o, const wfv::View& view, const std::array<double, 2>& p
 {
   const wfv::vec2 scale = view.GetParameters().scale;
   const double high = parts[1] * scale.x / (parts[0] * scale.y);
-  o.Size[1] = static_cast<int>(std::clamp(std::round(o.Size[0] * high), 1., MostPixels));
+  const int step = HasFilm(o) ? 2 : 1; // codecs take even numbers alone
+  o.Size[1] =
+    step * static_cast<int>(std::clamp(std::round(o.Size[0] * high / step), 1., MostPixels));
 }
 
 // To whole pixels.
