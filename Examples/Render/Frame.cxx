@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Frame.h"
 
+#include "Borders.h"
 #include "MessageCatcher.h"
 #include "Messages.h"
 
@@ -49,9 +50,7 @@ vtkSmartPointer<vtkScalarBarActor> MakeScalarBar(const Scene& scene)
   bar->SetTitle(scene.BarTitle.c_str());
   bar->SetNumberOfLabels(NumberOfLabels(scene.BarMap));
   bar->SetOrientationToHorizontal();
-  bar->SetPosition(0.36, 0.03);
-  bar->SetWidth(0.28);
-  bar->SetHeight(0.10);
+  PlaceBar(bar, Options());
   bar->SetLabelFormat(LabelFormat);
   for (vtkTextProperty* const text : { bar->GetTitleTextProperty(), bar->GetLabelTextProperty() })
   {

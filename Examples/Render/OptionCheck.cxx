@@ -304,6 +304,10 @@ void CheckTiles(const Options& o)
   {
     FailUsage("--tile goes neither with --technique cubemap nor with --layout split; leave it out");
   }
+  if (o.Part && o.Technique == Technique::CubeMap)
+  {
+    FailUsage("--borders does not go with --technique cubemap; leave one of them out");
+  }
   if (o.Part && !EyesFitTiles(o))
   {
     FailUsage("--borders does not go with --layout " + o.Layout +

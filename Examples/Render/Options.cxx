@@ -65,6 +65,12 @@ void DeclareView(CLI::App& app, Options& o, FieldsOfView& fov)
   group.Add("--vfov", "DEG", "180", "vertical field of view, degrees", angle(fov.Vertical));
   group.Add(
     "--fov", "DEG", "360", "field of view of a round projection, degrees", angle(fov.Round));
+  group.Add("--borders", "L,R,D,U", "even, by --hfov and --vfov",
+    "angles of the picture's borders from the axis: left, right, down, up; degrees, to the left "
+    "and down below 0",
+    [&o](const std::string& option, const std::string& value) {
+      o.Borders = ParseNumbers(option, value, 4, 4);
+    });
   group.Add("--lens", "C1,..,C9", "",
     "lens: r = c1 t + .. + c9 t^9; t in radians, its tangent with brown-conrady",
     [&fov](const std::string& option, const std::string& value) {
@@ -161,13 +167,6 @@ void DeclareOutput(CLI::App& app, Options& o)
     ->type_name("FILE")
     ->allow_extra_args(false)
     ->group("Output");
-  group.Add("--borders", "L,R,D,U", "even, by --hfov and --vfov",
-    "angles of the picture's borders from the axis: left, right, down, up; degrees, to the left "
-    "and "
-    "down below 0",
-    [&o](const std::string& option, const std::string& value) {
-      o.Borders = ParseNumbers(option, value, 4, 4);
-    });
   group.Size("--tile", o.Tile, "only where needed", "draw the picture in tiles of that size");
   group.Name("--aov", "FILE.exr", o.Aov, "distance, cell, prop, normal beside the colour");
   group.Integer("--frames", o.Frames, 1, 1000000, "frames to time, after two warm-up frames");

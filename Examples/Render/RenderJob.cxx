@@ -70,7 +70,7 @@ void Fill(Stage& stage, const Scene& scene, const Options& o)
   stage.Bar = MakeScalarBar(scene);
   if (stage.Bar)
   {
-    PlaceInPart(stage.Bar, o);
+    PlaceBar(stage.Bar, o);
     stage.Renderer->AddViewProp(stage.Bar);
   }
   stage.Overlay = AddOverlay(stage.Renderer, stage.WidePass, o, stage.Tiles.has_value());

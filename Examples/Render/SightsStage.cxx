@@ -40,7 +40,7 @@ void SightsStage::SetScene(const Scene& scene, const Options& o)
   this->Bar = MakeScalarBar(scene);
   if (this->Bar)
   {
-    PlaceInPart(this->Bar, o);
+    PlaceBar(this->Bar, o);
     this->Renderer->AddViewProp(this->Bar);
   }
   this->What = &scene;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ViewerStage.h"
 
+#include "Borders.h"
 #include "CameraSetup.h"
 #include "Display.h"
 #include "Frame.h"
@@ -10,6 +11,7 @@
 #include "StereoChoice.h"
 #include "StereoLayout.h"
 #include "StereoOptions.h"
+#include "Tiles.h"
 #include "Volume.h"
 
 #include <Gl.h>
@@ -47,6 +49,7 @@ FrameCost operator+(const FrameCost& a, const FrameCost& b)
 }
 
 ViewerStage::ViewerStage(GLFWwindow* window, bool stereo, const Options& o, const Tile& tile)
+  : Where(tile)
 {
   this->Window->SetWindow(window, stereo);
   CheckMessages();
@@ -55,10 +58,7 @@ ViewerStage::ViewerStage(GLFWwindow* window, bool stereo, const Options& o, cons
   CheckSize(o, limits);
   this->Window->SetMultiSamples(UsableSamples(o.Samples, limits));
   this->Window->SetNumberOfLayers(3);
-  this->Window->SetTileScale(tile.Columns, tile.Rows);
-  this->Window->SetTileViewport(double(tile.Column) / tile.Columns,
-    double(tile.Rows - 1 - tile.Row) / tile.Rows, double(tile.Column + 1) / tile.Columns,
-    double(tile.Rows - tile.Row) / tile.Rows);
+  this->ShowTile();
   SetBackground(this->Renderer, o);
   this->Renderer->AddObserver(vtkCommand::EndEvent, this, &ViewerStage::AfterScene);
   this->Window->AddRenderer(this->Renderer);
@@ -112,9 +112,35 @@ void ViewerStage::ApplyCubeMap(const Options& o)
   SetCubeMapPass(this->Renderer, this->CubeMapPass);
 }
 
+void ViewerStage::ShowTile()
+{
+  const Tile& t = this->Where;
+  this->Window->SetTileScale(t.Columns, t.Rows);
+  this->Window->SetTileViewport(double(t.Column) / t.Columns, double(t.Rows - 1 - t.Row) / t.Rows,
+    double(t.Column + 1) / t.Columns, double(t.Rows - t.Row) / t.Rows);
+}
+
+// The window's tile, or the part of a larger picture.
+void ViewerStage::PlaceIn(const Options& o, const std::array<int, 2>& size)
+{
+  if (!o.Part)
+  {
+    this->ShowTile();
+    this->Window->SetSize(size[0], size[1]);
+    this->Renderer->SetViewport(0, 0, 1, 1);
+    this->Texts.GetRenderer()->SetViewport(0, 0, 1, 1);
+  }
+  else
+  {
+    ShowPart(o, this->Window, this->Renderer);
+    this->Texts.GetRenderer()->SetViewport(this->Window->GetTileViewport());
+  }
+  this->Cross.GetRenderer()->SetViewport(this->Renderer->GetViewport());
+}
+
 void ViewerStage::Apply(const Options& o, const std::array<int, 2>& size)
 {
-  this->Window->SetSize(size[0], size[1]);
+  this->PlaceIn(o, size);
   if (o.Technique == Technique::CubeMap)
   {
     this->ApplyCubeMap(o);
@@ -214,6 +240,7 @@ FrameCost ViewerStage::Draw(const Options& o, const std::array<int, 2>& size,
   this->Apply(o, size);
   if (this->Bar)
   {
+    PlaceBar(this->Bar, o);
     this->Bar->SetVisibility(this->HasRoom());
   }
   this->Texts.SetHelp(this->HasRoom() ? help : "", size[0], size[1]);

@@ -115,6 +115,8 @@ public:
   Picture Take(const Options& options, const std::array<int, 2>& size);
 
 private:
+  void ShowTile();
+  void PlaceIn(const Options& options, const std::array<int, 2>& size);
   void Apply(const Options& options, const std::array<int, 2>& size);
   void ApplyCubeMap(const Options& options);
   FrameCost Measure();
@@ -123,6 +125,7 @@ private:
   void SetCrosshair();
   void AfterScene();
 
+  const Tile Where;
   const Scene* What = nullptr;
   vtkNew<GlfwRenderWindow> Window;
   vtkNew<vtkWideFoVRenderer> Renderer;

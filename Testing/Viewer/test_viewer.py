@@ -235,6 +235,20 @@ class Shown(ViewerTest):
             self.assertAlmostEqual(state["vfov"], state["hfov"] / 2)
         self.assertAlmostEqual(state["hfov"], 360 / 1.1)
 
+    def test_borders(self):
+        """The part of a picture that --borders names, in windows of any shape and wherever it looks."""
+        viewer = self.start("--borders", "-60,90,-45,45", "--size", "600x360")
+        self.assertAlmostEqual(self.find(viewer, "red")[0], 240, delta=NEAR)
+        state = viewer.drag((240, 180), (400, 200))
+        self.assertLess(numpy.hypot(*(self.find(viewer, "red") - [400, 200])), NEAR)
+        self.check_same(viewer)
+        viewer.point(5, 5)
+        viewer.resize(500, 200)
+        viewer.after(lambda: self.desktop.click("wheel up"), lambda s: s["hfov"] < state["hfov"] - 1)
+        self.check_same(viewer)
+        self.assertEqual(viewer.key("p", shift=True)["projection"], "perspective")
+        self.check_same(viewer)
+
     def test_text_and_help_come_and_go(self):
         viewer = self.start(text=True)
         text = viewer.photograph()
