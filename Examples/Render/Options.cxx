@@ -52,10 +52,8 @@ void DeclareProjection(Group& group, Options& o)
   Completions()["--projection"] = ProjectionNames();
 }
 
-void DeclareView(CLI::App& app, Options& o, FieldsOfView& fov)
+void DeclareAngles(Group& group, Options& o, FieldsOfView& fov)
 {
-  Group group(app, "View");
-  DeclareProjection(group, o);
   const auto angle = [](std::optional<double>& target) {
     return [&target](const std::string& option, const std::string& value) {
       target = ParseNumber(option, value, FieldOfView);
@@ -71,6 +69,13 @@ void DeclareView(CLI::App& app, Options& o, FieldsOfView& fov)
     [&o](const std::string& option, const std::string& value) {
       o.Borders = ParseNumbers(option, value, 4, 4);
     });
+}
+
+void DeclareView(CLI::App& app, Options& o, FieldsOfView& fov)
+{
+  Group group(app, "View");
+  DeclareProjection(group, o);
+  DeclareAngles(group, o, fov);
   group.Add("--lens", "C1,..,C9", "",
     "lens: r = c1 t + .. + c9 t^9; t in radians, its tangent with brown-conrady",
     [&fov](const std::string& option, const std::string& value) {

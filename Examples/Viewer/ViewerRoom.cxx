@@ -66,8 +66,8 @@ std::optional<Vector3> Viewer::RayUnderPointer() const
   {
     return std::nullopt;
   }
-  const wfv::vec2 ndc = InWhole(
-    part, { 2 * place.At[0] / part.Size[0] - 1, 1 - 2 * place.At[1] / part.Size[1] });
+  const wfv::vec2 ndc =
+    InWhole(part, { 2 * place.At[0] / part.Size[0] - 1, 1 - 2 * place.At[1] / part.Size[1] });
   return RayOf(part, ndc.x, ndc.y);
 }
 
