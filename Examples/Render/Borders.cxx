@@ -83,8 +83,8 @@ void FitPart(Options& o)
   {
     const double whole = std::min(o.Size[i] / part.Share[i], MostPixels);
     part.Whole[i] = std::max(o.Size[i], static_cast<int>(std::lround(whole)));
-    part.Start[i] = std::clamp(static_cast<int>(std::lround(part.From[i] * part.Whole[i])), 0,
-      part.Whole[i] - o.Size[i]);
+    part.Start[i] = std::clamp(
+      static_cast<int>(std::lround(part.From[i] * part.Whole[i])), 0, part.Whole[i] - o.Size[i]);
   }
   o.View.Aspect = double(part.Whole[0]) / part.Whole[1];
 }

@@ -271,6 +271,10 @@ void CheckTechnique(Options& o)
   {
     return;
   }
+  if (o.Part)
+  {
+    FailUsage("--borders does not go with --technique cubemap; leave one of them out");
+  }
   const std::string cubemap = "--technique cubemap is VTK's own pass, which ";
   if (o.Projection != "equirectangular" && o.Projection != "azimuthal-equidistant")
   {
@@ -303,10 +307,6 @@ void CheckTiles(const Options& o)
   if (o.Tile && (o.Technique == Technique::CubeMap || (HasTwoEyes(o) && o.Layout == "split")))
   {
     FailUsage("--tile goes neither with --technique cubemap nor with --layout split; leave it out");
-  }
-  if (o.Part && o.Technique == Technique::CubeMap)
-  {
-    FailUsage("--borders does not go with --technique cubemap; leave one of them out");
   }
   if (o.Part && !EyesFitTiles(o))
   {
