@@ -35,7 +35,8 @@ Mp4Box FullBox(const std::string& type, const std::string& fields)
   return { type, Mp4Number(0, 4) + fields, {} };
 }
 
-// The shares of the whole sphere that are left out before and behind what is shown: 0.32 fixed point.
+// The shares of the whole sphere that are left out before and behind what is shown: 0.32 fixed
+// point.
 std::string Bounds(const SphericalInfo& info, int axis)
 {
   const double seen = axis == 0 ? info.HorizontalFov / 360 : info.VerticalFov / 180;
