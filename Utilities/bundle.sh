@@ -5,25 +5,26 @@
 #
 #   bash Utilities/bundle.sh [BUILD FOLDER [FILE.tar.xz]]
 #   bash Utilities/bundle.sh --unpacked FOLDER [BUILD FOLDER]     the same as a folder, not packed
+#   bash Utilities/bundle.sh --films ...                          with the programs ffmpeg and ffprobe
 #
-# By default of build/, into build/widefov-VERSION-x86_64.tar.xz. It runs where the C library is
-# not older than here: made on Debian 12, with glibc 2.36 and later. Packages that this needs are
-# installed where they are missing; packing takes three minutes of one processor. Bundled is:
+# By default of build/, into build/widefov-VERSION-x86_64.tar.xz, or widefov-films-VERSION-... It runs
+# where the C library is not older than here: made on Debian 12, with glibc 2.36 and later. Packages
+# that this needs are installed where they are missing; packing takes three minutes of one processor.
+# Bundled is:
 #
 #   widefov-*        one launcher under the names of the programs (Utilities/launch.sh)
 #   bin/ lib/        the programs, and libraries that nothing else on a machine shares with them
 #   lib/machine/     libraries that the driver uses as well, each in a folder of its own; used
 #                    where the machine has none
 #   data/ licences/  of the scenes "winds" and "office"; of all that is packed
+#   ffmpeg/          with --films: ffmpeg, ffprobe, their libraries and licences (bundle-ffmpeg.sh)
 #   check.sh         Testing/Gpu/check.sh
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 programs=(widefov-render widefov-viewer widefov-bench widefov-stress widefov-compare-tests
   widefov-gpu-tests)
-# The machine's own: always the C library; and where it has them, of what its driver uses as well
-# the newer ones, which are its own.
-own='/(ld-linux-x86-64|libc|libm|libdl|libpthread|librt|libresolv|libutil|libanl)\.so'
+# The machine's own, where it has them: what its driver uses as well.
 machine='/lib(GL|GLX|EGL|OpenGL|GLdispatch|stdc\+\+|gcc_s|X11|X11-xcb|xcb[a-z0-9-]*|Xau|Xdmcp|bsd|md|z|zstd|expat|ffi)\.so'
 # OpenImageIO is linked with these for formats that no program reads or writes: films, OpenVDB,
 # HEIF, cameras. They and theirs are two thirds of all. Stand-ins are packed instead.
@@ -39,19 +40,8 @@ fail() {
   exit 1
 }
 
-# The package of a library; dpkg knows some as /lib/... and some as /usr/lib/...
-package_of() {
-  local path
-  path="$(realpath "$1")"
-  { dpkg-query --search "$path" "${path#/usr}" 2> /dev/null || true; } | awk -F: 'NR == 1 { print $1 }'
-}
-
-# add_licence PACKAGE
-add_licence() {
-  local notice="/usr/share/doc/$1/copyright"
-  [ -f "$notice" ] || fail "the package $1 has no licence at $notice; install it anew, with it"
-  cp --dereference "$notice" "$folder/licences/$1"
-}
+# shellcheck source=Utilities/bundle-parts.sh
+. Utilities/bundle-parts.sh
 
 check() {
   local program
@@ -67,10 +57,10 @@ make_stand_ins() {
   local image library
   image="$(ldd "$build/bin/widefov-render" | awk '/libOpenImageIO\.so/ { print $3 }')"
   [ -n "$image" ] || return 0
-  readelf --dynamic "$image" | awk -F '[][]' '/\(NEEDED\)/ { print $2 }' > "$work/needed"
+  needed_by "$image" > "$work/needed"
   ldd "$image" | awk '$3 ~ /^\// { print $1, $3 }' | grep -E "$unused" |
     while read -r library path; do
-      ! grep -qFx "$library" "$work/needed" || bash Utilities/stand-in.sh "$image" "$path" "$stand_ins"
+      ! grep -qFx "$library" "$work/needed" || bash Utilities/stand-in.sh "$path" "$stand_ins" "$image"
     done
 }
 
@@ -128,22 +118,33 @@ copy_others() {
       echo "bundle.sh: without $data, which is not there" >&2
     fi
   done
+}
+
+# Films need ffmpeg: where it is from, or where it is to be had.
+films_line() {
+  if [ -d "$folder/ffmpeg" ]; then
+    echo "Films are made by ffmpeg/ffmpeg, Debian's $("$folder/ffmpeg/ffmpeg" -version | awk 'NR == 1 { print $3 }'); its sources: https://tracker.debian.org/pkg/ffmpeg."
+  else
+    echo "Films need the program ffmpeg (Debian: apt install ffmpeg), which is not here; numbered frames, -o frames/%05d.png, do not."
+  fi
+}
+
+write_readme() {
   cat > "$folder/README" << EOF
 WideFoV for VTK $version: ./widefov-render --help, ./widefov-viewer --help, ./widefov-bench --help.
 Runs on x86-64 Linux with glibc $(getconf GNU_LIBC_VERSION | awk '{ print $2 }') or newer, an OpenGL driver and an X display (a virtual one serves).
-Films need the program ffmpeg (Debian: apt install ffmpeg), which is not here; numbered frames, -o frames/%05d.png, do not.
+$(films_line)
 bash check.sh . RESULTS checks and times the machine's OpenGL driver.
 OpenImageIO is here without libraries for films, OpenVDB, HEIF and cameras: stand-ins are in their place.
 EOF
 }
 
-# (of our own the names of functions stay, for whoever reads where one of them crashed; RPATH, not
-# RUNPATH: it holds for what libraries load as well)
+# (of our own the names of functions stay, for whoever reads where one of them crashed)
 trim() {
   find "$folder/bin" "$folder/lib" -type f -name '*[Ww]ide[Ff]o[Vv]*' -exec strip --strip-debug {} +
   find "$folder/lib" -type f ! -name '*WideFoV*' -exec strip --strip-unneeded {} +
-  patchelf --force-rpath --set-rpath '$ORIGIN/../lib' "$folder"/bin/*
-  patchelf --force-rpath --set-rpath '$ORIGIN' "$folder"/lib/*.so*
+  set_library_folder '$ORIGIN/../lib' "$folder"/bin/*
+  set_library_folder '$ORIGIN' "$folder"/lib/*.so*
 }
 
 # BCJ and a dictionary as large as all libraries together: a sixth less than xz alone
@@ -156,17 +157,26 @@ pack() {
   echo "$file: $(du -h "$file" | cut -f1)"
 }
 
-unpacked=""
-if [ "${1:-}" = --unpacked ]; then
-  [ -n "${2:-}" ] && [ ! -e "$2" ] || fail "--unpacked: name a folder that is not there yet"
-  unpacked="$(realpath --canonicalize-missing "$2")"
-  shift 2
-fi
+unpacked="" films=""
+while [[ "${1:-}" == --* ]]; do
+  case "$1" in
+    --films)
+      films=-films
+      shift
+      ;;
+    --unpacked)
+      [ -n "${2:-}" ] && [ ! -e "$2" ] || fail "--unpacked: name a folder that is not there yet"
+      unpacked="$(realpath --canonicalize-missing "$2")"
+      shift 2
+      ;;
+    *) fail "no option $1; there are --films and --unpacked FOLDER" ;;
+  esac
+done
 build="${1:-build}"
 [ "$#" -le 2 ] || fail "name a build folder and a file at most, not: $*"
 check
 version="$("$build/bin/widefov-bench" --version | awk 'NR == 1 { print $NF }')"
-name="widefov-$version-$(uname -m)"
+name="widefov$films-$version-$(uname -m)"
 work="$(mktemp --directory)"
 trap 'rm -rf "$work"' EXIT
 folder="$work/$name"
@@ -176,6 +186,8 @@ make_stand_ins
 copy_libraries
 copy_others
 trim
+[ -z "$films" ] || bash Utilities/bundle-ffmpeg.sh "$folder/ffmpeg"
+write_readme
 if [ -n "$unpacked" ]; then
   mkdir -p "$(dirname "$unpacked")"
   mv "$folder" "$unpacked"

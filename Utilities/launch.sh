@@ -10,6 +10,8 @@ if [ ! -x "$program" ]; then
   exit 2
 fi
 export WIDEFOV_DATA_DIR="${WIDEFOV_DATA_DIR:-$here/data}"
+# With films in it the bundle has an ffmpeg of its own, which knows its libraries.
+[ ! -d "$here/ffmpeg" ] || export PATH="$here/ffmpeg:$PATH"
 # One that is added may itself need others.
 while :; do
   missing="$(LD_TRACE_LOADED_OBJECTS=1 "$program" | sed -n 's/^[[:space:]]*\(.*\) => not found.*/\1/p' | sort -u)"

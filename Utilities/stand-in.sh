@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Makes a stand-in for a library: the same name and all that one user asks of it, but each
+# Makes a stand-in for a library: the same name and all that its users ask of it, but each
 # function says that the library is missing and ends the program. For what a program is linked
 # with and never calls.
 #
-#   bash Utilities/stand-in.sh USER LIBRARY FOLDER
+#   bash Utilities/stand-in.sh LIBRARY FOLDER USER...
 #
-# USER is the library or program that is linked with LIBRARY; the stand-in goes into FOLDER.
+# USERS are the libraries or programs that are linked with LIBRARY; the stand-in goes into FOLDER.
 # Weak symbols are left out: others may have them as well, and then theirs are the right ones.
 set -euo pipefail
 
@@ -15,19 +15,18 @@ fail() {
   exit 1
 }
 
-[ "$#" -eq 3 ] || fail "name the user, the library and a folder, not: $*"
-user="$1" library="$2" folder="$3"
+[ "$#" -ge 3 ] || fail "name the library, a folder and its users, not: $*"
+library="$1" folder="$2"
 name="$(readelf --dynamic "$library" | awk -F '[][]' '/\(SONAME\)/ { print $2 }')"
 [ -n "$name" ] || fail "$library has no name of its own (SONAME)"
 work="$(mktemp --directory)"
 trap 'rm -rf "$work"' EXIT
 
 # NAME@VERSION or NAME, and the kind where it is defined here
-nm --dynamic --undefined-only "$user" | awk '{ print $2 }' | LC_ALL=C sort > "$work/asked"
+nm --dynamic --undefined-only "${@:3}" | awk 'NF == 2 { print $2 }' | LC_ALL=C sort -u > "$work/asked"
 nm --dynamic --defined-only "$library" | awk '{ sub("@@", "@", $3); print $3, $2 }' |
   LC_ALL=C sort > "$work/defined"
 LC_ALL=C join "$work/asked" "$work/defined" | awk '$2 ~ /^[TDBRG]$/' > "$work/wanted"
-[ -s "$work/wanted" ] || fail "$user asks nothing of $library"
 
 {
   cat << EOF

@@ -17,11 +17,13 @@ namespace
 // Pixels along a side of the whole: where float32 still tells a sixteenth of them apart.
 constexpr double MostPixels = 1 << 20;
 
+// NDC, either way: a border of the whole, whose angle is known and has no ray.
+constexpr double AtBorder = 1 - 1e-9;
+
 void CheckBorders(const Options& o, const wfv::Projection& p, const FieldsOfView& given)
 {
   const std::vector<double>& b = o.Borders;
-  if (p.Axis == wfv::Family::Azimuthal || p.Axis == wfv::Family::Faces ||
-    p.Axis == wfv::Family::Sampled)
+  if (!HasBorders(p))
   {
     FailUsage("--borders is for maps that have fields of view across and up, not for " + p.Name +
       (p.Axis == wfv::Family::Azimuthal ? "; --circle puts that anywhere" : "; leave it out"));
@@ -31,10 +33,10 @@ void CheckBorders(const Options& o, const wfv::Projection& p, const FieldsOfView
     FailUsage("--borders: left must be below right, and down below up");
   }
   const bool others = given.Horizontal || given.Vertical || given.Round || !o.Screens.empty();
-  if (others || o.Technique == Technique::CubeMap || HasFilm(o))
+  if (others)
   {
-    FailUsage("--borders says what is seen of a picture; leave --hfov, --vfov, --fov, --screens, "
-              "--film and --technique cubemap out");
+    FailUsage("--borders says what is seen of a picture; leave --hfov, --vfov, --fov and --screens "
+              "out");
   }
 }
 
@@ -50,26 +52,74 @@ void FitHeight(Options& o, const wfv::View& view, const std::array<double, 2>& p
 {
   const wfv::vec2 scale = view.GetParameters().scale;
   const double high = parts[1] * scale.x / (parts[0] * scale.y);
-  o.Size[1] = static_cast<int>(std::clamp(std::round(o.Size[0] * high), 1., MostPixels));
+  const int step = HasFilm(o) ? 2 : 1; // codecs take even numbers alone
+  o.Size[1] =
+    step * static_cast<int>(std::clamp(std::round(o.Size[0] * high / step), 1., MostPixels));
 }
 
-// To whole pixels.
-void ChoosePart(Options& o, const wfv::Projection& p, const std::array<double, 2>& from,
-  const std::array<double, 2>& parts)
+void CheckPart(const Options& o, const wfv::Projection& p)
 {
-  o.Part.emplace();
   for (int i = 0; i < 2; i++)
   {
-    if (!(o.Size[i] <= MostPixels * parts[i]))
+    if (!(o.Size[i] <= MostPixels * o.Part->Share[i]))
     {
       FailUsage("--borders: so small a part of " + p.Name + " is not drawn with " +
         std::to_string(o.Size[i]) + " pixels; choose a smaller --size or wider borders");
     }
-    o.Part->Whole[i] = std::max(o.Size[i], static_cast<int>(std::lround(o.Size[i] / parts[i])));
-    o.Part->Start[i] = std::clamp(
-      static_cast<int>(std::lround(from[i] * o.Part->Whole[i])), 0, o.Part->Whole[i] - o.Size[i]);
   }
 }
+}
+
+bool HasBorders(const wfv::Projection& p)
+{
+  return p.Axis != wfv::Family::Azimuthal && p.Axis != wfv::Family::Faces &&
+    p.Axis != wfv::Family::Sampled;
+}
+
+void FitPart(Options& o)
+{
+  PartOfPicture& part = *o.Part;
+  for (int i = 0; i < 2; i++)
+  {
+    const double whole = std::min(o.Size[i] / part.Share[i], MostPixels);
+    part.Whole[i] = std::max(o.Size[i], static_cast<int>(std::lround(whole)));
+    part.Start[i] = std::clamp(
+      static_cast<int>(std::lround(part.From[i] * part.Whole[i])), 0, part.Whole[i] - o.Size[i]);
+  }
+  o.View.Aspect = double(part.Whole[0]) / part.Whole[1];
+}
+
+wfv::vec2 InWhole(const Options& o, const wfv::vec2& ndc)
+{
+  if (!o.Part)
+  {
+    return ndc;
+  }
+  const auto at = [&o](int i, double along) {
+    return 2 * (o.Part->Start[i] + 0.5 * (along + 1) * o.Size[i]) / o.Part->Whole[i] - 1;
+  };
+  return { at(0, ndc.x), at(1, ndc.y) };
+}
+
+std::array<double, 4> BordersOf(const Options& o)
+{
+  wfv::ViewOptions plain;
+  plain.HorizontalFov = o.View.HorizontalFov;
+  plain.VerticalFov = o.View.VerticalFov;
+  const wfv::View view(*wfv::FindProjection(o.Projection), plain);
+  const auto angle = [&](int axis, double place) {
+    const double most = 0.5 * (axis == 0 ? plain.HorizontalFov : plain.VerticalFov);
+    const double ndc = 2 * place - 1;
+    if (std::abs(ndc) > AtBorder)
+    {
+      return std::copysign(most, ndc);
+    }
+    const wfv::vec3 d = view.Ray(axis == 0 ? wfv::vec2(ndc, 0) : wfv::vec2(0, ndc)).Direction;
+    return std::atan2(axis == 0 ? d.x : d.y, -d.z) / Degree;
+  };
+  const PartOfPicture& part = *o.Part;
+  return { { angle(0, part.From[0]), angle(0, part.From[0] + part.Share[0]), angle(1, part.From[1]),
+    angle(1, part.From[1] + part.Share[1]) } };
 }
 
 void TakeBorders(Options& o, const wfv::Projection& p, const FieldsOfView& given)
@@ -91,32 +141,29 @@ void TakeBorders(Options& o, const wfv::Projection& p, const FieldsOfView& given
     FailUsage("--borders: " + complaint);
   }
   const wfv::View view(p, plain);
-  std::array<double, 2> from;
-  std::array<double, 2> parts; // of the whole
+  o.Part.emplace();
   for (int i = 0; i < 2; i++)
   {
-    from[i] = 0.5 * (PlaceOf(view, i, b[2 * i]) + 1);
-    parts[i] = 0.5 * (PlaceOf(view, i, b[2 * i + 1]) + 1) - from[i];
+    o.Part->From[i] = 0.5 * (PlaceOf(view, i, b[2 * i]) + 1);
+    o.Part->Share[i] = 0.5 * (PlaceOf(view, i, b[2 * i + 1]) + 1) - o.Part->From[i];
   }
   if (!o.HasSize)
   {
-    FitHeight(o, view, parts);
+    FitHeight(o, view, o.Part->Share);
   }
-  ChoosePart(o, p, from, parts);
-  o.View.Aspect = double(o.Part->Whole[0]) / o.Part->Whole[1];
+  CheckPart(o, p);
+  FitPart(o);
 }
 
-void PlaceInPart(vtkScalarBarActor* bar, const Options& o)
+void PlaceBar(vtkScalarBarActor* bar, const Options& o)
 {
-  if (!o.Part)
-  {
-    return;
-  }
-  const double* const at = bar->GetPosition();
-  const auto fraction = [&](int i) { return double(o.Size[i]) / o.Part->Whole[i]; };
-  const auto start = [&](int i) { return double(o.Part->Start[i]) / o.Part->Whole[i]; };
-  bar->SetPosition(start(0) + at[0] * fraction(0), start(1) + at[1] * fraction(1));
-  bar->SetWidth(bar->GetWidth() * fraction(0));
-  bar->SetHeight(bar->GetHeight() * fraction(1));
+  const PartOfPicture part = o.Part.value_or(PartOfPicture{ o.Size, { { 0, 0 } } });
+  const auto share = [&](int i, double length) { return length * o.Size[i] / part.Whole[i]; };
+  const auto place = [&](int i, double at) {
+    return double(part.Start[i]) / part.Whole[i] + share(i, at);
+  };
+  bar->SetPosition(place(0, 0.36), place(1, 0.03));
+  bar->SetWidth(share(0, 0.28));
+  bar->SetHeight(share(1, 0.10));
 }
 }

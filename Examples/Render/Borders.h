@@ -8,6 +8,8 @@
 #include "OptionCheck.h"
 #include "Options.h"
 
+#include <array>
+
 VTK_ABI_NAMESPACE_BEGIN
 class vtkScalarBarActor;
 VTK_ABI_NAMESPACE_END
@@ -19,8 +21,21 @@ namespace widefov
 // Failure with ExitUsage where the borders do not fit the projection or other options.
 void TakeBorders(Options& options, const wfv::Projection& projection, const FieldsOfView& given);
 
-// Moves a bar from its place in the whole picture to the same one in the part.
-void PlaceInPart(vtkScalarBarActor* bar, const Options& options);
+// Can the projection's pictures have such borders?
+bool HasBorders(const wfv::Projection& projection);
+
+// Of a picture that is a part: the pixels of it and of the whole for the options' size, and the
+// whole's aspect.
+void FitPart(Options& options);
+
+// The same place as NDC of the whole, of NDC of what is drawn.
+wfv::vec2 InWhole(const Options& options, const wfv::vec2& ndc);
+
+// Angles of the borders from the axis, as --borders takes them. Only of a picture that is a part.
+std::array<double, 4> BordersOf(const Options& options);
+
+// Puts a bar to its place in the picture, whole or a part.
+void PlaceBar(vtkScalarBarActor* bar, const Options& options);
 }
 
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Frame.h"
 
+#include "Borders.h"
 #include "MessageCatcher.h"
 #include "Messages.h"
 

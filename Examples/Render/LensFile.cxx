@@ -280,6 +280,11 @@ CalibratedLens ParseYaml(const std::string& path, const std::string& text)
   {
     return FromYaml(path, YAML::Load(rest));
   }
+  catch (const YAML::RepresentationException& e)
+  {
+    Refuse(path,
+      "line " + std::to_string(e.mark.line + 1) + " has something else where a number belongs");
+  }
   catch (const YAML::Exception& e)
   {
     // its own words quote what may be no text

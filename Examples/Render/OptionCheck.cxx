@@ -272,6 +272,10 @@ void CheckTechnique(Options& o)
   {
     return;
   }
+  if (o.Part)
+  {
+    FailUsage("--borders does not go with --technique cubemap; leave one of them out");
+  }
   const std::string cubemap = "--technique cubemap is VTK's own pass, which ";
   if (o.Projection != "equirectangular" && o.Projection != "azimuthal-equidistant")
   {

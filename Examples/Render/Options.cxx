@@ -53,10 +53,8 @@ void DeclareProjection(Group& group, Options& o)
   Completions()["--projection"] = ProjectionNames();
 }
 
-void DeclareView(CLI::App& app, Options& o, FieldsOfView& fov)
+void DeclareAngles(Group& group, Options& o, FieldsOfView& fov)
 {
-  Group group(app, "View");
-  DeclareProjection(group, o);
   const auto angle = [](std::optional<double>& target) {
     return [&target](const std::string& option, const std::string& value) {
       target = ParseNumber(option, value, FieldOfView);
@@ -66,6 +64,19 @@ void DeclareView(CLI::App& app, Options& o, FieldsOfView& fov)
   group.Add("--vfov", "DEG", "180", "vertical field of view, degrees", angle(fov.Vertical));
   group.Add(
     "--fov", "DEG", "360", "field of view of a round projection, degrees", angle(fov.Round));
+  group.Add("--borders", "L,R,D,U", "even, by --hfov and --vfov",
+    "angles of the picture's borders from the axis: left, right, down, up; degrees, to the left "
+    "and down below 0",
+    [&o](const std::string& option, const std::string& value) {
+      o.Borders = ParseNumbers(option, value, 4, 4);
+    });
+}
+
+void DeclareView(CLI::App& app, Options& o, FieldsOfView& fov)
+{
+  Group group(app, "View");
+  DeclareProjection(group, o);
+  DeclareAngles(group, o, fov);
   group.Add("--lens", "C1,..,C9", "",
     "lens: r = c1 t + .. + c9 t^9; t in radians, its tangent with brown-conrady",
     [&fov](const std::string& option, const std::string& value) {
@@ -163,13 +174,6 @@ void DeclareOutput(CLI::App& app, Options& o)
     ->type_name("FILE")
     ->allow_extra_args(false)
     ->group("Output");
-  group.Add("--borders", "L,R,D,U", "even, by --hfov and --vfov",
-    "angles of the picture's borders from the axis: left, right, down, up; degrees, to the left "
-    "and "
-    "down below 0",
-    [&o](const std::string& option, const std::string& value) {
-      o.Borders = ParseNumbers(option, value, 4, 4);
-    });
   group.Size("--tile", o.Tile, "only where needed", "draw the picture in tiles of that size");
   group.Name("--aov", "FILE.exr", o.Aov, "distance, cell, prop, normal beside the colour");
   group.Integer("--frames", o.Frames, 1, 1000000, "frames to time, after two warm-up frames");

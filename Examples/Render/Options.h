@@ -51,6 +51,8 @@ struct PartOfPicture
 {
   std::array<int, 2> Whole{ { 0, 0 } };
   std::array<int, 2> Start{ { 0, 0 } };
+  std::array<double, 2> From{ { 0, 0 } }; // the same in shares of the whole, before rounding
+  std::array<double, 2> Share{ { 1, 1 } };
 };
 
 // Everything a user can ask for; the defaults are those of the command line. Angles in

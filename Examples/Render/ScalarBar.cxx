@@ -81,8 +81,7 @@ void DeclareScalarBar(OptionGroup& group, Options& o)
 {
   group.Add("--scalar-bar-at", "AZ,EL[,DEPTH]", "",
     "the colour map's bar stands in a direction, degrees to the right and up, DEPTH scene units "
-    "away "
-    "(before all there is to see; two eyes need it)",
+    "away (before all there is to see; two eyes need it)",
     [&o](const std::string& option, const std::string& value) {
       o.ScalarBarAt = ParseNumbers(option, value, 2, 3);
       o.Look.ScalarBar = true;
@@ -128,9 +127,7 @@ vtkSmartPointer<vtkScalarBarActor> MakeScalarBar(const Scene& scene)
   bar->SetTitle(scene.BarTitle.c_str());
   bar->SetNumberOfLabels(NumberOfLabels(scene.BarMap));
   bar->SetOrientationToHorizontal();
-  bar->SetPosition(0.36, 0.03);
-  bar->SetWidth(0.28);
-  bar->SetHeight(0.10);
+  PlaceBar(bar, Options());
   bar->SetLabelFormat(LabelFormat);
   for (vtkTextProperty* const text : { bar->GetTitleTextProperty(), bar->GetLabelTextProperty() })
   {
@@ -150,7 +147,7 @@ vtkSmartPointer<vtkProp> AddScalarBar(vtkRenderer* renderer, const Scene& scene,
   vtkSmartPointer<vtkProp> shown = bar;
   if (o.ScalarBarAt.empty())
   {
-    PlaceInPart(bar, o);
+    PlaceBar(bar, o);
   }
   else
   {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SightsStage.h"
 
+#include "Borders.h"
 #include "CameraSetup.h"
 #include "Frame.h"
 #include "Passes.h"
@@ -9,6 +10,7 @@
 #include "StereoChoice.h"
 #include "StereoLayout.h"
 #include "StereoOptions.h"
+#include "Tiles.h"
 
 namespace widefov
 {
@@ -43,7 +45,7 @@ void SightsStage::SetScene(const Scene& scene, const Options& o)
 void SightsStage::Draw(const Options& sight, std::size_t type)
 {
   CheckSize(sight, this->Limits);
-  this->Window->SetSize(sight.Size[0], sight.Size[1]);
+  ShowPart(sight, this->Window, this->Renderer);
   SetCamera(this->Renderer, *this->What, sight);
   if (HasTwoEyes(sight))
   {

@@ -114,6 +114,13 @@ void SetTiles(const TileGrid& grid, vtkRenderWindow* window, vtkRenderer* render
   renderer->SetViewport(0, 0, right, height);
 }
 
+void ShowPart(const Options& o, vtkRenderWindow* window, vtkRenderer* renderer)
+{
+  const TileGrid once{ o.Size, o.Size, o.Part.value_or(PartOfPicture{ o.Size, { { 0, 0 } } }) };
+  SetTiles(once, window, renderer);
+  ShowTile(once, window, 0, 0);
+}
+
 void ShowTile(const TileGrid& grid, vtkRenderWindow* window, int column, int row)
 {
   const double width = static_cast<double>(grid.Columns(0)) * grid.Tile[0];

@@ -50,6 +50,9 @@ std::optional<TileGrid> PlanTiles(const Options& options, const GlLimits& limits
 // Makes the window as large as a tile, and its picture as large as the grid's.
 void SetTiles(const TileGrid& grid, vtkRenderWindow* window, vtkRenderer* renderer);
 
+// Makes the window as large as the picture, of which it shows the options' part.
+void ShowPart(const Options& options, vtkRenderWindow* window, vtkRenderer* renderer);
+
 // What the window draws next; rows are counted from the top.
 void ShowTile(const TileGrid& grid, vtkRenderWindow* window, int column, int row);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Choices.h"
 
+#include "Borders.h"
 #include "EyeDistance.h"
 #include "Messages.h"
 #include "OptionCheck.h"
@@ -67,6 +68,10 @@ std::string WhyNot(const Options& options, bool tiled)
   if (tiled && !CanBeTiled(options))
   {
     return "only wide projections drawn by this module go over several windows";
+  }
+  if (options.Part && !HasBorders(p))
+  {
+    return "--borders is for other projections";
   }
   const std::string complaint = wfv::CheckOptions(p, options.View);
   if (!complaint.empty())
@@ -191,6 +196,7 @@ bool SetPreset(
   next.View.VerticalFov = std::min(preset.VerticalFov, p.MaxVerticalFov);
   next.View.Lens = wfv::ViewOptions().Lens;
   next.View.Measured = wfv::MeasuredPicture();
+  next.Part.reset();
   next.View.Tilt = preset.Tilt;
   next.View.Stereo.Model = &model;
   next.View.Stereo.PoleFade = preset.PoleFade;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CommandText.h"
 
+#include "Borders.h"
 #include "StereoChoice.h"
 #include "StereoOptions.h"
 
@@ -60,6 +61,11 @@ void AddFieldOfView(const Options& o, List& list)
   {
     Add(list, o.UnevenLens ? "--lens-file" : "--direction-map",
       o.UnevenLens ? o.LensFile : o.DirectionMap);
+    return;
+  }
+  if (o.Part)
+  {
+    Add(list, "--borders", Exactly(BordersOf(o)));
     return;
   }
   if (p.Axis != wfv::Family::Azimuthal)

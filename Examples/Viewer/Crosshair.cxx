@@ -135,11 +135,13 @@ void Crosshair::Find(vtkWideFoVRenderer* scene, Aim& aim)
     std::clamp(own[1] - 1 - static_cast<int>((*aim.Pointer)[1]), 0, own[1] - 1) } };
   double tile[4];
   scene->GetRenderWindow()->GetTileViewport(tile);
+  const double* const view = scene->GetViewport();
   Spot spot;
   for (std::size_t i = 0; i < 2; i++)
   {
-    spot.Step[i] = 2. / whole[i];
-    spot.Ndc[i] = 2 * tile[i] - 1 + spot.Step[i] * (pixel[i] + 0.5);
+    const double extent = view[i + 2] - view[i];
+    spot.Step[i] = 2. / (whole[i] * extent);
+    spot.Ndc[i] = 2 * (tile[i] - view[i]) / extent - 1 + spot.Step[i] * (pixel[i] + 0.5);
   }
   const std::optional<Ray> ray = RayAt(scene, spot, 0, 0);
   if (!ray)

@@ -2,6 +2,7 @@
 #include "Dome.h"
 
 #include "Angles.h"
+#include "Borders.h"
 
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
@@ -67,7 +68,7 @@ vtkSmartPointer<vtkPolyData> MakeDome(const Options& o)
   {
     const wfv::vec2 ndc =
       PlaceOf(p, options, double(i % (Steps + 1)) / Steps, double(i / (Steps + 1)) / Steps);
-    rays.push_back(view.Ray(ndc));
+    rays.push_back(view.Ray(InWhole(o, ndc)));
     const wfv::vec3& d = rays.back().Direction;
     points->InsertNextPoint(d.x, d.y, d.z);
     places->InsertNextTuple2(0.5 * (ndc.x + 1), 0.5 * (ndc.y + 1));

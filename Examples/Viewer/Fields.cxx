@@ -2,6 +2,7 @@
 #include "Fields.h"
 
 #include "Angles.h"
+#include "Borders.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,9 +25,11 @@ double FovOf(double halfTangent)
   return 2 * std::atan(halfTangent) / Degree;
 }
 
+// Of the picture that has these fields of view.
 double Proportion(const Options& o)
 {
-  return double(o.Size[1]) / o.Size[0];
+  const std::array<int, 2>& size = o.Part ? o.Part->Whole : o.Size;
+  return double(size[1]) / size[0];
 }
 }
 
@@ -88,6 +91,10 @@ void Fields::Apply(Options& o) const
 {
   const wfv::Projection& p = *wfv::FindProjection(o.Projection);
   o.View.Aspect = double(o.Size[0]) / o.Size[1];
+  if (o.Part)
+  {
+    FitPart(o);
+  }
   const bool lensed = o.Projection == this->Lensed;
   o.View.Lens = lensed ? this->Lens : wfv::ViewOptions().Lens;
   o.View.Measured = lensed ? this->Measured : wfv::MeasuredPicture();

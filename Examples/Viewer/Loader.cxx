@@ -7,7 +7,10 @@
 #include "Messages.h"
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <optional>
+#include <regex>
 #include <thread>
 #include <utility>
 
@@ -19,14 +22,40 @@ namespace
 constexpr std::uintmax_t FewBytes = 1 << 20;
 }
 
+namespace
+{
+std::uintmax_t SizeOf(const std::filesystem::path& file)
+{
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  return error ? 0 : size; // what is not there is said at once
+}
+
+// Of the files that one names, as .vtm and .gltf do.
+std::uintmax_t SizeOfNamed(const std::filesystem::path& file)
+{
+  std::uintmax_t bytes = 0;
+  const std::string ending = file.extension().string();
+  if ((ending == ".vtm" || ending == ".gltf") && SizeOf(file) <= FewBytes)
+  {
+    std::ifstream stream(file, std::ios::binary);
+    const std::string text{ std::istreambuf_iterator<char>(stream), {} };
+    static const std::regex naming("(?:file=|\"uri\"\\s*:\\s*)\"([^\"]{1,255})\"");
+    for (std::sregex_iterator i(text.begin(), text.end(), naming), end; i != end; ++i)
+    {
+      bytes += SizeOf(file.parent_path() / (*i)[1].str());
+    }
+  }
+  return bytes;
+}
+}
+
 bool AreLarge(const std::vector<std::string>& files)
 {
   std::uintmax_t bytes = 0;
   for (const std::string& file : files)
   {
-    std::error_code error;
-    const std::uintmax_t size = std::filesystem::file_size(file, error);
-    bytes += error ? 0 : size; // what is not there is said at once
+    bytes += SizeOf(file) + SizeOfNamed(file);
   }
   return bytes > FewBytes;
 }

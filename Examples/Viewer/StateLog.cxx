@@ -20,7 +20,7 @@ Json Describe(const ViewerState::TimeState& time)
 Json Describe(const FrameCost& cost)
 {
   Json json{ { "ms", cost.Milliseconds }, { "draws", nullptr }, { "props", nullptr },
-    { "cluster_triangles", nullptr }, { "relaxation", nullptr } };
+    { "cluster_triangles", nullptr }, { "relaxation", nullptr }, { "coarse", cost.Coarse } };
   if (cost.Draws)
   {
     json["draws"] = { { "plain", cost.Draws->Plain }, { "preclip", cost.Draws->PreClip },

@@ -348,10 +348,11 @@ void Viewer::HandleButton(const WindowEvent& event)
   this->Log(press ? "press" : "release");
 }
 
-// Draws once more what was drawn smaller for it moved.
+// Draws once more what was drawn coarser for it moved.
 void Viewer::Sharpen()
 {
-  this->Dirty = this->Dirty || (this->Cost.Draws && this->Cost.Draws->Relaxation > 0);
+  this->Dirty =
+    this->Dirty || this->Cost.Coarse || (this->Cost.Draws && this->Cost.Draws->Relaxation > 0);
 }
 
 void Viewer::HandleCursor(const Place& at)

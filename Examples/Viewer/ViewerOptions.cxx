@@ -117,6 +117,10 @@ void CheckWall(ViewerOptions& o)
     FailUsage("--wall is for wide projections drawn by this module, not for perspective and "
               "--technique cubemap; leave it out");
   }
+  if (o.Picture.Part)
+  {
+    FailUsage("--wall and --borders exclude each other: windows of a wall show a whole picture");
+  }
   if (o.Monitor > 0)
   {
     FailUsage("--wall and --monitor exclude each other: the windows take the monitors in turn");

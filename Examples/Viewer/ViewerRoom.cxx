@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The room that the view is seen from, and what the pointer is on.
+#include "Borders.h"
 #include "Choices.h"
 #include "Stereo/Stereo.h"
 #include "StereoChoice.h"
@@ -65,7 +66,9 @@ std::optional<Vector3> Viewer::RayUnderPointer() const
   {
     return std::nullopt;
   }
-  return RayOf(part, 2 * place.At[0] / part.Size[0] - 1, 1 - 2 * place.At[1] / part.Size[1]);
+  const wfv::vec2 ndc =
+    InWhole(part, { 2 * place.At[0] / part.Size[0] - 1, 1 - 2 * place.At[1] / part.Size[1] });
+  return RayOf(part, ndc.x, ndc.y);
 }
 
 // Time goes on from the first frame, whatever a frame takes: what is late is left out.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ViewerStage.h"
 
+#include "Borders.h"
 #include "CameraSetup.h"
 #include "Display.h"
 #include "Frame.h"
@@ -11,6 +12,7 @@
 #include "StereoChoice.h"
 #include "StereoLayout.h"
 #include "StereoOptions.h"
+#include "Tiles.h"
 #include "Volume.h"
 
 #include <Gl.h>
@@ -30,11 +32,25 @@ constexpr std::array<int, 2> TextRoom{ { 64, 32 } };
 
 // Frames a second: what VTK's interactors ask for when nothing moves.
 constexpr double StillRate = 0.0001;
+
+// Of the time of a frame, what the scene may take; the rest is for showing it. VTK shares it out to
+// as many layers, of which the others are done at once.
+constexpr double SceneShare = 0.7;
+constexpr int Layers = 3;
+
+// Of the time that a moving frame has, what a still one takes at least where fewer triangles are
+// drawn: fewer pixels alone save less.
+constexpr double FewerFrom = 2;
+
+// Triangles and lines of a coarse scene: the share of those that would take the time, for other
+// things take some; and where a scene is not made out.
+constexpr double ShareOfTime = 0.5;
+constexpr long long FewestCells = 20000;
 }
 
 FrameCost operator+(const FrameCost& a, const FrameCost& b)
 {
-  FrameCost sum{ a.Milliseconds + b.Milliseconds, b.Draws };
+  FrameCost sum{ a.Milliseconds + b.Milliseconds, b.Draws, a.Coarse || b.Coarse };
   if (a.Draws && b.Draws)
   {
     const DrawCounts& x = *a.Draws;
@@ -48,18 +64,17 @@ FrameCost operator+(const FrameCost& a, const FrameCost& b)
 }
 
 ViewerStage::ViewerStage(GLFWwindow* window, bool stereo, const Options& o, const Tile& tile)
+  : Where(tile)
 {
   this->Window->SetWindow(window, stereo);
   CheckMessages();
   const GlLimits limits = QueryLimits(this->Window);
   this->Limits = { { limits.Width, limits.Height } };
   CheckSize(o, limits);
-  this->Window->SetMultiSamples(UsableSamples(o.Samples, limits));
-  this->Window->SetNumberOfLayers(3);
-  this->Window->SetTileScale(tile.Columns, tile.Rows);
-  this->Window->SetTileViewport(double(tile.Column) / tile.Columns,
-    double(tile.Rows - 1 - tile.Row) / tile.Rows, double(tile.Column + 1) / tile.Columns,
-    double(tile.Rows - tile.Row) / tile.Rows);
+  this->Samples = UsableSamples(o.Samples, limits);
+  this->Window->SetMultiSamples(this->Samples);
+  this->Window->SetNumberOfLayers(Layers);
+  this->ShowTile();
   SetBackground(this->Renderer, o);
   this->Renderer->AddObserver(vtkCommand::EndEvent, this, &ViewerStage::AfterScene);
   this->Window->AddRenderer(this->Renderer);
@@ -77,6 +92,10 @@ void ViewerStage::SetScene(const Scene& scene, const Look& look)
 {
   this->Window->MakeCurrent();
   HideScene(this->Renderer, this->Shown);
+  HideScene(this->Renderer, this->ShownCoarse);
+  this->Coarse = Scene();
+  this->IsCoarseNow = false;
+  this->Style = look;
   this->What = &scene;
   this->Shown = ShowScene(this->Renderer, scene, look);
   if (this->Bar)
@@ -113,9 +132,35 @@ void ViewerStage::ApplyCubeMap(const Options& o)
   SetCubeMapPass(this->Renderer, this->CubeMapPass);
 }
 
+void ViewerStage::ShowTile()
+{
+  const Tile& t = this->Where;
+  this->Window->SetTileScale(t.Columns, t.Rows);
+  this->Window->SetTileViewport(double(t.Column) / t.Columns, double(t.Rows - 1 - t.Row) / t.Rows,
+    double(t.Column + 1) / t.Columns, double(t.Rows - t.Row) / t.Rows);
+}
+
+// The window's tile, or the part of a larger picture.
+void ViewerStage::PlaceIn(const Options& o, const std::array<int, 2>& size)
+{
+  if (!o.Part)
+  {
+    this->ShowTile();
+    this->Window->SetSize(size[0], size[1]);
+    this->Renderer->SetViewport(0, 0, 1, 1);
+    this->Texts.GetRenderer()->SetViewport(0, 0, 1, 1);
+  }
+  else
+  {
+    ShowPart(o, this->Window, this->Renderer);
+    this->Texts.GetRenderer()->SetViewport(this->Window->GetTileViewport());
+  }
+  this->Cross.GetRenderer()->SetViewport(this->Renderer->GetViewport());
+}
+
 void ViewerStage::Apply(const Options& o, const std::array<int, 2>& size)
 {
-  this->Window->SetSize(size[0], size[1]);
+  this->PlaceIn(o, size);
   if (o.Technique == Technique::CubeMap)
   {
     this->ApplyCubeMap(o);
@@ -177,7 +222,59 @@ void ViewerStage::AfterScene()
 void ViewerStage::SetUpdateRate(double rate)
 {
   this->WidePass->SetKeepUpdateRate(rate > 0);
-  this->Window->SetDesiredUpdateRate(rate > 0 ? rate : StillRate);
+  this->Window->SetDesiredUpdateRate(rate > 0 ? rate / (SceneShare * Layers) : StillRate);
+  if ((rate > 0) != this->Moves)
+  {
+    this->Moves = rate > 0;
+    this->GiveWay(rate);
+  }
+}
+
+// For all of a motion, so that nothing flickers. Samples cost where they are put together, too,
+// which the pass does not see.
+void ViewerStage::GiveWay(double rate)
+{
+  const double times = this->StillCost * rate / 1000; // as long as there is time for
+  this->HasFewer = this->Samples > 0 && times > 1;
+  this->Window->SetMultiSamples(this->HasFewer ? 0 : this->Samples);
+  const PrimitiveCount count = CountPrimitives(*this->What);
+  const long long cells = count.Triangles + count.Lines;
+  const bool coarse = times > FewerFrom && cells > FewestCells;
+  if (coarse && this->ShownCoarse.Actors.empty())
+  {
+    const auto most = static_cast<long long>(ShareOfTime * static_cast<double>(cells) / times);
+    this->Coarse = MakeCoarse(*this->What, std::max(most, FewestCells));
+    this->Coarse.Volumes.clear();
+    this->ShownCoarse = ShowScene(this->Renderer, this->Coarse, this->Style);
+    this->IsNew = true;
+  }
+  this->ShowCoarse(coarse);
+}
+
+void ViewerStage::ShowCoarse(bool coarse)
+{
+  this->IsCoarseNow = coarse;
+  for (vtkActor* const actor : this->Shown.Actors)
+  {
+    actor->SetVisibility(!coarse);
+  }
+  for (vtkActor* const actor : this->ShownCoarse.Actors)
+  {
+    actor->SetVisibility(coarse);
+  }
+}
+
+// The first frame of a coarse scene loads it and compiles, and says nothing of what the next ones
+// take.
+void ViewerStage::DrawFirst()
+{
+  if (this->IsNew && this->IsCoarseNow)
+  {
+    this->IsNew = false;
+    this->WidePass->KeepUpdateRateOff();
+    this->Window->Render();
+    this->WidePass->KeepUpdateRateOn();
+  }
 }
 
 void ViewerStage::Flip()
@@ -193,6 +290,7 @@ FrameCost ViewerStage::Measure()
     std::chrono::steady_clock::now() - this->Start;
   FrameCost cost;
   cost.Milliseconds = time.count();
+  cost.Coarse = this->HasFewer || this->IsCoarseNow;
   auto* const camera = vtkWideFoVCamera::SafeDownCast(this->Renderer->GetActiveCamera());
   if (camera != nullptr && camera->IsWide())
   {
@@ -215,9 +313,11 @@ FrameCost ViewerStage::Draw(const Options& o, const std::array<int, 2>& size,
   this->Apply(o, size);
   if (this->Bar)
   {
+    PlaceBar(this->Bar, o);
     this->Bar->SetVisibility(this->HasRoom());
   }
   this->Texts.SetHelp(this->HasRoom() ? help : "", size[0], size[1]);
+  this->DrawFirst();
   this->Start = std::chrono::steady_clock::now();
   if (this->InTurn)
   {
@@ -226,6 +326,7 @@ FrameCost ViewerStage::Draw(const Options& o, const std::array<int, 2>& size,
   this->EyeShown = 0;
   this->Window->Render();
   this->HasFrame = true;
+  this->StillCost = this->Moves ? this->StillCost : this->Cost.Milliseconds;
   CheckMessages();
   return this->Cost;
 }

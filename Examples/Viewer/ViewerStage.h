@@ -5,6 +5,7 @@
 
 #include "vtkWideFoVAbi.h"
 
+#include "CoarseScene.h"
 #include "Crosshair.h"
 #include "Frame.h"
 #include "GlfwRenderWindow.h"
@@ -51,6 +52,7 @@ struct FrameCost
 {
   double Milliseconds = 0; // of the scene, without the text
   std::optional<DrawCounts> Draws;
+  bool Coarse = false; // fewer samples, or triangles, than of a frame that stands still
 };
 
 // Of both.
@@ -115,6 +117,11 @@ public:
   Picture Take(const Options& options, const std::array<int, 2>& size);
 
 private:
+  void ShowTile();
+  void PlaceIn(const Options& options, const std::array<int, 2>& size);
+  void GiveWay(double rate);
+  void ShowCoarse(bool coarse);
+  void DrawFirst();
   void Apply(const Options& options, const std::array<int, 2>& size);
   void ApplyCubeMap(const Options& options);
   FrameCost Measure();
@@ -123,12 +130,22 @@ private:
   void SetCrosshair();
   void AfterScene();
 
+  const Tile Where;
   const Scene* What = nullptr;
   vtkNew<GlfwRenderWindow> Window;
   vtkNew<vtkWideFoVRenderer> Renderer;
   vtkNew<vtkWideFoVPass> WidePass;
   vtkSmartPointer<vtkPanoramicProjectionPass> CubeMapPass;
   ShownScene Shown;
+  Look Style;
+  Scene Coarse; // the same with fewer triangles, once it was needed
+  ShownScene ShownCoarse;
+  int Samples = 0;          // of a frame that stands still
+  bool Moves = false;       // the next frames
+  double StillCost = 0;     // milliseconds of the last one that stood still
+  bool HasFewer = false;    // samples
+  bool IsCoarseNow = false; // the scene
+  bool IsNew = false;       // the coarse one: nothing of it was drawn
   vtkSmartPointer<vtkScalarBarActor> Bar;
   Crosshair Cross;
   Overlay Texts;

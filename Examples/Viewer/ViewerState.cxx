@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the viewer says of itself: in its log, and on the picture.
+#include "Borders.h"
 #include "Messages.h"
 #include "Viewer.h"
 
@@ -12,10 +13,18 @@ namespace
 std::string TextOfView(const Options& o)
 {
   const bool round = wfv::FindProjection(o.Projection)->Axis == wfv::Family::Azimuthal;
+  double across = o.View.HorizontalFov;
+  double up = o.View.VerticalFov;
+  if (o.Part)
+  {
+    const std::array<double, 4> borders = BordersOf(o);
+    across = borders[1] - borders[0];
+    up = borders[3] - borders[2];
+  }
   char line[256];
-  std::snprintf(line, sizeof(line), "%.1f", o.View.HorizontalFov);
+  std::snprintf(line, sizeof(line), "%.1f", across);
   const std::string text = o.Projection + "  " + line;
-  std::snprintf(line, sizeof(line), " x %.1f", o.View.VerticalFov);
+  std::snprintf(line, sizeof(line), " x %.1f", up);
   return text + (round ? std::string() : std::string(line)) + " degrees";
 }
 

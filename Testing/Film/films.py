@@ -14,7 +14,7 @@ from matplotlib.image import imread
 
 RENDER = os.path.abspath(sys.argv[1]) if len(sys.argv) > 1 else ""
 SIZE = (64, 32)
-LAST = re.compile(r"frames( \d+ to \d+ of \d+)? are in ")
+LAST = re.compile(r"frame( is|s are|s \d+ to \d+ of \d+ are) in ")
 
 # A square before the eye, with one scalar at all of its points.
 SQUARE = """<?xml version="1.0"?>

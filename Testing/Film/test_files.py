@@ -114,6 +114,19 @@ class Resuming(FilmTest):
         self.assertEqual(probe(self.path("film.mp4"))["nb_read_packets"], "800")
         self.assertIn("whole", self.film(*words, "--resume"))
 
+    def test_two_at_once(self):
+        """The second says so, and leaves the first one's frames alone."""
+        words = [*TURN, "--seconds", "400", "--fps", "2", "-o", "film.mp4"]
+        with subprocess.Popen(self.command(*words), cwd=self.folder, stderr=subprocess.PIPE, text=True) as first:
+            while first.poll() is None and self.runs() == 0:
+                time.sleep(0.01)
+            second = self.run_film(*words)
+            first.send_signal(signal.SIGINT)
+            first.communicate(timeout=60)
+        self.assertEqual(second.returncode, 1)
+        self.assertIn("another process draws this film", second.stderr)
+        self.assertGreater(self.runs(), 0)
+
     def test_other_options_are_another_film(self):
         words = [*TURN, "--seconds", "0.4", "-o", "film.mp4"]
         self.film(*words, "--part", "1/2")

@@ -8,6 +8,7 @@
 import os
 
 import numpy
+from matplotlib.image import imread
 
 from films import SIZE, SQUARE, FilmTest, main
 
@@ -80,6 +81,20 @@ class Ways(FilmTest):
         frames = self.frames()
         self.film(*path, "--eye", "5,5,5")  # which says nothing
         self.assertEqual([a.tobytes() for a in frames], [b.tobytes() for b in self.frames()])
+
+    def test_borders(self):
+        """Each frame is the part that a picture shows, with the bar at the same place of it."""
+        self.write("square.vtp", SQUARE.format(heat=1))
+        self.write("way.txt", "0 0 0  0 0 -1\n")
+        part = ["square.vtp", "--eye", "0,0,0", "--direction", "0,0,-1", "--borders", "-60,90,-45,45", "--size", "250x150"]
+        for eyes in ([], ["--stereo", "omnidirectional", "--ipd", "0.1", "--layout", "top-bottom"]):
+            self.film(*part, *eyes, "--film", "path", "--path", "way.txt", "--seconds", "0.08", *FRAMES)
+            self.film(*part, *eyes, "-o", "picture.png")
+            picture = imread(self.path("picture.png"))[:, :, :3]
+            self.assertGreater(picture[:140].std(), 0.1)
+            for frame in self.frames():
+                self.assertEqual(numpy.abs(frame - picture).max(), 0)
+            os.remove(self.path("picture.png"))
 
     def test_separate_eyes_have_folders(self):
         self.film("--film", "turn", "--seconds", "0.08", "--stereo", "omnidirectional", "--ipd", "0.3",

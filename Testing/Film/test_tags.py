@@ -16,8 +16,10 @@ HALF = ["--hfov", "180", "--vfov", "180", "--size", "32x32"]
 ENDINGS = ("mp4", "mov", "webm", "mkv")
 
 # layout -> what ffprobe calls it, and version 1
-STEREO = {None: None, "top-bottom": "top and bottom", "side-by-side": "side by side", "vr180": "side by side"}
-VERSION_1 = {"top-bottom": "top-bottom", "side-by-side": "left-right", "vr180": "left-right"}
+STEREO = {None: None, "top-bottom": "top and bottom", "side-by-side": "side by side",
+          "side-by-side-half": "side by side", "vr180": "side by side"}
+VERSION_1 = {"top-bottom": "top-bottom", "side-by-side": "left-right", "side-by-side-half": "left-right",
+             "vr180": "left-right"}
 
 
 # What version 2 says of half a sphere: top, bottom, left, right, shares of the whole, 0.32 fixed point.
@@ -84,6 +86,22 @@ class Tags(FilmTest):
                     self.assertEqual(struct.unpack(">4i", header[:16]), (0, 0, int(65536 * tilt), 0))
         self.film(*FILM, "--tilt", "120", "-o", "head.mp4")  # on its head
         self.assertEqual(side_data(self.path("head.mp4")), {})
+
+    def test_borders(self):
+        """Of 150 by 90 degrees, two pixels a degree, from 60 to the left on: what is left out on each side."""
+        part = ["--borders", "-60,90,-45,45"]
+        crop = {"FullPanoWidthPixels": 720, "FullPanoHeightPixels": 360, "CroppedAreaLeftPixels": 240,
+                "CroppedAreaTopPixels": 90, "CroppedAreaImageWidthPixels": 300, "CroppedAreaImageHeightPixels": 180}
+        # shares of the whole, 0.32 fixed point
+        bounds = struct.pack(">4I", 1 << 30, 1 << 30, *(int(share * 2**32) for share in (240 / 720, 180 / 720)))
+        # an eye that is squeezed has half the columns
+        half = {**crop, "FullPanoWidthPixels": 360, "CroppedAreaLeftPixels": 120, "CroppedAreaImageWidthPixels": 150}
+        for layout, want in ((None, crop), ("side-by-side-half", half)):
+            for ending, found in self.check(layout, *part, "--size", "300x180").items():
+                self.assertEqual(found["Spherical Mapping"]["projection"], "tiled equirectangular", ending)
+                with open(self.path("film." + ending), "rb") as stream:
+                    self.assertIn(bounds, stream.read(), ending)
+            self.assert_version_1(layout, **want)
 
     def test_others_have_none(self):
         self.film(*FILM, "--projection", "azimuthal-equidistant", "--fov", "180", "--size", "32x32",

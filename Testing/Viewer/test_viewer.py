@@ -165,6 +165,23 @@ class Look(ViewerTest):
             self.check_same(viewer)
             viewer.kill()  # before the next one opens its window
 
+    def test_large_scenes_have_fewer_triangles_while_they_move(self):
+        """And all of them, with all samples, when they are let go."""
+        viewer = self.start("--update-rate", "1000", "--samples", "4", scene=("--scene", "atrium"))
+        still = viewer.photograph()
+        all_of_them = viewer.state()["cluster_triangles"]["total"]
+        before = len(viewer.states())
+        viewer.point(300, 160)
+        self.desktop.press("left")
+        for x in (310, 340, 320, 300):  # there, and back
+            viewer.after(lambda to=x: viewer.point(to, 160), lambda s, to=x: int(s["cursor"][0]) == to)
+        viewer.after(lambda: self.desktop.release("left"), lambda s: not s["coarse"])
+        moved = [s for s in viewer.states()[before:] if s["event"] == "frame" and s["coarse"]]
+        self.assertTrue(moved)
+        self.assertLess(max(s["cluster_triangles"]["total"] for s in moved), all_of_them / 5)
+        self.assertEqual(viewer.wait(lambda s: not s["coarse"])["cluster_triangles"]["total"], all_of_them)
+        self.assertLess((viewer.photograph() != still).any(2).sum(), 20)  # but for rounding
+
     def test_arrows_turn(self):
         viewer = self.start("--hfov", "120", "--vfov", "60")
         self.assertAlmostEqual(viewer.key("Right", look=lambda s: s["yaw"] > 0)["yaw"], 5)
@@ -234,6 +251,19 @@ class Shown(ViewerTest):
             self.assertAlmostEqual(apart[0], 40 * 640 / state["hfov"], delta=NEAR)
             self.assertAlmostEqual(state["vfov"], state["hfov"] / 2)
         self.assertAlmostEqual(state["hfov"], 360 / 1.1)
+
+    def test_borders(self):
+        """The part of a picture that --borders names, in windows of any shape and wherever it looks."""
+        viewer = self.start("--borders", "-60,90,-45,45", "--size", "600x360")
+        state = viewer.drag((240, 180), (400, 200))
+        self.assertLess(numpy.hypot(*(self.find(viewer, "red") - [400, 200])), NEAR)
+        self.check_same(viewer)
+        viewer.point(5, 5)
+        viewer.resize(500, 200)
+        viewer.after(lambda: self.desktop.click("wheel up"), lambda s: s["hfov"] < state["hfov"] - 1)
+        self.check_same(viewer)
+        self.assertEqual(viewer.key("p", shift=True)["projection"], "perspective")
+        self.check_same(viewer)
 
     def test_text_and_help_come_and_go(self):
         viewer = self.start(text=True)

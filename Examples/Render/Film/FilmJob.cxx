@@ -235,7 +235,8 @@ void FitEyesAlong(Options& o, const Scene& scene, const FilmPath& path)
 void SayWhere(const Options& o, const FilmPlan& plan)
 {
   const std::string count = std::to_string(plan.Frames);
-  const std::string part = o.Film.Parts == 1 ? count + " frames are"
+  const std::string all = count + (plan.Frames == 1 ? " frame is" : " frames are");
+  const std::string part = o.Film.Parts == 1 ? all
                                              : "frames " + std::to_string(plan.First + 1) + " to " +
       std::to_string(plan.End) + " of " + count + " are";
   std::string text;
@@ -247,7 +248,7 @@ void SayWhere(const Options& o, const FilmPlan& plan)
       std::error_code error;
       if (!film || !std::filesystem::exists(FilmParts::FolderOf(file), error))
       {
-        text += (text.empty() ? "" : "; ") + (film ? count + " frames are" : part) + " in " + file;
+        text += (text.empty() ? "" : "; ") + (film ? all : part) + " in " + file;
       }
     }
   }

@@ -17,6 +17,8 @@ namespace widefov
 {
 namespace
 {
+constexpr char LockEnding[] = ".lock"; // of a file that who draws a part has locked
+
 const char* const CommandFile = "film.txt";
 
 [[noreturn]] void FailFolder(const std::string& folder, const std::string& why)
@@ -65,6 +67,24 @@ LockedFile::~LockedFile()
   }
 }
 
+namespace
+{
+// Some process draws a part of the film just now.
+bool IsAtWork(const std::string& folder)
+{
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error))
+  {
+    const std::string path = entry.path().string();
+    if (entry.path().extension() == LockEnding && !LockedFile(path, false).IsMine())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+}
+
 FilmParts::FilmParts(const std::string& film, const std::string& segment,
   const FilmOptions& options, const FilmPlan& plan)
   : Film(film)
@@ -77,9 +97,11 @@ FilmParts::FilmParts(const std::string& film, const std::string& segment,
   std::error_code error;
   if (std::filesystem::exists(this->Folder, error) && !options.Resume && options.Parts == 1)
   {
-    Fail(this->Folder +
-      " keeps frames of a film that is not whole; give --resume to go on with it, "
-      "or remove the folder");
+    Fail(IsAtWork(this->Folder)
+        ? film + ": another process draws this film; wait for it, or choose another name"
+        : this->Folder +
+          " keeps frames of a film that is not whole; give --resume to go on with it, "
+          "or remove the folder");
   }
   std::filesystem::create_directory(this->Folder, error);
   if (error)
@@ -95,7 +117,7 @@ FilmParts::FilmParts(const std::string& film, const std::string& segment,
 
 void FilmParts::Claim(const FilmOptions& options)
 {
-  this->Lock.emplace(this->Folder + "/" + this->Own + ".lock", false);
+  this->Lock.emplace(this->Folder + "/" + this->Own + LockEnding, false);
   if (!this->Lock->IsMine())
   {
     Fail(this->Film + ": another process draws part " + std::to_string(options.Part) + " of " +

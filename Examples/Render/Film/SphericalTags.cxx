@@ -35,11 +35,19 @@ Mp4Box FullBox(const std::string& type, const std::string& fields)
   return { type, Mp4Number(0, 4) + fields, {} };
 }
 
-// The share of the whole that is left out on each of two sides: 0.32 fixed point.
-std::string Bound(double fov, double whole)
+// The shares of the whole sphere that are left out before and behind what is shown: 0.32 fixed
+// point.
+std::string Bounds(const SphericalInfo& info, int axis)
 {
-  const double share = std::max(0., 0.5 * (1 - fov / whole));
-  return Mp4Number(static_cast<std::uint64_t>(std::floor(std::ldexp(share, 32))), 4);
+  const double seen = axis == 0 ? info.HorizontalFov / 360 : info.VerticalFov / 180;
+  const int before = info.Before[axis];
+  std::string bounds;
+  for (const int pixels : { before, info.Whole[axis] - before - info.Eye[axis] })
+  {
+    const double share = std::max(0., 0.5 * (1 - seen) + seen * pixels / info.Whole[axis]);
+    bounds += Mp4Number(static_cast<std::uint64_t>(std::floor(std::ldexp(share, 32))), 4);
+  }
+  return bounds;
 }
 
 Mp4Box StereoBox(const SphericalInfo& info)
@@ -49,13 +57,29 @@ Mp4Box StereoBox(const SphericalInfo& info)
 
 Mp4Box SphericalBox(const SphericalInfo& info)
 {
-  const std::string rows = Bound(info.VerticalFov, 180);
-  const std::string columns = Bound(info.HorizontalFov, 360);
   // how players turn the sphere: 16.16 fixed point
   const auto pitch = static_cast<std::uint32_t>(std::lround(std::ldexp(info.Pitch, 16)));
   const Mp4Box header = FullBox("prhd", Mp4Number(0, 4) + Mp4Number(pitch, 4) + Mp4Number(0, 4));
-  const Mp4Box equi = FullBox("equi", rows + rows + columns + columns);
+  const Mp4Box equi = FullBox("equi", Bounds(info, 1) + Bounds(info, 0));
   return { "sv3d", "", { FullBox("svhd", Software + '\0'), { "proj", "", { header, equi } } } };
+}
+
+// Of --borders, in pixels of the frame, which may have the eyes squeezed.
+void PlaceInWhole(const Options& o, SphericalInfo& info)
+{
+  info.Eye = { { info.StereoMode == "left-right" ? info.Width / 2 : info.Width,
+    info.StereoMode == "top-bottom" ? info.Height / 2 : info.Height } };
+  info.Whole = info.Eye;
+  if (o.Part)
+  {
+    const PanoramaInfo drawn = DescribePanorama(o);
+    for (int i = 0; i < 2; i++)
+    {
+      const double scale = double(info.Eye[i]) / o.Size[i];
+      info.Whole[i] = static_cast<int>(std::lround(scale * drawn.Whole[i]));
+      info.Before[i] = static_cast<int>(std::lround(scale * drawn.Before[i]));
+    }
+  }
 }
 
 // Behind the codec's own box, and before those that may be missing.
@@ -94,6 +118,7 @@ SphericalInfo DescribeFilm(const Options& o)
   {
     info.StereoMode = layout.Columns == 2 ? "left-right" : "top-bottom";
   }
+  PlaceInWhole(o, info);
   const double steepest = 90; // beyond, the view stands on its head, which players do not know
   info.Equirectangular = o.Projection == "equirectangular" && std::abs(info.Pitch) <= steepest &&
     (!HasTwoEyes(o) || (!ShowsCube(o) && (two || layout.IsOneEye())));
@@ -115,14 +140,14 @@ std::string SphericalXml(const SphericalInfo& info)
   {
     text += Element("StereoMode", info.StereoMode);
   }
-  if (info.HorizontalFov < 360 || info.VerticalFov < 180)
+  if (info.HorizontalFov < 360 || info.VerticalFov < 180 || info.Whole != info.Eye)
   {
     PanoramaInfo panorama;
     panorama.HorizontalFov = info.HorizontalFov;
     panorama.VerticalFov = info.VerticalFov;
-    const int width = info.StereoMode == "left-right" ? info.Width / 2 : info.Width;
-    const int height = info.StereoMode == "top-bottom" ? info.Height / 2 : info.Height;
-    for (const wfvxmp::Field& field : CroppedFields(width, height, panorama))
+    panorama.Whole = info.Whole;
+    panorama.Before = info.Before;
+    for (const wfvxmp::Field& field : CroppedFields(info.Eye[0], info.Eye[1], panorama))
     {
       text += Element(field.Name, field.Value);
     }

@@ -7,6 +7,7 @@
 #include "Film/Mp4Boxes.h"
 #include "Options.h"
 
+#include <array>
 #include <string>
 
 namespace widefov
@@ -17,9 +18,12 @@ struct SphericalInfo
   std::string StereoMode; // "left-right", "top-bottom": two eyes in a frame; empty: one
   int Width = 0;          // of a frame, with both eyes
   int Height = 0;
-  double HorizontalFov = 360; // degrees, around the middle
+  double HorizontalFov = 360; // degrees, around the middle, of `Whole`
   double VerticalFov = 180;
-  double Pitch = 0; // degrees of the middle above the horizon
+  std::array<int, 2> Eye{ { 0, 0 } };    // pixels of one eye's part of a frame
+  std::array<int, 2> Whole{ { 0, 0 } };  // of the larger picture that it is a part of, or the same
+  std::array<int, 2> Before{ { 0, 0 } }; // pixels of that left of it and above it
+  double Pitch = 0;                      // degrees of the middle above the horizon
 
   // Players are told something.
   bool HasTags() const { return this->Equirectangular || !this->StereoMode.empty(); }
