@@ -3,10 +3,10 @@
  * @class   vtkWideFoVPolyDataMapper
  * @brief   a polydata mapper that draws itself in the view of a vtkWideFoVCamera
  *
- * For programs that ask for it by name and set no render pass: it brings what
- * vtkWideFoVPass adds to stock mappers. Under a vtkWideFoVPass it leaves the work to
- * the pass; the technique TESSELLATE, which no stock mapper can draw with, works there
- * too. With any other camera, or with the projection "perspective", it is
+ * Once this library is loaded VTK makes one for whoever asks for a vtkPolyDataMapper.
+ * Where there is no render pass it brings what vtkWideFoVPass adds to stock mappers. Under
+ * a vtkWideFoVPass it leaves the work to the pass, but draws its mesh by clusters, and with
+ * the technique TESSELLATE, which no stock mapper can. With any other camera, or with the projection "perspective", it is
  * vtkOpenGLPolyDataMapper, to the pixel.
  */
 

@@ -75,6 +75,17 @@ vtkSmartPointer<vtkProp> MakePanel(
   panel->Follow(renderer);
   return panel.Get();
 }
+
+// Once, of however many steps of a film.
+void SayThatThereIsNone(const Options& o)
+{
+  static bool said = false;
+  if (!o.ScalarBarAt.empty() && !said)
+  {
+    said = true;
+    Say("warning: nothing here is coloured by numbers; there is no bar for --scalar-bar-at");
+  }
+}
 }
 
 void DeclareScalarBar(OptionGroup& group, Options& o)
@@ -142,6 +153,7 @@ vtkSmartPointer<vtkProp> AddScalarBar(vtkRenderer* renderer, const Scene& scene,
   const vtkSmartPointer<vtkScalarBarActor> bar = MakeScalarBar(scene);
   if (!bar)
   {
+    SayThatThereIsNone(o);
     return nullptr;
   }
   vtkSmartPointer<vtkProp> shown = bar;
