@@ -6,8 +6,8 @@
  * Once this library is loaded VTK makes one for whoever asks for a vtkPolyDataMapper.
  * Where there is no render pass it brings what vtkWideFoVPass adds to stock mappers. Under
  * a vtkWideFoVPass it leaves the work to the pass, but draws its mesh by clusters, and with
- * the technique TESSELLATE, which no stock mapper can. With any other camera, or with the projection "perspective", it is
- * vtkOpenGLPolyDataMapper, to the pixel.
+ * the technique TESSELLATE, which no stock mapper can. With any other camera, or with the
+ * projection "perspective", it is vtkOpenGLPolyDataMapper, to the pixel.
  */
 
 #ifndef vtkWideFoVPolyDataMapper_h
