@@ -20,10 +20,7 @@ namespace
 {
 // Bytes that even the slowest reader has read before anybody wonders.
 constexpr std::uintmax_t FewBytes = 1 << 20;
-}
 
-namespace
-{
 std::uintmax_t SizeOf(const std::filesystem::path& file)
 {
   std::error_code error;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// From the coordinates of a mesh, or of a copy of one, to those that the classifier asks for.
 #ifndef WideFoVAffine_h
 #define WideFoVAffine_h
 

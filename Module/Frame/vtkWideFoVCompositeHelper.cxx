@@ -39,7 +39,7 @@ struct vtkWideFoVCompositeHelper::Internals
     }
     ClusterDraw Triangles;
     bool Classified = false; // in this traversal
-    bool Gone = false;
+    bool Gone = false;       // the mapper has it no more
   };
 
   // Of all blocks the polygons or the strips.
