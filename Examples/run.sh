@@ -32,8 +32,8 @@ bash Utilities/install-packages.sh build examples
 step=configuring
 if [ ! -f build/build.ninja ]; then
   cmake --preset default -DWIDEFOV_BUILD_TESTING=OFF -DCMAKE_UNITY_BUILD=ON
-elif grep -q '^WIDEFOV_BUILD_EXAMPLES:BOOL=OFF$' build/CMakeCache.txt; then
-  cmake -DWIDEFOV_BUILD_EXAMPLES=ON build
+elif grep -q '^WIDEFOV_BUILD_\(PROGRAMS\|EXAMPLES\):BOOL=OFF$' build/CMakeCache.txt; then
+  cmake -DWIDEFOV_BUILD_PROGRAMS=ON build
 fi
 
 step=building

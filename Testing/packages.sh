@@ -20,7 +20,7 @@ trap 'code=$?; [ "$code" -eq 0 ] || echo "Testing/packages.sh: FAILED while $ste
 
 make() {
   step="building"
-  cmake --preset default -DWIDEFOV_BUILD_TESTING=OFF -DWIDEFOV_BUILD_EXAMPLES=ON \
+  cmake --preset default -DWIDEFOV_BUILD_TESTING=OFF -DWIDEFOV_BUILD_PROGRAMS=ON \
     -DWIDEFOV_WRAP_PYTHON=ON -DCMAKE_UNITY_BUILD=ON
   cmake --build build
   step="building the plugin"

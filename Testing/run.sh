@@ -34,7 +34,7 @@ if [[ "$flavours" == *" vtk "* ]]; then
   step="installing packages"
   bash Utilities/install-packages.sh build examples test
   step=configuring
-  cmake --preset test -DWIDEFOV_BUILD_TESTING=ON -DWIDEFOV_BUILD_EXAMPLES=ON -DWIDEFOV_WRAP_PYTHON=ON
+  cmake --preset test -DWIDEFOV_BUILD_TESTING=ON -DWIDEFOV_BUILD_PROGRAMS=ON -DWIDEFOV_WRAP_PYTHON=ON
   step=building
   cmake --build build
 fi

@@ -31,7 +31,7 @@ work="$(mktemp --directory)"
 trap 'rm -rf "$work"' EXIT
 mkdir "$work/pages" "$work/api"
 cp --recursive --symbolic-link "$PWD"/{Documentation,*.md,LICENSE} "$work/pages/"
-ln -s "$PWD"/{Examples,Module,Plugin,Testing,Utilities,CMakeLists.txt} "$work/pages/"
+ln -s "$PWD"/{Examples,Module,Plugin,Programs,Testing,Utilities,CMakeLists.txt} "$work/pages/"
 cp --symbolic-link "$PWD/Documentation/site/index.md" "$work/pages/"
 bash Utilities/with-display.sh --for "$build" /usr/bin/python3 -B Documentation/site/run_pages.py \
   "$build/bin" "${WIDEFOV_LARGEST:-640}" "$PWD" "$work/pages/Documentation"/{start.md,tasks/*.md}

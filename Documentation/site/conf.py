@@ -8,7 +8,7 @@ project = "WideFoV for VTK"
 author = "the WideFoV maintainers"
 copyright = author  # pylint: disable=redefined-builtin
 extensions = ["myst_parser"]
-exclude_patterns = ["Examples", "Module", "Plugin", "Testing", "Utilities", "Documentation/site"]
+exclude_patterns = ["Examples", "Module", "Plugin", "Programs", "Testing", "Utilities", "Documentation/site"]
 suppress_warnings = ["myst.header"]  # pages begin where their subject does
 myst_heading_anchors = 4
 highlight_language = "none"

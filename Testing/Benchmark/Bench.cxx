@@ -2,13 +2,13 @@
 #include "Bench.h"
 
 #include "BenchStage.h"
-#include "Display.h"
+#include "System/Display.h"
 #include "Environment.h"
 #include "ErrorMeasure.h"
-#include "Messages.h"
+#include "Text/Messages.h"
 #include "Plan.h"
-#include "Progress.h"
-#include "StereoChoice.h"
+#include "System/Progress.h"
+#include "Options/StereoChoice.h"
 #include "Summary.h"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 #include "BenchOptions.h"
 
 #include "BenchScenes.h"
-#include "Messages.h"
-#include "OptionGroup.h"
+#include "Text/Messages.h"
+#include "Options/OptionGroup.h"
 #include "Plan.h"
 
 #include <CLI/CLI.hpp>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BenchScenes.h"
 
-#include "MessageCatcher.h"
-#include "Messages.h"
-#include "Pipeline.h"
-#include "Progress.h"
-#include "Readers.h"
-#include "Scenes.h"
+#include "System/MessageCatcher.h"
+#include "Text/Messages.h"
+#include "Scenes/Pipeline.h"
+#include "System/Progress.h"
+#include "Scenes/Readers.h"
+#include "Scenes/Scenes.h"
 
 #include <vtkNew.h>
 #include <vtkTriangleFilter.h>

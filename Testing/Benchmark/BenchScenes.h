@@ -3,9 +3,9 @@
 #ifndef WideFoVBenchScenes_h
 #define WideFoVBenchScenes_h
 
-#include "Options.h"
+#include "Options/Options.h"
 #include "RayCaster.h"
-#include "Scene.h"
+#include "Scenes/Scene.h"
 
 #include <string>
 #include <vector>

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BenchStage.h"
 
-#include "CameraSetup.h"
+#include "Pictures/CameraSetup.h"
 #include "CellPictures.h"
 #include "InteractiveRate.h"
-#include "Display.h"
-#include "MeshBuilder.h"
-#include "MessageCatcher.h"
-#include "Messages.h"
-#include "Passes.h"
-#include "StereoChoice.h"
+#include "System/Display.h"
+#include "Scenes/MeshBuilder.h"
+#include "System/MessageCatcher.h"
+#include "Text/Messages.h"
+#include "Pictures/Passes.h"
+#include "Options/StereoChoice.h"
 
 #include <vtkBoundingBox.h>
 #include <vtkCamera.h>

@@ -2,9 +2,9 @@
 #include "CellPictures.h"
 
 #include "BenchStage.h"
-#include "CameraSetup.h"
-#include "Display.h"
-#include "Passes.h"
+#include "Pictures/CameraSetup.h"
+#include "System/Display.h"
+#include "Pictures/Passes.h"
 
 #include <vtkCellData.h>
 #include <vtkPanoramicProjectionPass.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Environment.h"
 
-#include "Display.h"
+#include "System/Display.h"
 
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ErrorMeasure.h"
 
-#include "CameraSetup.h"
+#include "Pictures/CameraSetup.h"
 #include "CellPictures.h"
-#include "Messages.h"
-#include "Progress.h"
+#include "Text/Messages.h"
+#include "System/Progress.h"
 
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>

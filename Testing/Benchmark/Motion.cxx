@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Motion.h"
 
-#include "MeshBuilder.h"
+#include "Scenes/MeshBuilder.h"
 #include "Projections/Projection.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #ifndef WideFoVMotion_h
 #define WideFoVMotion_h
 
-#include "CameraSetup.h"
+#include "Pictures/CameraSetup.h"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Record.h"
 
-#include "Messages.h"
+#include "Text/Messages.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 
 #include "Metrics.h"
 #include "Motion.h"
-#include "Options.h"
-#include "Spread.h"
+#include "Options/Options.h"
+#include "System/Spread.h"
 
 #include <nlohmann/json.hpp>
 

@@ -2,7 +2,7 @@
 // Cameras that move before each frame: the pictures of the benchmark really turn, those of every
 // method by the same angle to the same side, and a film's are what each of its places shows.
 #include "BenchStage.h"
-#include "Display.h"
+#include "System/Display.h"
 #include "Plan.h"
 
 #include <vtkCamera.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // widefov-bench: run time against error, every technique beside VTK's cubemap pass.
 #include "Bench.h"
-#include "Messages.h"
-#include "OutputFiles.h"
-#include "Program.h"
+#include "Text/Messages.h"
+#include "System/OutputFiles.h"
+#include "System/Program.h"
 
 namespace
 {

@@ -91,7 +91,7 @@ bash Utilities/install-packages.sh build examples test
 
 step=building
 [ -f build/build.ninja ] || cmake --preset default
-cmake -DWIDEFOV_BUILD_TESTING=ON -DWIDEFOV_BUILD_EXAMPLES=ON build > /dev/null
+cmake -DWIDEFOV_BUILD_TESTING=ON -DWIDEFOV_BUILD_PROGRAMS=ON build > /dev/null
 targets=(widefov-bench)
 [ -z "$moving" ] || targets+=(widefov-viewer)
 cmake --build build --target "${targets[@]}"

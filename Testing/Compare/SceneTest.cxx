@@ -10,7 +10,7 @@
 #include "Stereo/Stereo.h"
 #include "vtkWideFoVPass.h"
 
-#include "Scenes.h"
+#include "Scenes/Scenes.h"
 
 #include <gtest/gtest.h>
 

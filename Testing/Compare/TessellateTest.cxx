@@ -7,7 +7,7 @@
 #include "vtkWideFoVPass.h"
 
 #ifdef WIDEFOV_SCENES
-#include "Scenes.h"
+#include "Scenes/Scenes.h"
 #endif
 
 #include <vtkPolyData.h>

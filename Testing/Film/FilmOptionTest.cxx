@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Command lines, lists and files of films that are refused, and in what words.
-#include "Film/DataSeries.h"
+#include "Scenes/DataSeries.h"
 #include "Film/FilmPath.h"
-#include "Messages.h"
-#include "Options.h"
-#include "OutputFiles.h"
+#include "Text/Messages.h"
+#include "Options/Options.h"
+#include "System/OutputFiles.h"
 
 #include <gtest/gtest.h>
 

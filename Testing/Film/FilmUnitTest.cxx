@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What films compute: names, ways, times, the boxes of MP4 files.
-#include "Film/DataSeries.h"
+#include "Scenes/DataSeries.h"
 #include "Film/FilmPath.h"
 #include "Film/Mp4Boxes.h"
-#include "Film/NumberPattern.h"
-#include "Messages.h"
-#include "OutputFiles.h"
+#include "Scenes/NumberPattern.h"
+#include "Text/Messages.h"
+#include "System/OutputFiles.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Files that hold both eyes, read again.
-#include "ImageOutput.h"
-#include "JpegXmp.h"
-#include "Messages.h"
-#include "OutputFiles.h"
+#include "Pictures/ImageOutput.h"
+#include "Pictures/JpegXmp.h"
+#include "Text/Messages.h"
+#include "System/OutputFiles.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>

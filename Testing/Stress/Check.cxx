@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Check.h"
 
-#include "MessageCatcher.h"
+#include "System/MessageCatcher.h"
 #include "NearestFace.h"
 #include "NearestPlace.h"
 #include "RightAnswers.h"

@@ -2,8 +2,8 @@
 #include "StressOptions.h"
 
 #include "Frame/Technique.h"
-#include "Messages.h"
-#include "OptionGroup.h"
+#include "Text/Messages.h"
+#include "Options/OptionGroup.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Worker.h"
 
-#include "Messages.h"
-#include "OptionValues.h"
+#include "Text/Messages.h"
+#include "Text/OptionValues.h"
 
 #include <csignal>
 #include <poll.h>

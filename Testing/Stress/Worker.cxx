@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Worker.h"
 
-#include "Display.h"
-#include "Messages.h"
+#include "System/Display.h"
+#include "Text/Messages.h"
 
 #include <vtkNew.h>
 #include <vtkPolyData.h>

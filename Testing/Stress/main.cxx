@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // widefov-stress: random primitives that are hard to draw, against the ray caster.
-#include "Display.h"
-#include "Messages.h"
-#include "OutputFiles.h"
-#include "Program.h"
-#include "Progress.h"
+#include "System/Display.h"
+#include "Text/Messages.h"
+#include "System/OutputFiles.h"
+#include "System/Program.h"
+#include "System/Progress.h"
 #include "Report.h"
 #include "Worker.h"
 

@@ -53,8 +53,8 @@ def reachable(floors):
     allowed["Module/Metadata"] = {"Module/Metadata"}
     below.add("Module/Metadata")
     allowed["Plugin"] = below | {"Plugin"}
-    allowed["Examples"] = below | {"Examples"}
-    allowed["Testing"] = below | {"Examples", "Testing"}
+    allowed["Programs"] = below | {"Programs"}
+    allowed["Testing"] = below | {"Programs", "Testing"}
     return allowed
 
 
@@ -73,9 +73,9 @@ VERSION_GUARD = re.compile(
     re.M,
 )
 DRIVER_GUARD = re.compile(r"\bGL_(?:VENDOR|RENDERER|VERSION)\b")  # elsewhere they are shown
-GUARDED = ("Module/", "Examples/", "Testing/", "Plugin/")
+GUARDED = ("Module/", "Programs/", "Testing/", "Plugin/")
 COMPAT = {"Module/": "Module/Compat/", "Plugin/": "Plugin/Compat/"}  # elsewhere the module's
-IN_NAMESPACE = ("Module/", "Examples/", "Testing/")  # ParaView's own classes are in none
+IN_NAMESPACE = ("Module/", "Programs/", "Testing/")  # ParaView's own classes are in none
 
 # VTK's own, or written beside them: in C++ headers these stand between two words of VTK's.
 VTK_CLASS = re.compile(r"^(?:class|struct)\s+(?:\w+_EXPORT\s+)?vtk\w+(?!\w|::)")
@@ -92,7 +92,7 @@ BUILT_IN_SINE = re.compile(r"\b(?:sin|cos|tan)\s*\(")
 # numbers (StereoNumber); people choose by name, so the camera's header says the names, and setters
 # keep theirs.
 MODELS = "Module/Stereo/"
-ASKS_NO_MODEL = ("Module/", "Plugin/", "Examples/")
+ASKS_NO_MODEL = ("Module/", "Plugin/", "Programs/")
 CHOOSES_MODELS = ("Module/Camera/vtkWideFoVCamera.h",)
 SAME_WORDS = re.compile(
     r"\b(?:[SG]et)?Warped(?:Stereo|Viewer)\b|off-?axis.?projection", re.I  # the latter is VTK's

@@ -42,7 +42,7 @@ TIDY = {
     "Module/vtkWide.cxx": HEAD + '#include "vtkWide.h"\n\n// gl_Position: see the shader\n'
     + "const Size s{ 1 };\n"
     + long_function(39),
-    "Examples/Tool.h": HEAD + '#include "vtkWide.h"\n',
+    "Programs/Tool.h": HEAD + '#include "vtkWide.h"\n',
     "Testing/Unit/TestTool.cxx": HEAD + '#include "Tool.h"\n#include "Map.h"\n',
     "Testing/helper.py": "# " + LICENCE + "\n\n\ndef helper():\n    return 1\n",
 }
@@ -59,7 +59,7 @@ BREACHES = [
     ("one way", "Module/Frame/Part.h", HEAD + '#include "vtkWide.h"\n'),
     ("one way", "Module/Shaders/Text.h", HEAD + '#include "Part.h"\n'),
     ("one way", "Module/Compat/Old.h", HEAD + '#include "Eyes.h"\n'),
-    ("one way", "Examples/Tool.h", HEAD + '#include "../Testing/Unit/Check.h"\n'),
+    ("one way", "Programs/Tool.h", HEAD + '#include "../Testing/Unit/Check.h"\n'),
     ("function length", "Module/vtkWide.cxx", HEAD + long_function(40)),
     ("function length", "Module/Shaders/stage.glsl", HEAD + long_function(40)),
     ("function length", "Module/vtkWide.cxx", HEAD + LONG_CONSTRUCTOR),
@@ -73,7 +73,7 @@ BREACHES = [
     ("licence", "CMakeLists.txt", "project(X)\n"),
     ("licence", "Testing/run.sh", "#!/bin/bash\n"),
     ("versions", "Module/vtkWide.cxx", HEAD + "#if VTK_VERSION_NUMBER > 90300\n#endif\n"),
-    ("versions", "Examples/Tool.h", HEAD + "#if __has_include(<vtk_glad.h>)\n#endif\n"),
+    ("versions", "Programs/Tool.h", HEAD + "#if __has_include(<vtk_glad.h>)\n#endif\n"),
     ("versions", "Testing/CMakeLists.txt", "# " + LICENCE + "\nif(VTK_VERSION LESS 9.3)\n"),
     ("versions", "Plugin/Views/V.cxx", HEAD + "#if PARAVIEW_VERSION_NUMBER > 51100\n#endif\n"),
     ("versions", "Plugin/Window/W.cxx", HEAD + "#elif QT_VERSION > 6\n#endif\n"),
@@ -88,7 +88,7 @@ BREACHES = [
     ("stereo model", "Module/Shaders/a.glsl", HEAD + "float side = float(wfvView.eye);\n"),
     ("stereo model", "Module/vtkWide.cxx", HEAD + "double r = std::abs(v.stereo.x);\n"),
     ("stereo model", "Module/vtkWide.cxx", HEAD + "bool Off(Model m) { return IsOffAxis(m); }\n"),
-    ("stereo model", "Examples/Tool.h", HEAD + 'bool b = name == "none";\n'),
+    ("stereo model", "Programs/Tool.h", HEAD + 'bool b = name == "none";\n'),
     ("stereo model", "Plugin/View.xml.in", "<Default model=\"offaxis\" />\n"),
     ("drawable", "Module/vtkWide.cxx", HEAD + 'bool b = m->IsA("vtkGlyph3DMapper");\n'),
     ("unset", "Module/Shaders/a.glsl", HEAD + "float wfvDepth = 0.0;\nvec3 wfvTop; // up\n"),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Meshes of fewer triangles: where they are, what they keep, and how many are left.
-#include "CoarseMesh.h"
-#include "CoarseScene.h"
+#include "Viewing/CoarseMesh.h"
+#include "Viewing/CoarseScene.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The sphere behind a picture: what it covers, and that each place has its own part of the picture.
-#include "Dome.h"
+#include "Viewing/Dome.h"
 
-#include "Angles.h"
+#include "Text/Angles.h"
 
 #include <vtkCellArray.h>
 #include <vtkDataArray.h>

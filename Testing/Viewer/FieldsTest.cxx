@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fields of view under zoom, through the projections and in windows of any shape: always
 // what the projection can show, and the first ones again in the end.
-#include "Choices.h"
-#include "CommandText.h"
-#include "Fields.h"
-#include "Keys.h"
-#include "Messages.h"
-#include "Session.h"
+#include "Viewing/Choices.h"
+#include "Viewing/CommandText.h"
+#include "Viewing/Fields.h"
+#include "Viewing/Keys.h"
+#include "Text/Messages.h"
+#include "Viewing/Session.h"
 
 #include <gtest/gtest.h>
 

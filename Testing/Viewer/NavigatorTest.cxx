@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The eye that a hand turns: what is grabbed, orbited or flown past, for random poses.
-#include "Navigator.h"
+#include "Viewing/Navigator.h"
 
-#include "MeshBuilder.h"
+#include "Scenes/MeshBuilder.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

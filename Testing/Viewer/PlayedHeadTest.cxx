@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Head poses at their times, and rays through screens.
-#include "Messages.h"
-#include "PlayedHead.h"
-#include "Room.h"
+#include "Text/Messages.h"
+#include "Viewing/PlayedHead.h"
+#include "Viewing/Room.h"
 
 #include <vtkNew.h>
 #include <vtkWideFoVScreenCamera.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The list of recent files, and that of poses.
-#include "Messages.h"
-#include "OutputFiles.h"
-#include "PoseList.h"
-#include "Recent.h"
+#include "Text/Messages.h"
+#include "System/OutputFiles.h"
+#include "Viewing/PoseList.h"
+#include "Viewing/Recent.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Memory.h"
 
-#include "Messages.h"
+#include "Text/Messages.h"
 #include "ScaleScenes.h"
 #include "ScaleStage.h"
 

@@ -3,9 +3,9 @@
 
 #include "InteractiveRate.h"
 
-#include "Display.h"
-#include "MessageCatcher.h"
-#include "Messages.h"
+#include "System/Display.h"
+#include "System/MessageCatcher.h"
+#include "Text/Messages.h"
 
 #include <vtkCamera.h>
 #include <vtkNew.h>

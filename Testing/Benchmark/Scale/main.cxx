@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // widefov-bench-scale: what many props, large meshes and narrow fields of view cost.
-#include "Display.h"
+#include "System/Display.h"
 #include "Environment.h"
 #include "Memory.h"
-#include "Messages.h"
-#include "OptionGroup.h"
-#include "OutputFiles.h"
-#include "Program.h"
+#include "Text/Messages.h"
+#include "Options/OptionGroup.h"
+#include "System/OutputFiles.h"
+#include "System/Program.h"
 #include "ScaleScenes.h"
 #include "ScaleStage.h"
-#include "Spread.h"
+#include "System/Spread.h"
 
 #include <CLI/CLI.hpp>
 #include <vtkWideFoVPolyDataMapper.h>

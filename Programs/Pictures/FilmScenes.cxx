@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FilmScenes.h"
+
+#include "Scenes/Datasets.h"
+#include "LoadScene.h"
+#include "System/MessageCatcher.h"
+#include "Text/Messages.h"
+#include "Scenes/Pipeline.h"
+#include "System/Progress.h"
+#include "Scenes/Readers.h"
+
+#include <vtkExodusIIReader.h>
+#include <vtkNew.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace widefov
+{
+namespace
+{
+// Step number `index` of a file whose first step was read well.
+void ReadExodusStep(SceneProp& prop, const std::string& path, int index)
+{
+  vtkNew<vtkExodusIIReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->UpdateInformation();
+  reader->SetAllArrayStatus(vtkExodusIIReader::NODAL, 1);
+  reader->SetAllArrayStatus(vtkExodusIIReader::ELEM_BLOCK, 1);
+  reader->SetTimeStep(index);
+  reader->Update();
+  const std::string error = MessageCatcher::TakeFirstError();
+  if (!error.empty())
+  {
+    Fail(path + " cannot be read: " + error + "; check that the file is complete");
+  }
+  prop.Source = reader->GetOutputDataObject(0);
+  prop.Surface = SurfaceOf(prop.Source);
+}
+
+// The range of the colours, where all props that have some share one array.
+bool AddRange(const Scene& scene, std::array<double, 2>& range)
+{
+  std::string array;
+  for (const SceneProp& prop : scene.Props)
+  {
+    if (prop.Array.empty() || prop.Direct || !prop.ColorMap)
+    {
+      continue;
+    }
+    if (!array.empty() && array != prop.Array)
+    {
+      return false;
+    }
+    array = prop.Array;
+    const double* const own = prop.ColorMap->GetRange();
+    range = { { std::min(range[0], own[0]), std::max(range[1], own[1]) } };
+  }
+  return !array.empty();
+}
+}
+
+FilmScenes::FilmScenes(const Options& o)
+  : Look(LookOf(o))
+  , Strict(o.Film.Strict)
+{
+  this->FindFiles(o);
+  if (!this->Series)
+  {
+    this->Shown = LoadFixed(o);
+    this->ShownStep = 0;
+    this->AddBounds();
+  }
+  else if (o.Time)
+  {
+    this->FirstStep = this->Series->StepFor(*o.Time);
+  }
+  this->Look.OfSeries = this->Series.has_value();
+  if (this->Series && !this->Look.Range)
+  {
+    this->FindRange();
+  }
+}
+
+void FilmScenes::CheckTime(const Options& o) const
+{
+  const bool film = o.Film.Kind == "time";
+  if (!this->Series && (film || o.Time))
+  {
+    FailUsage(std::string(film ? "--film time" : "--time") +
+      " needs data that change with time: a .pvd or .series file, " +
+      (film ? "several files, " : "") +
+      "numbered files such as flow_%04d.vtp, or an .ex2 file with several steps");
+  }
+}
+
+void FilmScenes::FindFiles(const Options& o)
+{
+  std::vector<std::string> fixed;
+  for (const std::string& path : o.Files)
+  {
+    std::optional<DataSeries> series = DataSeries::Find(path);
+    if (!series)
+    {
+      fixed.push_back(path);
+      continue;
+    }
+    if (this->Series)
+    {
+      Fail(path + " and " + this->Series->GetName() +
+        " both change with time; give one of them, or join them in a .pvd file");
+    }
+    this->Series = series;
+  }
+  if (!this->Series && o.Film.Kind == "time" && fixed.size() > 1)
+  {
+    this->Series = DataSeries::OfFiles(fixed);
+    fixed.clear();
+  }
+  this->CheckTime(o);
+  if (this->Series)
+  {
+    this->Fixed = ReadScene(fixed);
+  }
+}
+
+Scene FilmScenes::ReadStep(std::size_t number) const
+{
+  const TimeStep& step = this->Series->GetSteps()[number];
+  Scene moving = ReadScene(step.Files);
+  if (step.Index > 0)
+  {
+    ReadExodusStep(moving.Props.front(), step.Files.front(), step.Index);
+  }
+  Scene scene = this->Fixed;
+  for (SceneProp& prop : moving.Props)
+  {
+    prop.Index += static_cast<int>(this->Fixed.Props.size());
+    scene.Props.push_back(prop);
+  }
+  Prepare(scene, this->Look);
+  return scene;
+}
+
+bool FilmScenes::TryStep(std::size_t step)
+{
+  if (this->ShownStep == step)
+  {
+    return true;
+  }
+  if (this->Broken.count(step) > 0)
+  {
+    return false;
+  }
+  try
+  {
+    this->Shown = this->ReadStep(step);
+    this->ShownStep = step;
+    this->AddBounds();
+    this->SayComplaints();
+    return true;
+  }
+  catch (const Failure& failure)
+  {
+    if (this->Strict)
+    {
+      throw;
+    }
+    this->Complain(step, failure.what());
+    return false;
+  }
+}
+
+void FilmScenes::AddBounds()
+{
+  double b[6];
+  if (SceneBounds(this->Shown, b))
+  {
+    this->Bounds.AddBounds(b);
+  }
+}
+
+// One line says it where no step can be read: so lines of steps wait for one that can.
+void FilmScenes::Complain(std::size_t step, const std::string& complaint)
+{
+  this->FirstComplaint = this->Broken.empty() ? complaint : this->FirstComplaint;
+  this->SameComplaint = this->SameComplaint && complaint == this->FirstComplaint;
+  this->Broken.insert(step);
+  this->Untold.emplace_back(step, complaint);
+  if (this->Bounds.IsValid() != 0)
+  {
+    this->SayComplaints();
+  }
+}
+
+void FilmScenes::SayComplaints()
+{
+  for (const auto& [step, complaint] : this->Untold)
+  {
+    Say("time step " + std::to_string(step) +
+      " is left out, and its frames show another: " + complaint);
+  }
+  this->Untold.clear();
+}
+
+void FilmScenes::FindRange()
+{
+  Progress progress("finding the range of the colours in all time steps; --range A,B saves it");
+  std::array<double, 2> range{ { HUGE_VAL, -HUGE_VAL } };
+  const std::size_t count = this->GetNumberOfSteps();
+  // what both ends complain of in the same words, such as an array that is not there, is said
+  // before those between are read
+  if (count > 2 && !this->TryStep(0) && !this->TryStep(count - 1) && this->SameComplaint)
+  {
+    Fail(this->FirstComplaint);
+  }
+  for (std::size_t i = 0; i < count; i++)
+  {
+    if (this->TryStep(i) && !AddRange(this->Shown, range))
+    {
+      return; // each has its own colours, or none has
+    }
+    progress.Update(static_cast<double>(i + 1) / static_cast<double>(count));
+  }
+  this->AllRead = true;
+  if (range[0] < range[1])
+  {
+    this->Look.Range = range;
+    this->ShownStep.reset(); // it was drawn in its own range
+  }
+}
+
+const Scene& FilmScenes::GetScene(std::size_t step)
+{
+  for (std::size_t i = step + 1; i-- > 0;)
+  {
+    if (this->TryStep(i))
+    {
+      return this->Shown;
+    }
+  }
+  for (std::size_t i = step + 1; i < this->GetNumberOfSteps(); i++)
+  {
+    if (this->TryStep(i))
+    {
+      return this->Shown;
+    }
+  }
+  // the same trouble with all is that of the command line
+  Fail(this->SameComplaint
+      ? this->FirstComplaint
+      : "no time step can be read; the first complaint: " + this->FirstComplaint);
+}
+
+vtkBoundingBox FilmScenes::FindBounds()
+{
+  if (!this->AllRead)
+  {
+    this->GetScene(this->GetNumberOfSteps() - 1);
+  }
+  return this->Bounds;
+}
+}

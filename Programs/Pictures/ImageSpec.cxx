@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ImageSpec.h"
+
+#include "System/OutputFiles.h"
+
+#include "GPano.h"
+#include "Text/Messages.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+namespace widefov
+{
+namespace
+{
+constexpr int JpegQuality = 95; // percent
+
+struct Format
+{
+  const char* Ending;
+  const char* Writer; // OpenImageIO's name
+};
+
+const std::vector<Format> Formats{ { ".png", "png" }, { ".jpg", "jpeg" }, { ".jpeg", "jpeg" },
+  { ".tif", "tiff" }, { ".tiff", "tiff" }, { ".exr", "openexr" } };
+
+void AddEnvironment(OIIO::ImageSpec& spec, const PanoramaInfo& info)
+{
+  spec.attribute("compression", "zip");
+  // a latitude-longitude environment is the whole sphere by definition
+  if (info.Equirectangular && info.StereoMode.empty() && info.Whole[0] == 0 &&
+    info.HorizontalFov == 360 && info.VerticalFov == 180)
+  {
+    spec.attribute("textureformat", "LatLong Environment");
+  }
+}
+
+void AddGPano(OIIO::ImageSpec& spec, const PanoramaInfo& info)
+{
+  for (const wfvxmp::Field& field : GPanoFields(spec.width, spec.height, info))
+  {
+    spec.attribute("GPano:" + field.Name, field.Value);
+  }
+}
+}
+
+std::string WriterFor(const std::string& path)
+{
+  if (path == StandardStream)
+  {
+    return "png";
+  }
+  std::string ending = std::filesystem::path(path).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const auto format = std::find_if(
+    Formats.begin(), Formats.end(), [&](const Format& f) { return ending == f.Ending; });
+  return format == Formats.end() ? "" : format->Writer;
+}
+
+OIIO::ImageSpec PictureSpec(
+  int width, int height, const std::string& path, const PanoramaInfo& info)
+{
+  const std::string writer = WriterFor(path);
+  const bool exr = writer == "openexr";
+  OIIO::ImageSpec spec(width, height, 3, exr ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8);
+  spec.attribute("Software", "VTKWideFoV " + GetProgramName());
+  if (exr)
+  {
+    AddEnvironment(spec, info);
+  }
+  else if (info.Equirectangular && writer != "png" && info.StereoMode.empty())
+  {
+    AddGPano(spec, info);
+  }
+  if (writer == "jpeg")
+  {
+    spec.attribute("CompressionQuality", JpegQuality);
+  }
+  if (writer == "tiff")
+  {
+    spec.attribute("compression", "zip");
+  }
+  return spec;
+}
+
+OIIO::ImageSpec FloatSpec(
+  int width, int height, const std::vector<std::string>& channels, const PanoramaInfo& info)
+{
+  OIIO::ImageSpec spec(width, height, static_cast<int>(channels.size()), OIIO::TypeDesc::FLOAT);
+  spec.channelnames = channels;
+  spec.attribute("Software", "VTKWideFoV " + GetProgramName());
+  AddEnvironment(spec, info);
+  return spec;
+}
+
+std::vector<unsigned char> PngPanorama(
+  int width, int height, const std::string& path, const PanoramaInfo& info)
+{
+  if (WriterFor(path) != "png" || !info.Equirectangular)
+  {
+    return {};
+  }
+  return wfvxmp::PngChunk(
+    info.StereoMode.empty() ? GPanoXmp(width, height, info) : SphericalXmp(width, height, info));
+}
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The scene that the options name.
+#ifndef WideFoVLoadScene_h
+#define WideFoVLoadScene_h
+
+#include "Options/Options.h"
+#include "Scenes/Scene.h"
+
+namespace widefov
+{
+// Reads the files, or makes the built-in scene, and gives it the look that the options ask
+// for; of data that change with time the step of --time. Throws a Failure with ExitFailed.
+Scene LoadScene(const Options& options);
+
+// The same of data that do not change.
+Scene LoadFixed(const Options& options);
+
+// The look that the options ask for, as far as they can show it.
+Look LookOf(const Options& options);
+
+// Gives what was read that look. Throws a Failure with ExitFailed.
+void Prepare(Scene& scene, const Look& look);
+
+// For --verbose: what is to be drawn.
+void TellOfScene(const Scene& scene);
+}
+
+#endif

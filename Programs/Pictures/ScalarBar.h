@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The bar of the colours: in the plane of the picture, or in a direction.
+#ifndef WideFoVScalarBar_h
+#define WideFoVScalarBar_h
+
+#include "vtkWideFoVAbi.h"
+
+#include "Options/OptionGroup.h"
+#include "Options/Options.h"
+#include "Scenes/Scene.h"
+
+#include <vtkProp.h>
+#include <vtkScalarBarActor.h>
+#include <vtkSmartPointer.h>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkRenderer;
+VTK_ABI_NAMESPACE_END
+
+namespace widefov
+{
+// --scalar-bar-at
+void DeclareScalarBar(OptionGroup& group, Options& options);
+
+// After all of the view is known. Throws a Failure with ExitUsage where the bar cannot stand there.
+void CheckScalarBar(Options& options);
+
+// The bar of the scene's colour map, or nullptr where it has none.
+vtkSmartPointer<vtkScalarBarActor> MakeScalarBar(const Scene& scene);
+
+// Adds that bar to the renderer, where the options want it: what was added, or nullptr.
+vtkSmartPointer<vtkProp> AddScalarBar(
+  vtkRenderer* renderer, const Scene& scene, const Options& options);
+}
+
+#endif

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// widefov-render: pictures of VTK data in wide and non-planar projections.
+#include "Pictures/CameraSetup.h"
+#include "Pictures/DirectionMapFile.h"
+#include "DryRun.h"
+#include "Pictures/EyeDistance.h"
+#include "Film/FilmJob.h"
+#include "Options/FilmOptions.h"
+#include "Pictures/FirstView.h"
+#include "Pictures/Info.h"
+#include "Pictures/Listing.h"
+#include "Pictures/LoadScene.h"
+#include "Text/Messages.h"
+#include "Options/Options.h"
+#include "System/OutputFiles.h"
+#include "Pictures/PictureFiles.h"
+#include "System/Program.h"
+#include "System/Progress.h"
+#include "RenderJob.h"
+#include "SightsJob.h"
+#include "Pictures/SkyPicture.h"
+#include "System/StandardInput.h"
+#include "Options/StereoLayout.h"
+#include "Options/StereoOptions.h"
+
+namespace
+{
+using namespace widefov;
+
+void CheckOutputs(const Options& options)
+{
+  for (const std::string& output : options.Outputs)
+  {
+    for (const std::string& file : FilesOf(options, output))
+    {
+      CheckWritable(file);
+    }
+  }
+  for (const std::string& output : { options.Aov, options.Stats })
+  {
+    if (!output.empty())
+    {
+      CheckWritable(output);
+    }
+  }
+  if (!options.DumpShaders.empty())
+  {
+    CheckFolder(options.DumpShaders);
+  }
+}
+
+void WriteAll(const Options& options, const Scene& scene, RenderResult& result, OutputFiles& files)
+{
+  const Progress progress("writing");
+  const Stopwatch watch;
+  for (const std::string& output : options.Outputs)
+  {
+    for (const auto& [name, bytes] : EncodeFiles(options, output, result.Colors))
+    {
+      files.Write(name, bytes.data(), bytes.size());
+    }
+  }
+  if (result.Aov)
+  {
+    const std::vector<unsigned char> bytes = EncodeFloats(*result.Aov, DescribePanorama(options));
+    files.Write(options.Aov, bytes.data(), bytes.size());
+  }
+  if (!options.Stats.empty())
+  {
+    result.Stats.Parts.Writing = watch.GetMilliseconds();
+    const std::string text = StatsText(options, scene, result.Stats);
+    files.Write(options.Stats, text.data(), text.size());
+  }
+  files.Commit();
+}
+
+void DrawSights(const Options& options, const Scene& scene, double reading)
+{
+  OutputFiles files;
+  const Stopwatch watch;
+  RenderStats stats = RenderSights(scene, options, files);
+  stats.Parts.Reading = reading;
+  stats.Parts.Drawing = watch.GetMilliseconds();
+  if (!options.Stats.empty())
+  {
+    const std::string text = StatsText(options, scene, stats);
+    files.Write(options.Stats, text.data(), text.size());
+  }
+  files.Commit();
+}
+
+// For --verbose.
+void TellOfPictures(const Options& options, const RenderStats& stats)
+{
+  Tell("drawn by " + stats.Gl.Renderer + ", OpenGL " + stats.Gl.Version);
+  for (const std::string& output : options.Outputs)
+  {
+    for (const std::string& file : FilesOf(options, output))
+    {
+      Tell("written: " + file);
+    }
+  }
+}
+
+// Prints what is asked for instead of a picture, or makes the film.
+bool DoOtherWork(Options& options)
+{
+  const std::string told = ListingText(options) + InfoText(options);
+  if (!told.empty())
+  {
+    Print(told);
+    return true;
+  }
+  if (HasFilm(options))
+  {
+    MakeFilm(options);
+    return true;
+  }
+  return false;
+}
+
+void Draw(const Options& options, const Scene& scene, double reading)
+{
+  TellOfScene(scene);
+  if (HasRoom(options))
+  {
+    DrawSights(options, scene, reading);
+    return;
+  }
+  OutputFiles files;
+  RenderResult result = Render(scene, options, files);
+  result.Stats.Parts.Reading = reading;
+  WriteAll(options, scene, result, files);
+  TellOfPictures(options, result.Stats);
+}
+
+int Run(int argc, char** argv)
+{
+  Options options;
+  if (const std::optional<int> done = ParseOptions(argc, argv, options))
+  {
+    return *done;
+  }
+  if (DoOtherWork(options))
+  {
+    return ExitDone;
+  }
+  if (!options.DryRun)
+  {
+    CheckOutputs(options);
+  }
+  LoadDirectionMap(options);
+  LoadSky(options);
+  CheckSights(options);
+  const Stopwatch watch;
+  const StandardInput input(options.Files);
+  const Scene scene = LoadScene(options);
+  ChooseView(options, scene);
+  const double reading = watch.GetMilliseconds();
+  MakePose(scene, options); // complains before a window is opened
+  FitEyes(options, scene);
+  if (options.DryRun)
+  {
+    Print(DryRunText(options, scene));
+    return ExitDone;
+  }
+  Draw(options, scene, reading);
+  return ExitDone;
+}
+}
+
+int main(int argc, char** argv)
+{
+  return RunProgram("widefov-render", [=] { return Run(argc, argv); });
+}
