@@ -3,9 +3,9 @@
 #ifndef WideFoVFfmpeg_h
 #define WideFoVFfmpeg_h
 
-#include "System/ChildProcess.h"
 #include "Options/Codecs.h"
 #include "Options/Options.h"
+#include "System/ChildProcess.h"
 
 #include <array>
 #include <string>

@@ -2,14 +2,14 @@
 #include "FilmFile.h"
 
 #include "Ffmpeg.h"
-#include "Options/FilmOptions.h"
 #include "FrameFiles.h"
-#include "SphericalTags.h"
-#include "Text/Messages.h"
-#include "System/OutputFiles.h"
-#include "Pictures/PictureFiles.h"
+#include "Options/FilmOptions.h"
 #include "Options/StereoChoice.h"
 #include "Options/StereoLayout.h"
+#include "Pictures/EyePictures.h"
+#include "SphericalTags.h"
+#include "System/OutputFiles.h"
+#include "Text/Messages.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,10 +3,10 @@
 #ifndef WideFoVFilmFile_h
 #define WideFoVFilmFile_h
 
-#include "System/ChildProcess.h"
-#include "Options/Codecs.h"
 #include "FilmParts.h"
 #include "FilmSink.h"
+#include "Options/Codecs.h"
+#include "System/ChildProcess.h"
 
 #include <array>
 #include <atomic>

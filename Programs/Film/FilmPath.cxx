@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FilmPath.h"
 
-#include "Text/Angles.h"
-#include "StreamFlight.h"
 #include "Scenes/MeshBuilder.h"
-#include "Text/Messages.h"
+#include "StreamFlight.h"
 #include "System/NumberLines.h"
+#include "Text/Angles.h"
+#include "Text/Messages.h"
 
 #include <vtkQuaternion.h>
 

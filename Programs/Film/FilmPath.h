@@ -3,8 +3,8 @@
 #ifndef WideFoVFilmPath_h
 #define WideFoVFilmPath_h
 
-#include "Pictures/CameraSetup.h"
 #include "Options/Options.h"
+#include "Pictures/CameraSetup.h"
 #include "Scenes/Scene.h"
 
 #include <functional>

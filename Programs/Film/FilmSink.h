@@ -3,8 +3,8 @@
 #ifndef WideFoVFilmSink_h
 #define WideFoVFilmSink_h
 
-#include "Pictures/ImageOutput.h"
 #include "Options/Options.h"
+#include "Pictures/ImageOutput.h"
 
 #include <memory>
 #include <string>

@@ -2,10 +2,9 @@
 #include "FrameFiles.h"
 
 #include "Options/FilmOptions.h"
-#include "Text/Messages.h"
-#include "System/OutputFiles.h"
 #include "Pictures/PictureFiles.h"
-#include "Options/StereoOptions.h"
+#include "System/OutputFiles.h"
+#include "Text/Messages.h"
 
 #include <filesystem>
 

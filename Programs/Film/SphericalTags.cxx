@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SphericalTags.h"
 
-#include "Pictures/GPano.h"
-#include "Text/Messages.h"
-#include "Pictures/PictureFiles.h"
 #include "Options/StereoChoice.h"
 #include "Options/StereoLayout.h"
-#include "Options/StereoOptions.h"
+#include "Pictures/GPano.h"
+#include "Pictures/PictureFiles.h"
+#include "Text/Messages.h"
 
 #include <algorithm>
 #include <cmath>

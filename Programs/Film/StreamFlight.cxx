@@ -3,8 +3,8 @@
 
 #include "Scenes/Datasets.h"
 #include "Scenes/MeshBuilder.h"
-#include "Text/Messages.h"
 #include "Scenes/VectorField.h"
+#include "Text/Messages.h"
 
 #include <vtkCellArray.h>
 #include <vtkNew.h>

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Borders.h"
 
-#include "Text/Angles.h"
 #include "FilmOptions.h"
+#include "Text/Angles.h"
 #include "Text/Messages.h"
-
-#include <vtkScalarBarActor.h>
 
 #include <algorithm>
 #include <cmath>
@@ -153,17 +151,5 @@ void TakeBorders(Options& o, const wfv::Projection& p, const FieldsOfView& given
   }
   CheckPart(o, p);
   FitPart(o);
-}
-
-void PlaceBar(vtkScalarBarActor* bar, const Options& o)
-{
-  const PartOfPicture part = o.Part.value_or(PartOfPicture{ o.Size, { { 0, 0 } } });
-  const auto share = [&](int i, double length) { return length * o.Size[i] / part.Whole[i]; };
-  const auto place = [&](int i, double at) {
-    return double(part.Start[i]) / part.Whole[i] + share(i, at);
-  };
-  bar->SetPosition(place(0, 0.36), place(1, 0.03));
-  bar->SetWidth(share(0, 0.28));
-  bar->SetHeight(share(1, 0.10));
 }
 }

@@ -3,16 +3,10 @@
 #ifndef WideFoVBorders_h
 #define WideFoVBorders_h
 
-#include "vtkWideFoVAbi.h"
-
-#include "OptionCheck.h"
+#include "FieldsOfView.h"
 #include "Options.h"
 
 #include <array>
-
-VTK_ABI_NAMESPACE_BEGIN
-class vtkScalarBarActor;
-VTK_ABI_NAMESPACE_END
 
 namespace widefov
 {
@@ -33,9 +27,6 @@ wfv::vec2 InWhole(const Options& options, const wfv::vec2& ndc);
 
 // Angles of the borders from the axis, as --borders takes them. Only of a picture that is a part.
 std::array<double, 4> BordersOf(const Options& options);
-
-// Puts a bar to its place in the picture, whole or a part.
-void PlaceBar(vtkScalarBarActor* bar, const Options& options);
 }
 
 #endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Completion.h"
 
-#include "OptionGroup.h"
 #include "Text/OptionValues.h"
 
 #include <CLI/CLI.hpp>
@@ -57,6 +56,25 @@ std::string Branches(const CLI::App& app)
   }
   return text;
 }
+}
+
+std::map<std::string, std::vector<std::string>>& Completions()
+{
+  static std::map<std::string, std::vector<std::string>> all;
+  return all;
+}
+
+std::vector<std::string> OptionNames(const CLI::App& app)
+{
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options())
+  {
+    for (const std::string& name : option->get_lnames())
+    {
+      names.push_back("--" + name);
+    }
+  }
+  return names;
 }
 
 std::string BashCompletion(const CLI::App& app)

@@ -2,16 +2,14 @@
 #include "FilmOptions.h"
 
 #include "Codecs.h"
-#include "Scenes/NumberPattern.h"
-#include "Pictures/ImageOutput.h"
-#include "Text/Messages.h"
 #include "OptionGroup.h"
-#include "Text/OptionValues.h"
-#include "Pictures/PictureFiles.h"
+#include "OutputNames.h"
 #include "Presets/Presets.h"
-#include "Pictures/Sights.h"
+#include "Scenes/NumberPattern.h"
 #include "StereoChoice.h"
 #include "StereoLayout.h"
+#include "Text/Messages.h"
+#include "Text/OptionValues.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HeadPose.h"
 
-#include "Text/Messages.h"
 #include "System/NumberLines.h"
+#include "Text/Messages.h"
 
 #include <algorithm>
 #include <cmath>

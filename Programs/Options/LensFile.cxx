@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LensFile.h"
 
-#include "Text/Messages.h"
 #include "System/SmallFile.h"
+#include "Text/Messages.h"
 
 #include <yaml-cpp/yaml.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LensView.h"
 
-#include "Text/Angles.h"
 #include "LensMap.h"
+#include "Text/Angles.h"
 #include "Text/Messages.h"
 
 #include <algorithm>

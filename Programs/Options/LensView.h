@@ -3,7 +3,8 @@
 #ifndef WideFoVLensView_h
 #define WideFoVLensView_h
 
-#include "OptionCheck.h"
+#include "FieldsOfView.h"
+#include "Options.h"
 
 namespace widefov
 {

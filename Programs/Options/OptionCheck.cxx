@@ -1,22 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OptionCheck.h"
 
-#include "Text/Angles.h"
 #include "Borders.h"
 #include "Displays.h"
 #include "FilmOptions.h"
-#include "Pictures/FirstView.h"
-#include "Pictures/ImageOutput.h"
 #include "LensView.h"
+#include "OutputNames.h"
+#include "RoomOptions.h"
 #include "Scenes/MeshBuilder.h"
-#include "Text/Messages.h"
-#include "Text/OptionValues.h"
-#include "System/OutputFiles.h"
-#include "Pictures/ScalarBar.h"
-#include "Pictures/Sights.h"
 #include "StereoChoice.h"
 #include "StereoLayout.h"
 #include "StereoOptions.h"
+#include "System/OutputFiles.h"
+#include "Text/Angles.h"
+#include "Text/Messages.h"
+#include "Text/OptionValues.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +24,6 @@ namespace widefov
 {
 namespace
 {
-
 // Horizontal field of view of the perspective where none is given, degrees.
 constexpr double PerspectiveFov = 90;
 
@@ -141,6 +138,22 @@ void CheckCamera(const Options& o)
   if (o.Eye && o.LookAt && *o.Eye == *o.LookAt)
   {
     FailUsage("--look-at is the same point as --eye; choose another");
+  }
+}
+
+void CheckFirstView(const Options& o)
+{
+  if (o.Inside && o.Outside)
+  {
+    FailUsage("--inside and --outside exclude each other; give one");
+  }
+  if (o.Look.Volume && !o.Look.UsualVolume)
+  {
+    FailUsage("--volume and --no-volume exclude each other; give one");
+  }
+  if (o.Eye && (o.Inside || o.Outside))
+  {
+    FailUsage("--eye says where the eye is; leave --inside and --outside out");
   }
 }
 
@@ -262,6 +275,34 @@ void CheckDrawing(Options& o)
               "module draws, not for " +
       std::string(wide ? "--technique cubemap" : "a perspective that stock VTK draws") +
       "; leave them out");
+  }
+}
+
+void CheckScalarBar(Options& o)
+{
+  const std::vector<double>& at = o.ScalarBarAt;
+  if (at.empty())
+  {
+    return;
+  }
+  if (std::abs(at[0]) > 360 || std::abs(at[1]) > 90 || (at.size() > 2 && !(at[2] > 0)))
+  {
+    FailUsage("--scalar-bar-at: the azimuth is in [-360, 360], the elevation in [-90, 90], the "
+              "depth above 0");
+  }
+  if (o.Technique == Technique::CubeMap || !o.Screens.empty())
+  {
+    FailUsage("--scalar-bar-at goes neither with --technique cubemap nor with --screens; give "
+              "--scalar-bar instead");
+  }
+  if (at.size() < 3 && HasTwoEyes(o))
+  {
+    FailUsage("--scalar-bar-at needs a depth for two eyes, AZ,EL,DEPTH: what is nearer hides it");
+  }
+  const std::array<double, 2>& clip = o.View.Radii;
+  if (at.size() > 2 && o.HasClip && !(at[2] > clip[0] && at[2] < clip[1]))
+  {
+    FailUsage("--scalar-bar-at: the depth is not between the radii of --clip");
   }
 }
 

@@ -3,22 +3,11 @@
 #ifndef WideFoVOptionCheck_h
 #define WideFoVOptionCheck_h
 
+#include "FieldsOfView.h"
 #include "Options.h"
-
-#include <optional>
-#include <vector>
 
 namespace widefov
 {
-// The fields of view as given; which ones apply depends on the projection. Degrees.
-struct FieldsOfView
-{
-  std::optional<double> Horizontal;
-  std::optional<double> Vertical;
-  std::optional<double> Round;
-  std::vector<double> Lens; // empty: the ideal lens
-};
-
 // Sets the fields of view to so many degrees across and, of projections that are not round, to as
 // much upwards as makes the pixels square in the middle, or as much as there is.
 void SetField(Options& options, double across);

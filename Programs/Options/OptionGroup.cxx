@@ -39,25 +39,6 @@ std::string FirstUnknown(const CLI::App& app)
 }
 }
 
-std::map<std::string, std::vector<std::string>>& Completions()
-{
-  static std::map<std::string, std::vector<std::string>> all;
-  return all;
-}
-
-std::vector<std::string> OptionNames(const CLI::App& app)
-{
-  std::vector<std::string> names;
-  for (const CLI::Option* option : app.get_options())
-  {
-    for (const std::string& name : option->get_lnames())
-    {
-      names.push_back("--" + name);
-    }
-  }
-  return names;
-}
-
 CLI::Option* OptionGroup::Add(const std::string& name, const std::string& type,
   const std::string& standard, const std::string& text, const Setter& set)
 {

@@ -8,7 +8,6 @@
 
 #include <array>
 #include <functional>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -65,13 +64,6 @@ private:
   CLI::App& App;
   std::string Title;
 };
-
-// What a shell may complete the value of an option to, by the option's name; filled as options are
-// declared.
-std::map<std::string, std::vector<std::string>>& Completions();
-
-// The long names of all options, with their hyphens.
-std::vector<std::string> OptionNames(const CLI::App& app);
 
 // Throws a Failure with ExitUsage; returns an exit code where nothing is left to do
 // (--help was printed).

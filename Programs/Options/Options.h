@@ -3,12 +3,12 @@
 #ifndef WideFoVOptions_h
 #define WideFoVOptions_h
 
-#include "Frame/Technique.h"
 #include "Film.h"
+#include "Frame/Technique.h"
 #include "HeadPose.h"
 #include "LensFile.h"
-#include "Scenes/Look.h"
 #include "Projections/Projection.h"
+#include "Scenes/Look.h"
 #include "ScreensFile.h"
 #include "Stereo/Stereo.h"
 
@@ -20,15 +20,8 @@
 #include <string>
 #include <vector>
 
-namespace CLI
-{
-class App;
-}
-
 namespace widefov
 {
-struct FieldsOfView; // OptionCheck.h
-
 // Those of the module by their numbers, and stock VTK's pass.
 enum class Technique
 {
@@ -139,14 +132,6 @@ struct Options
   bool DryRun = false;    // say what would be drawn, and end
   std::string ListArrays; // of this file; empty: of none
 };
-
-// Declares what every program takes that draws a scene: data, view, drawing, stereo, lists.
-// The targets must outlive the parsing.
-void DeclareScene(CLI::App& app, Options& options, FieldsOfView& fov);
-
-// Parses and checks the command line of widefov-render. Throws a Failure with ExitUsage; returns an
-// exit code where nothing is left to do (--help was printed).
-std::optional<int> ParseOptions(int argc, char** argv, Options& options);
 }
 
 #endif

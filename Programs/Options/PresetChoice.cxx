@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PresetChoice.h"
 
-#include "Text/Messages.h"
 #include "OptionGroup.h"
+#include "Presets/Presets.h"
 #include "Settings.h"
 #include "StereoChoice.h"
-#include "Presets/Presets.h"
+#include "Text/Messages.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>

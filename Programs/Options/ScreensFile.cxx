@@ -2,8 +2,8 @@
 #include "ScreensFile.h"
 
 #include "System/MessageCatcher.h"
-#include "Text/Messages.h"
 #include "System/SmallFile.h"
+#include "Text/Messages.h"
 
 #include <vtkNew.h>
 #include <vtkXMLDataElement.h>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Settings.h"
 
-#include "Text/Messages.h"
+#include "Completion.h"
 #include "OptionGroup.h"
+#include "Text/Messages.h"
 
 #include <CLI/CLI.hpp>
 

@@ -5,6 +5,8 @@
 
 #include "Options.h"
 
+#include <array>
+
 namespace widefov
 {
 // The stereo model that the options name.
@@ -15,6 +17,9 @@ bool HasTwoEyes(const Options& options);
 
 // Its eyes look at the cube of the map with its depth.
 bool ShowsCube(const Options& options);
+
+// Width and height of the picture in a file, with both eyes if the layout puts them into one.
+std::array<int, 2> SizeOfFile(const Options& options);
 }
 
 #endif

@@ -3,8 +3,6 @@
 #ifndef WideFoVStereoLayout_h
 #define WideFoVStereoLayout_h
 
-#include "Pictures/ImageOutput.h"
-
 #include <string>
 #include <vector>
 
@@ -42,18 +40,9 @@ std::vector<std::string> StereoLayoutNames();
 // The layout of that name; it must be one of them.
 const StereoLayout& FindStereoLayout(const std::string& name);
 
-// The pictures to write, from those drawn with each of the types.
-std::vector<Picture> Arrange(const StereoLayout& layout, const std::vector<Picture>& eyes);
-
 // Name of the file of picture number i: picture-left.png, picture-right.png where each eye has
 // its own.
 std::string FileOfEye(const StereoLayout& layout, const std::string& path, std::size_t i);
-
-// Two pictures of one size, the first on the left or above.
-Picture Join(const Picture& first, const Picture& second, bool below);
-
-// Half as wide or half as high: the mean of two pixels each; an odd last one is its own mean.
-Picture Halve(const Picture& picture, bool height);
 }
 
 #endif

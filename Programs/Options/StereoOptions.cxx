@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StereoOptions.h"
 
-#include "Pictures/ImageOutput.h"
-#include "Text/Messages.h"
-#include "Pictures/Sights.h"
+#include "Completion.h"
+#include "OutputNames.h"
+#include "Stereo/Stereo.h"
 #include "StereoChoice.h"
 #include "StereoLayout.h"
-#include "Stereo/Stereo.h"
-
-#include <vtkNew.h>
-#include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
-#include <vtkWideFoVStereoWindow.h>
+#include "Text/Messages.h"
 
 #include <algorithm>
 #include <cmath>
@@ -303,34 +298,6 @@ const std::vector<std::string>& AnaglyphColors()
   return colors;
 }
 
-void SetAnaglyph(vtkRenderWindow* window, const Options& o)
-{
-  window->SetAnaglyphColorMask(o.AnaglyphMask[0], o.AnaglyphMask[1]);
-  window->SetAnaglyphColorSaturation(static_cast<float>(o.AnaglyphSaturation));
-}
-
-void AddStereoWindow(vtkRenderer* renderer, const Options& o)
-{
-  if (o.FloatingWindow > 0 || o.Letterbox > 0)
-  {
-    vtkNew<vtkWideFoVStereoWindow> window;
-    window->SetFloating(o.FloatingWindow);
-    window->SetLetterbox(o.Letterbox);
-    renderer->AddViewProp(window);
-  }
-}
-
-std::vector<std::string> FilesOf(const Options& o, const std::string& output)
-{
-  const StereoLayout& layout = FindStereoLayout(o.Layout);
-  const std::string name = NameOfScreen(o, output);
-  if (!HasTwoEyes(o) || !layout.Separate)
-  {
-    return { NameOfPose(o, name) };
-  }
-  return { NameOfPose(o, FileOfEye(layout, name, 0)), NameOfPose(o, FileOfEye(layout, name, 1)) };
-}
-
 bool EyesFitTiles(const Options& o)
 {
   const StereoLayout& layout = FindStereoLayout(o.Layout);
@@ -339,29 +306,5 @@ bool EyesFitTiles(const Options& o)
   const bool whole = o.FloatingWindow == 0 && o.Letterbox == 0 && !o.ConvergeOnDepth;
   return !HasTwoEyes(o) ||
     (o.Layout != "split" && !pairs && !layout.MultiView && !layout.Vr180 && whole);
-}
-
-PanoramaInfo DescribePanorama(const Options& o)
-{
-  const StereoLayout& layout = FindStereoLayout(o.Layout);
-  const bool mono = !HasTwoEyes(o);
-  PanoramaInfo info;
-  info.StereoMode = mono ? "" : layout.SphericalMode();
-  // of colours for glasses, of squeezed pictures, or of the cube of a map that is looked at again,
-  // viewers know nothing
-  const bool plain = mono || (!ShowsCube(o) && (layout.IsOneEye() || !info.StereoMode.empty()));
-  // nor of what stands on its head, nor of two eyes that look up
-  const double steepest = info.StereoMode.empty() ? 90 : 0; // degrees
-  info.Pitch = o.View.Tilt;
-  info.Equirectangular =
-    plain && o.Projection == "equirectangular" && std::abs(info.Pitch) <= steepest;
-  info.HorizontalFov = o.View.HorizontalFov;
-  info.VerticalFov = o.View.VerticalFov;
-  if (o.Part)
-  {
-    info.Whole = o.Part->Whole;
-    info.Before = { { o.Part->Start[0], o.Part->Whole[1] - o.Part->Start[1] - o.Size[1] } };
-  }
-  return info;
 }
 }

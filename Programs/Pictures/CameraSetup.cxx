@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CameraSetup.h"
 
+#include "Options/StereoChoice.h"
+#include "Passes.h"
 #include "Scenes/MeshBuilder.h"
 #include "Text/Messages.h"
-#include "Passes.h"
-#include "Options/StereoChoice.h"
 
 #include <vtkCamera.h>
 #include <vtkNew.h>

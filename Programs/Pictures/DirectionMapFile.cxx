@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DirectionMapFile.h"
 
-#include "System/CrashGuard.h"
 #include "Options/Displays.h"
 #include "Options/LensMap.h"
-#include "Text/Messages.h"
-#include "System/Progress.h"
 #include "Projections/DirectionMap.h"
+#include "System/CrashGuard.h"
+#include "System/Progress.h"
+#include "Text/Messages.h"
 
 #include <OpenImageIO/imageio.h>
 

@@ -3,11 +3,11 @@
 #include "EyeDistance.h"
 
 #include "CameraSetup.h"
-#include "Scenes/MeshBuilder.h"
-#include "Text/Messages.h"
-#include "System/Progress.h"
 #include "Options/StereoChoice.h"
+#include "Scenes/MeshBuilder.h"
 #include "Stereo/Comfort.h"
+#include "System/Progress.h"
+#include "Text/Messages.h"
 
 #include <vtkAbstractCellLocator.h>
 #include <vtkNew.h>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FilmScenes.h"
 
-#include "Scenes/Datasets.h"
 #include "LoadScene.h"
-#include "System/MessageCatcher.h"
-#include "Text/Messages.h"
+#include "Scenes/Datasets.h"
 #include "Scenes/Pipeline.h"
-#include "System/Progress.h"
 #include "Scenes/Readers.h"
+#include "System/MessageCatcher.h"
+#include "System/Progress.h"
+#include "Text/Messages.h"
 
 #include <vtkExodusIIReader.h>
 #include <vtkNew.h>
@@ -260,5 +260,11 @@ vtkBoundingBox FilmScenes::FindBounds()
     this->GetScene(this->GetNumberOfSteps() - 1);
   }
   return this->Bounds;
+}
+
+Scene LoadScene(const Options& options)
+{
+  FilmScenes scenes(options);
+  return scenes.GetScene(scenes.GetFirstStep());
 }
 }

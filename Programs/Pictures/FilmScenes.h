@@ -3,8 +3,8 @@
 #ifndef WideFoVFilmScenes_h
 #define WideFoVFilmScenes_h
 
-#include "Scenes/DataSeries.h"
 #include "Options/Options.h"
+#include "Scenes/DataSeries.h"
 #include "Scenes/Scene.h"
 
 #include <vtkBoundingBox.h>
@@ -71,6 +71,10 @@ private:
   Scene Shown;
   std::optional<std::size_t> ShownStep;
 };
+
+// The scene that the options name; of data that change with time the step of --time. Throws a
+// Failure with ExitFailed.
+Scene LoadScene(const Options& options);
 }
 
 #endif

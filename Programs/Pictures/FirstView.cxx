@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FirstView.h"
 
-#include "Text/Angles.h"
 #include "CameraSetup.h"
 #include "Options/FilmOptions.h"
-#include "Scenes/MeshBuilder.h"
-#include "Text/Messages.h"
 #include "Options/OptionCheck.h"
-#include "Options/OptionGroup.h"
-#include "System/Progress.h"
-#include "Sights.h"
+#include "Options/RoomOptions.h"
 #include "Options/StereoChoice.h"
+#include "Scenes/MeshBuilder.h"
 #include "Scenes/Surroundings.h"
+#include "System/Progress.h"
+#include "Text/Angles.h"
+#include "Text/Messages.h"
 
 #include <algorithm>
 #include <cmath>
@@ -355,40 +354,6 @@ void SayWhereTheEyeIs(const Vector3& eye, bool inside)
              : "the eye is outside, at " + Named(eye) +
         ", for the data are a thing to look at; --inside puts it into their middle");
 }
-}
-
-void DeclareFirstView(CLI::App& app, Options& o)
-{
-  OptionGroup group(app, "View");
-  group.Flag("--inside", o.Inside, "the eye is in the middle of the data");
-  group.Flag("--outside", o.Outside, "the eye is before the data, which fill the picture");
-}
-
-void DeclareFirstLook(CLI::App& app, Look& look)
-{
-  OptionGroup group(app, "Data");
-  group.Off("--no-colors", look.Colors, "files are grey, unless --color-by says otherwise");
-  group.Off("--no-scalar-bar", look.UsualBar, "no bar of colours that nobody asked for");
-  group.Off("--no-smooth", look.Smooth, "surfaces without normals show their facets");
-  group.Off("--no-surface", look.Surface, "--vectors and --streamlines alone");
-  group.Flag("--volume", look.Volume, "data that fill space are drawn as such, not as surfaces");
-  group.Off("--no-volume", look.UsualVolume, "images are drawn as surfaces");
-}
-
-void CheckFirstView(const Options& o)
-{
-  if (o.Inside && o.Outside)
-  {
-    FailUsage("--inside and --outside exclude each other; give one");
-  }
-  if (o.Look.Volume && !o.Look.UsualVolume)
-  {
-    FailUsage("--volume and --no-volume exclude each other; give one");
-  }
-  if (o.Eye && (o.Inside || o.Outside))
-  {
-    FailUsage("--eye says where the eye is; leave --inside and --outside out");
-  }
 }
 
 void ChooseView(Options& o, const Scene& scene, const vtkBoundingBox& later)

@@ -8,22 +8,8 @@
 
 #include <vtkBoundingBox.h>
 
-namespace CLI
-{
-class App;
-}
-
 namespace widefov
 {
-// --inside and --outside.
-void DeclareFirstView(CLI::App& app, Options& options);
-
-// What is drawn of files, and how, where nobody says.
-void DeclareFirstLook(CLI::App& app, Look& look);
-
-// Throws a Failure with ExitUsage where these contradict each other or --eye.
-void CheckFirstView(const Options& options);
-
 // Completes what the options leave open of the view of files: the eye, by SurroundedPlace or as
 // --inside and --outside say, and outside the direction and the field of view that show the scene
 // large, and says in one line what it chose. What is given stays. Nothing changes where a point

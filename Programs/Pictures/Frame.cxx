@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Frame.h"
 
-#include "Options/Borders.h"
 #include "System/MessageCatcher.h"
 #include "Text/Messages.h"
 

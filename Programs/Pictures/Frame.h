@@ -6,9 +6,9 @@
 
 #include "vtkWideFoVAbi.h"
 
-#include "System/Display.h"
 #include "ImageOutput.h"
 #include "Options/Options.h"
+#include "System/Display.h"
 
 #include <vtkProp.h>
 #include <vtkSmartPointer.h>

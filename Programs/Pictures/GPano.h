@@ -4,8 +4,8 @@
 #ifndef WideFoVGPano_h
 #define WideFoVGPano_h
 
-#include "ImageOutput.h"
 #include "PanoramaXmp.h"
+#include "Picture.h"
 #include "XmpInFiles.h"
 
 #include <string>

@@ -4,13 +4,13 @@
 #include "GPano.h"
 #include "ImageSpec.h"
 #include "JpegXmp.h"
-#include "Text/Messages.h"
+#include "Options/OutputNames.h"
 #include "System/OutputFiles.h"
+#include "Text/Messages.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
-#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -68,33 +68,6 @@ std::vector<unsigned char> Encode(
   output.reset(); // what it holds back is on the disk now
   return folder ? ReadBytes(name) : memory.buffer();
 }
-}
-
-bool IsMultiViewName(const std::string& path)
-{
-  return WriterFor(path) == "openexr";
-}
-
-bool IsVr180Photo(const std::string& path)
-{
-  const std::filesystem::path file(path);
-  return WriterFor(path) == "jpeg" && file.stem().extension() == ".vr";
-}
-
-void CheckPictureName(const std::string& path)
-{
-  if (WriterFor(path).empty())
-  {
-    FailUsage("--output: '" + path + "' does not end in .png, .jpg, .tif or .exr; choose one");
-  }
-}
-
-void CheckAovName(const std::string& path)
-{
-  if (WriterFor(path) != "openexr")
-  {
-    FailUsage("--aov: '" + path + "' does not end in .exr; rename it");
-  }
 }
 
 std::vector<unsigned char> EncodePicture(

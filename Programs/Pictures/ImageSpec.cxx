@@ -1,29 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ImageSpec.h"
 
-#include "System/OutputFiles.h"
+#include "Options/OutputNames.h"
 
 #include "GPano.h"
 #include "Text/Messages.h"
-
-#include <algorithm>
-#include <cctype>
-#include <filesystem>
 
 namespace widefov
 {
 namespace
 {
 constexpr int JpegQuality = 95; // percent
-
-struct Format
-{
-  const char* Ending;
-  const char* Writer; // OpenImageIO's name
-};
-
-const std::vector<Format> Formats{ { ".png", "png" }, { ".jpg", "jpeg" }, { ".jpeg", "jpeg" },
-  { ".tif", "tiff" }, { ".tiff", "tiff" }, { ".exr", "openexr" } };
 
 void AddEnvironment(OIIO::ImageSpec& spec, const PanoramaInfo& info)
 {
@@ -43,20 +30,6 @@ void AddGPano(OIIO::ImageSpec& spec, const PanoramaInfo& info)
     spec.attribute("GPano:" + field.Name, field.Value);
   }
 }
-}
-
-std::string WriterFor(const std::string& path)
-{
-  if (path == StandardStream)
-  {
-    return "png";
-  }
-  std::string ending = std::filesystem::path(path).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const auto format = std::find_if(
-    Formats.begin(), Formats.end(), [&](const Format& f) { return ending == f.Ending; });
-  return format == Formats.end() ? "" : format->Writer;
 }
 
 OIIO::ImageSpec PictureSpec(

@@ -3,15 +3,12 @@
 #ifndef WideFoVImageSpec_h
 #define WideFoVImageSpec_h
 
-#include "ImageOutput.h"
+#include "Picture.h"
 
 #include <OpenImageIO/imageio.h>
 
 namespace widefov
 {
-// OpenImageIO's name of the writer that the ending asks for; empty where there is none.
-std::string WriterFor(const std::string& path);
-
 // Colour and float channels: size, channels, what viewers want to know, compression.
 OIIO::ImageSpec PictureSpec(
   int width, int height, const std::string& path, const PanoramaInfo& info);

@@ -3,8 +3,8 @@
 
 #include "Scenes/Datasets.h"
 #include "Scenes/FirstStep.h"
-#include "Text/Messages.h"
 #include "Scenes/Scene.h"
+#include "Text/Messages.h"
 
 #include <vtkAbstractArray.h>
 #include <vtkBoundingBox.h>

@@ -5,7 +5,7 @@
 #ifndef WideFoVJpegXmp_h
 #define WideFoVJpegXmp_h
 
-#include "ImageOutput.h"
+#include "Picture.h"
 
 #include <string>
 #include <vector>

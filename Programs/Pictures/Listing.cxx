@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Listing.h"
 
-#include "Scenes/ArrayList.h"
-#include "Text/Messages.h"
 #include "Options/PresetChoice.h"
-#include "Text/ProjectionNames.h"
+#include "Options/StereoChoice.h"
+#include "Scenes/ArrayList.h"
 #include "Scenes/Scenes.h"
 #include "System/Spread.h"
 #include "System/StandardInput.h"
-#include "Options/StereoChoice.h"
+#include "Text/Messages.h"
+#include "Text/ProjectionNames.h"
 
 #include <nlohmann/json.hpp>
 

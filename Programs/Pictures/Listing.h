@@ -4,7 +4,8 @@
 #define WideFoVListing_h
 
 #include "Options/Options.h"
-#include "Render/RenderJob.h"
+#include "RenderStats.h"
+#include "Scenes/Scene.h"
 
 #include <string>
 

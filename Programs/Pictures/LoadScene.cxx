@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LoadScene.h"
 
-#include "FilmScenes.h"
-#include "System/MessageCatcher.h"
-#include "Text/Messages.h"
 #include "Scenes/Normals.h"
 #include "Scenes/Pipeline.h"
-#include "System/Progress.h"
 #include "Scenes/Readers.h"
 #include "Scenes/Scenes.h"
+#include "System/MessageCatcher.h"
+#include "System/Progress.h"
+#include "Text/Messages.h"
 
 namespace widefov
 {
@@ -73,11 +72,5 @@ void TellOfScene(const Scene& scene)
       std::to_string(d[2]) + " points";
   }
   Tell(text);
-}
-
-Scene LoadScene(const Options& options)
-{
-  FilmScenes scenes(options);
-  return scenes.GetScene(scenes.GetFirstStep());
 }
 }

@@ -8,11 +8,8 @@
 
 namespace widefov
 {
-// Reads the files, or makes the built-in scene, and gives it the look that the options ask
-// for; of data that change with time the step of --time. Throws a Failure with ExitFailed.
-Scene LoadScene(const Options& options);
-
-// The same of data that do not change.
+// Reads files that do not change with time, or makes the built-in scene, and gives it the look that
+// the options ask for. Throws a Failure with ExitFailed.
 Scene LoadFixed(const Options& options);
 
 // The look that the options ask for, as far as they can show it.

@@ -1,14 +1,41 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PictureFiles.h"
 
+#include "EyePictures.h"
+#include "ImageOutput.h"
+#include "Options/OutputNames.h"
 #include "Options/StereoChoice.h"
 #include "Options/StereoLayout.h"
-#include "Options/StereoOptions.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace widefov
 {
+PanoramaInfo DescribePanorama(const Options& o)
+{
+  const StereoLayout& layout = FindStereoLayout(o.Layout);
+  const bool mono = !HasTwoEyes(o);
+  PanoramaInfo info;
+  info.StereoMode = mono ? "" : layout.SphericalMode();
+  // of colours for glasses, of squeezed pictures, or of the cube of a map that is looked at again,
+  // viewers know nothing
+  const bool plain = mono || (!ShowsCube(o) && (layout.IsOneEye() || !info.StereoMode.empty()));
+  // nor of what stands on its head, nor of two eyes that look up
+  const double steepest = info.StereoMode.empty() ? 90 : 0; // degrees
+  info.Pitch = o.View.Tilt;
+  info.Equirectangular =
+    plain && o.Projection == "equirectangular" && std::abs(info.Pitch) <= steepest;
+  info.HorizontalFov = o.View.HorizontalFov;
+  info.VerticalFov = o.View.VerticalFov;
+  if (o.Part)
+  {
+    info.Whole = o.Part->Whole;
+    info.Before = { { o.Part->Start[0], o.Part->Whole[1] - o.Part->Start[1] - o.Size[1] } };
+  }
+  return info;
+}
+
 std::vector<std::pair<std::string, std::vector<unsigned char>>> EncodeFiles(
   const Options& o, const std::string& output, const std::vector<Picture>& drawn)
 {
@@ -30,19 +57,5 @@ std::vector<std::pair<std::string, std::vector<unsigned char>>> EncodeFiles(
     files.emplace_back(names[i], EncodePicture(pictures[i], names[i], info));
   }
   return files;
-}
-
-std::array<int, 2> SizeOfFile(const Options& o)
-{
-  std::array<int, 2> size = o.Size;
-  if (HasTwoEyes(o))
-  {
-    const StereoLayout& layout = FindStereoLayout(o.Layout);
-    const auto times = [&layout](int pixels, int eyes) {
-      return eyes * (layout.Half && eyes == 2 ? (pixels + 1) / 2 : pixels);
-    };
-    size = { { times(size[0], layout.Columns), times(size[1], layout.Rows) } };
-  }
-  return size;
 }
 }

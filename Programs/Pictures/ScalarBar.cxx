@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ScalarBar.h"
 
-#include "Options/Borders.h"
 #include "Text/Messages.h"
-#include "Text/OptionValues.h"
-#include "Options/StereoChoice.h"
 
 #include <vtkNew.h>
 #include <vtkRenderer.h>
@@ -88,43 +85,16 @@ void SayThatThereIsNone(const Options& o)
 }
 }
 
-void DeclareScalarBar(OptionGroup& group, Options& o)
+void PlaceBar(vtkScalarBarActor* bar, const Options& o)
 {
-  group.Add("--scalar-bar-at", "AZ,EL[,DEPTH]", "",
-    "the colour map's bar stands in a direction, degrees to the right and up, DEPTH scene units "
-    "away (before all there is to see; two eyes need it)",
-    [&o](const std::string& option, const std::string& value) {
-      o.ScalarBarAt = ParseNumbers(option, value, 2, 3);
-      o.Look.ScalarBar = true;
-    });
-}
-
-void CheckScalarBar(Options& o)
-{
-  const std::vector<double>& at = o.ScalarBarAt;
-  if (at.empty())
-  {
-    return;
-  }
-  if (std::abs(at[0]) > 360 || std::abs(at[1]) > 90 || (at.size() > 2 && !(at[2] > 0)))
-  {
-    FailUsage("--scalar-bar-at: the azimuth is in [-360, 360], the elevation in [-90, 90], the "
-              "depth above 0");
-  }
-  if (o.Technique == Technique::CubeMap || !o.Screens.empty())
-  {
-    FailUsage("--scalar-bar-at goes neither with --technique cubemap nor with --screens; give "
-              "--scalar-bar instead");
-  }
-  if (at.size() < 3 && HasTwoEyes(o))
-  {
-    FailUsage("--scalar-bar-at needs a depth for two eyes, AZ,EL,DEPTH: what is nearer hides it");
-  }
-  const std::array<double, 2>& clip = o.View.Radii;
-  if (at.size() > 2 && o.HasClip && !(at[2] > clip[0] && at[2] < clip[1]))
-  {
-    FailUsage("--scalar-bar-at: the depth is not between the radii of --clip");
-  }
+  const PartOfPicture part = o.Part.value_or(PartOfPicture{ o.Size, { { 0, 0 } } });
+  const auto share = [&](int i, double length) { return length * o.Size[i] / part.Whole[i]; };
+  const auto place = [&](int i, double at) {
+    return double(part.Start[i]) / part.Whole[i] + share(i, at);
+  };
+  bar->SetPosition(place(0, 0.36), place(1, 0.03));
+  bar->SetWidth(share(0, 0.28));
+  bar->SetHeight(share(1, 0.10));
 }
 
 vtkSmartPointer<vtkScalarBarActor> MakeScalarBar(const Scene& scene)

@@ -5,7 +5,6 @@
 
 #include "vtkWideFoVAbi.h"
 
-#include "Options/OptionGroup.h"
 #include "Options/Options.h"
 #include "Scenes/Scene.h"
 
@@ -19,14 +18,11 @@ VTK_ABI_NAMESPACE_END
 
 namespace widefov
 {
-// --scalar-bar-at
-void DeclareScalarBar(OptionGroup& group, Options& options);
-
-// After all of the view is known. Throws a Failure with ExitUsage where the bar cannot stand there.
-void CheckScalarBar(Options& options);
-
 // The bar of the scene's colour map, or nullptr where it has none.
 vtkSmartPointer<vtkScalarBarActor> MakeScalarBar(const Scene& scene);
+
+// Puts a bar to its place in the picture, whole or a part.
+void PlaceBar(vtkScalarBarActor* bar, const Options& options);
 
 // Adds that bar to the renderer, where the options want it: what was added, or nullptr.
 vtkSmartPointer<vtkProp> AddScalarBar(

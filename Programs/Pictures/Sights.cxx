@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sights.h"
 
-#include "Text/Messages.h"
-#include "Options/OptionCheck.h"
 #include "Options/StereoChoice.h"
-#include "Options/StereoOptions.h"
+#include "Text/Messages.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <filesystem>
 
 namespace widefov
 {
@@ -17,12 +13,6 @@ namespace
 {
 // Pixels along the longer side of a screen of which nobody says how many it has.
 constexpr double LongerSide = 1024;
-
-std::string WithSuffix(const std::string& path, const std::string& suffix)
-{
-  std::filesystem::path file(path);
-  return file.replace_filename(file.stem().string() + suffix + file.extension().string()).string();
-}
 
 wfv::Screen Scaled(const wfv::Screen& s, double scale)
 {
@@ -62,53 +52,6 @@ std::vector<HeadPose> AllPoses(HeadObserver& observer)
   }
   return poses;
 }
-}
-
-void DeclareRoom(CLI::App& app, Options& o)
-{
-  OptionGroup group(app, "Room");
-  group.Name("--screens", "FILE.pvx", o.Screens,
-    "flat screens of a wall or CAVE, as ParaView describes them; a picture each");
-  group.Name("--pose", "FILE", o.Poses, "recorded head poses; a numbered picture each");
-  group.Number("--room-scale", "S", o.RoomScale, { 1 / LargestRoomScale, LargestRoomScale },
-    "scene units a unit of the screens and poses");
-}
-
-bool HasRoom(const Options& o)
-{
-  return !o.Screens.empty() || !o.Poses.empty();
-}
-
-void CompleteRoom(Options& o, const FieldsOfView& fov)
-{
-  if (!HasRoom(o) && o.RoomScale != 1)
-  {
-    FailUsage("--room-scale goes with --screens and --pose; leave it out");
-  }
-  if (HasRoom(o) && !o.Aov.empty())
-  {
-    FailUsage("--aov is for one picture, not for those of --screens and --pose; leave it out");
-  }
-  if (o.Screens.empty())
-  {
-    return;
-  }
-  if (ShowsCube(o))
-  {
-    return; // the volume is behind the screen, whatever its map
-  }
-  if (o.HasProjection && o.Projection != "perspective")
-  {
-    FailUsage("--screens are flat and show the projection perspective; leave --projection out");
-  }
-  o.Projection = "perspective";
-  if (fov.Horizontal || fov.Vertical || fov.Round || !fov.Lens.empty() || o.View.Tilt != 0 ||
-    !o.LensFile.empty() || !o.Circle.empty())
-  {
-    FailUsage("what --screens show follows from their corners; leave --hfov, --vfov, --fov, "
-              "--lens, --lens-file, --circle "
-              "and --tilt out");
-  }
 }
 
 Sights::Sights(const Options& o)
@@ -252,21 +195,5 @@ void CheckSights(const Options& o)
 {
   const Sights sights(o);
   sights.Check(sights.GetGiven());
-}
-
-std::string NameOfScreen(const Options& sight, const std::string& path)
-{
-  return sight.Screen ? WithSuffix(path, "-" + sight.Screen->Name) : path;
-}
-
-std::string NameOfPose(const Options& sight, const std::string& path)
-{
-  if (!sight.Number)
-  {
-    return path;
-  }
-  char number[32];
-  std::snprintf(number, sizeof(number), "-%04zu", *sight.Number);
-  return WithSuffix(path, number);
 }
 }

@@ -3,28 +3,13 @@
 #ifndef WideFoVSights_h
 #define WideFoVSights_h
 
-#include "Options/OptionGroup.h"
 #include "Options/Options.h"
-#include "Scenes/Scene.h"
 
 #include <string>
 #include <vector>
 
 namespace widefov
 {
-struct FieldsOfView;
-
-// Scene units a unit of the room, and one over the least.
-constexpr double LargestRoomScale = 1e9;
-
-void DeclareRoom(CLI::App& app, Options& options);
-
-// Before the view is completed: with screens the projection is perspective. Throws a Failure with
-// ExitUsage for options that do not go with screens.
-void CompleteRoom(Options& options, const FieldsOfView& fov);
-
-bool HasRoom(const Options& options);
-
 // What an observer of a head and a file of screens make of the options: each picture's own. The
 // observer is asked for one pose after the other; without one there is the head at the origin.
 class Sights
@@ -67,12 +52,6 @@ private:
 
 // Reads all that the options name of a room, and throws as Sights does.
 void CheckSights(const Options& options);
-
-// picture.png of a sight: picture-SCREEN.png.
-std::string NameOfScreen(const Options& sight, const std::string& path);
-
-// And with the number of its pose: picture-0007.png.
-std::string NameOfPose(const Options& sight, const std::string& path);
 }
 
 #endif

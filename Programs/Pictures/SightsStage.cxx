@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SightsStage.h"
 
-#include "Options/Borders.h"
 #include "CameraSetup.h"
 #include "Frame.h"
+#include "Options/StereoChoice.h"
+#include "Options/StereoLayout.h"
 #include "Passes.h"
 #include "ScalarBar.h"
 #include "SkyPicture.h"
-#include "Options/StereoChoice.h"
-#include "Options/StereoLayout.h"
-#include "Options/StereoOptions.h"
+#include "StereoWindow.h"
 #include "Tiles.h"
 
 namespace widefov

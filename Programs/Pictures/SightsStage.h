@@ -5,11 +5,11 @@
 
 #include "vtkWideFoVAbi.h"
 
-#include "System/Display.h"
 #include "ImageOutput.h"
 #include "Options/Options.h"
 #include "Scenes/Scene.h"
 #include "Scenes/ShownScene.h"
+#include "System/Display.h"
 
 #include <vtkNew.h>
 #include <vtkProp.h>

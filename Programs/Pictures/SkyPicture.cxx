@@ -2,8 +2,8 @@
 #include "SkyPicture.h"
 
 #include "System/CrashGuard.h"
-#include "Text/Messages.h"
 #include "System/Progress.h"
+#include "Text/Messages.h"
 
 #include <OpenImageIO/imageio.h>
 

@@ -4,6 +4,7 @@
 #include "FileProxy.h"
 #include "GPano.h"
 #include "ImageSpec.h"
+#include "Options/OutputNames.h"
 #include "Text/Messages.h"
 
 #include <algorithm>

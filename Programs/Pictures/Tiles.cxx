@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Tiles.h"
 
+#include "EyePictures.h"
 #include "Frame.h"
-#include "System/Progress.h"
+#include "Options/StereoChoice.h"
 #include "Options/StereoLayout.h"
 #include "Options/StereoOptions.h"
-#include "Options/StereoChoice.h"
+#include "System/Progress.h"
 
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>

@@ -5,9 +5,9 @@
 
 #include "vtkWideFoVAbi.h"
 
-#include "System/Display.h"
 #include "ImageOutput.h"
 #include "Options/Options.h"
+#include "System/Display.h"
 
 #include <functional>
 #include <optional>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DryRun.h"
 
-#include "Pictures/CameraSetup.h"
-#include "Text/Messages.h"
-#include "Pictures/PictureFiles.h"
-#include "Pictures/Sights.h"
+#include "Options/OutputNames.h"
+#include "Options/RoomOptions.h"
 #include "Options/StereoChoice.h"
-#include "Options/StereoOptions.h"
+#include "Pictures/CameraSetup.h"
+#include "Pictures/Sights.h"
 #include "Pictures/Tiles.h"
+#include "Text/Messages.h"
 
 #include <nlohmann/json.hpp>
 

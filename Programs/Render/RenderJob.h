@@ -3,12 +3,12 @@
 #ifndef WideFoVRenderJob_h
 #define WideFoVRenderJob_h
 
-#include "System/Display.h"
-#include "Pictures/ImageOutput.h"
 #include "Options/Options.h"
-#include "System/OutputFiles.h"
+#include "Pictures/ImageOutput.h"
 #include "Pictures/RenderStats.h"
 #include "Scenes/Scene.h"
+#include "System/Display.h"
+#include "System/OutputFiles.h"
 
 #include <optional>
 #include <vector>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SightsJob.h"
 
-#include "System/Display.h"
-#include "Text/Messages.h"
 #include "Pictures/PictureFiles.h"
-#include "System/Progress.h"
 #include "Pictures/RenderStats.h"
 #include "Pictures/SightsStage.h"
+#include "System/Display.h"
+#include "System/Progress.h"
+#include "Text/Messages.h"
 
 #include <algorithm>
 #include <chrono>

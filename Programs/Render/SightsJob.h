@@ -3,9 +3,8 @@
 #ifndef WideFoVSightsJob_h
 #define WideFoVSightsJob_h
 
-#include "System/OutputFiles.h"
 #include "RenderJob.h"
-#include "Pictures/Sights.h"
+#include "System/OutputFiles.h"
 
 namespace widefov
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // widefov-run: starts a program so that the VTK in it makes wide renderers, cameras and mappers.
-#include "Text/Messages.h"
 #include "Options/OptionGroup.h"
 #include "Run/Wishes/Wishes.h"
+#include "Text/Messages.h"
 
 #include <CLI/CLI.hpp>
 

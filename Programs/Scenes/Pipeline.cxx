@@ -3,11 +3,11 @@
 
 #include "ColorMaps.h"
 #include "Datasets.h"
-#include "Text/Messages.h"
 #include "Molecule.h"
-#include "Text/OptionValues.h"
-#include "System/Progress.h"
 #include "Readers.h"
+#include "System/Progress.h"
+#include "Text/Messages.h"
+#include "Text/OptionValues.h"
 #include "VectorField.h"
 #include "Volume.h"
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Readers.h"
 
-#include "System/CrashGuard.h"
 #include "Damage.h"
 #include "Datasets.h"
 #include "GltfFile.h"
+#include "System/CrashGuard.h"
 #include "System/MessageCatcher.h"
+#include "System/Progress.h"
 #include "Text/Messages.h"
 #include "Text/OptionValues.h"
-#include "System/Progress.h"
 
 #include <vtkBYUReader.h>
 #include <vtkExodusIIReader.h>

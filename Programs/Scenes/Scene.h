@@ -86,9 +86,6 @@ struct PrimitiveCount
 
 // After polygons and strips are cut into triangles, polylines into segments.
 PrimitiveCount CountPrimitives(const Scene& scene);
-
-// An actor with a vtkWideFoVPolyDataMapper: only such can be tessellated.
-vtkSmartPointer<vtkActor> MakeActor(const SceneProp& prop, const Look& look);
 }
 
 #endif

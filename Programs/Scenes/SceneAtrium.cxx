@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A two-storey hall, closed all round, in as many triangles as a well-known one.
 #include "MeshBuilder.h"
+#include "Scenes.h"
 #include "Text/Angles.h"
 #include "Text/Messages.h"
-#include "Scenes.h"
 
 #include <algorithm>
 #include <cmath>

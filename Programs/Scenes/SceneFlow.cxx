@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Analytic vector fields round the eye.
 #include "ColorMaps.h"
-#include "Text/Angles.h"
 #include "MeshBuilder.h"
 #include "Scenes.h"
+#include "Text/Angles.h"
 #include "VectorField.h"
 
 #include <vtkFloatArray.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Closed spheres round the eye.
 #include "MeshBuilder.h"
-#include "Text/Angles.h"
 #include "Scenes.h"
+#include "Text/Angles.h"
 
 #include <vtkFloatArray.h>
 #include <vtkPlatonicSolidSource.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The Earth's relief seen from its centre, with the January winds floating inside.
-#include "Text/Angles.h"
 #include "ColorMaps.h"
 #include "MeshBuilder.h"
-#include "Text/Messages.h"
 #include "Scenes.h"
+#include "Text/Angles.h"
+#include "Text/Messages.h"
 #include "VectorField.h"
 
 #include <vtkFloatArray.h>

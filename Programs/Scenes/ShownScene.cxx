@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ShownScene.h"
 
+#include "SceneActor.h"
 #include "Text/Angles.h"
 #include "Volume.h"
 

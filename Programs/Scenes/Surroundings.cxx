@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surroundings.h"
 
-#include "Text/Angles.h"
 #include "Datasets.h"
 #include "MeshBuilder.h"
+#include "SceneActor.h"
+#include "Text/Angles.h"
 
 #include <vtkAppendPolyData.h>
 #include <vtkGenericCell.h>

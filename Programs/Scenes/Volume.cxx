@@ -2,8 +2,8 @@
 #include "Volume.h"
 
 #include "Datasets.h"
-#include "Text/Messages.h"
 #include "System/Progress.h"
+#include "Text/Messages.h"
 
 #include <vtkAbstractVolumeMapper.h>
 #include <vtkColorTransferFunction.h>

@@ -2,9 +2,9 @@
 #include "Program.h"
 
 #include "MessageCatcher.h"
-#include "Text/Messages.h"
 #include "OutputFiles.h"
 #include "Signals.h"
+#include "Text/Messages.h"
 
 #include <csignal>
 #include <new>

@@ -3,8 +3,8 @@
 #ifndef WideFoVLoader_h
 #define WideFoVLoader_h
 
-#include "Pictures/FilmScenes.h"
 #include "Options/Options.h"
+#include "Pictures/FilmScenes.h"
 #include "Scenes/Scene.h"
 
 #include <chrono>

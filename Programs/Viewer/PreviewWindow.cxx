@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PreviewWindow.h"
 
-#include "Text/Angles.h"
-#include "System/Display.h"
-#include "Viewing/Dome.h"
 #include "Pictures/Frame.h"
+#include "System/Display.h"
+#include "Text/Angles.h"
+#include "Viewing/Dome.h"
 
 #include <vtkBoundingBox.h>
 #include <vtkCamera.h>

@@ -5,8 +5,8 @@
 
 #include "GlfwRenderWindow.h"
 #include "GlfwWindow.h"
-#include "Pictures/ImageOutput.h"
 #include "Options/Options.h"
+#include "Pictures/ImageOutput.h"
 
 #include <vtkActor.h>
 #include <vtkImageData.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Screenshot.h"
 
-#include "Text/Messages.h"
+#include "Pictures/PictureFiles.h"
 #include "System/OutputFiles.h"
-#include "Options/StereoOptions.h"
+#include "Text/Messages.h"
 
 #include <filesystem>
 

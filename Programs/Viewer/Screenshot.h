@@ -2,8 +2,8 @@
 #ifndef WideFoVScreenshot_h
 #define WideFoVScreenshot_h
 
-#include "Pictures/ImageOutput.h"
 #include "Options/Options.h"
+#include "Pictures/ImageOutput.h"
 
 #include <string>
 

@@ -3,8 +3,8 @@
 #ifndef WideFoVStateLog_h
 #define WideFoVStateLog_h
 
-#include "Scenes/Look.h"
 #include "Options/Options.h"
+#include "Scenes/Look.h"
 #include "ViewerStage.h"
 
 #include <array>

@@ -2,8 +2,8 @@
 #include "Viewer.h"
 
 #include "Pictures/CameraSetup.h"
-#include "Viewing/Choices.h"
 #include "Text/Messages.h"
+#include "Viewing/Choices.h"
 #include "XErrors.h"
 
 #include <algorithm>

@@ -3,17 +3,17 @@
 #ifndef WideFoVViewer_h
 #define WideFoVViewer_h
 
-#include "Viewing/Fields.h"
-#include "Viewing/Keys.h"
 #include "Loader.h"
-#include "Viewing/Navigator.h"
 #include "Panel.h"
-#include "Viewing/Recent.h"
-#include "Viewing/Room.h"
 #include "Scenes/Scene.h"
 #include "StateLog.h"
-#include "Viewing/TimeLine.h"
 #include "ViewerOptions.h"
+#include "Viewing/Fields.h"
+#include "Viewing/Keys.h"
+#include "Viewing/Navigator.h"
+#include "Viewing/Recent.h"
+#include "Viewing/Room.h"
+#include "Viewing/TimeLine.h"
 #include "Wall.h"
 
 #include <array>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the keys do.
+#include "Screenshot.h"
+#include "Text/Messages.h"
+#include "Viewer.h"
 #include "Viewing/Choices.h"
 #include "Viewing/CommandText.h"
-#include "Text/Messages.h"
-#include "Screenshot.h"
-#include "Viewer.h"
 
 #include <iostream>
 

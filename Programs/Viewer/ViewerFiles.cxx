@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the viewer reads while its window is open, and the list of poses that it writes.
-#include "Pictures/CameraSetup.h"
-#include "Viewing/CommandText.h"
 #include "Loader.h"
+#include "Pictures/CameraSetup.h"
 #include "Text/Messages.h"
+#include "Viewer.h"
+#include "Viewing/CommandText.h"
 #include "Viewing/PoseList.h"
 #include "Viewing/Session.h"
-#include "Viewer.h"
 
 #include <cmath>
 #include <cstdio>

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ViewerOptions.h"
 
-#include "Viewing/Choices.h"
-#include "Viewing/Keys.h"
-#include "Text/Messages.h"
+#include "Options/FieldsOfView.h"
 #include "Options/OptionCheck.h"
 #include "Options/OptionGroup.h"
-#include "System/OutputFiles.h"
+#include "Options/ParseOptions.h"
 #include "Options/PresetChoice.h"
 #include "Options/Settings.h"
+#include "System/OutputFiles.h"
+#include "Text/Messages.h"
+#include "Viewing/Choices.h"
+#include "Viewing/Keys.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The room that the view is seen from, and what the pointer is on.
 #include "Options/Borders.h"
-#include "Viewing/Choices.h"
-#include "Stereo/Stereo.h"
 #include "Options/StereoChoice.h"
+#include "Stereo/Stereo.h"
 #include "Viewer.h"
+#include "Viewing/Choices.h"
 
 #include <cmath>
 

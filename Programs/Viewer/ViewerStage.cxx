@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ViewerStage.h"
 
-#include "Options/Borders.h"
+#include "Options/StereoChoice.h"
+#include "Options/StereoLayout.h"
 #include "Pictures/CameraSetup.h"
-#include "System/Display.h"
 #include "Pictures/Frame.h"
-#include "Text/Messages.h"
 #include "Pictures/Passes.h"
 #include "Pictures/ScalarBar.h"
 #include "Pictures/SkyPicture.h"
-#include "Options/StereoChoice.h"
-#include "Options/StereoLayout.h"
-#include "Options/StereoOptions.h"
+#include "Pictures/StereoWindow.h"
 #include "Pictures/Tiles.h"
 #include "Scenes/Volume.h"
+#include "System/Display.h"
+#include "Text/Messages.h"
 
 #include <Gl.h>
 #include <vtkOpenGLState.h>

@@ -5,15 +5,15 @@
 
 #include "vtkWideFoVAbi.h"
 
-#include "Viewing/CoarseScene.h"
 #include "Crosshair.h"
-#include "Pictures/Frame.h"
 #include "GlfwRenderWindow.h"
-#include "Pictures/ImageOutput.h"
 #include "Options/Options.h"
 #include "Overlay.h"
+#include "Pictures/Frame.h"
+#include "Pictures/ImageOutput.h"
 #include "Scenes/Scene.h"
 #include "Scenes/ShownScene.h"
+#include "Viewing/CoarseScene.h"
 
 #include <vtkCommand.h>
 #include <vtkNew.h>

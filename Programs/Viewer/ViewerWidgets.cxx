@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is on the panel: widgets for what keys do, and for the look of the data.
-#include "Viewing/Choices.h"
-#include "Scenes/ColorMaps.h"
-#include "Scenes/Datasets.h"
 #include "Options/StereoChoice.h"
 #include "Options/StereoLayout.h"
 #include "Presets/Presets.h"
+#include "Scenes/ColorMaps.h"
+#include "Scenes/Datasets.h"
 #include "Stereo/Stereo.h"
 #include "Viewer.h"
+#include "Viewing/Choices.h"
 
 #include <imgui.h>
 #include <vtkMath.h>

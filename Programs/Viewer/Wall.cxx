@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Wall.h"
 
-#include "Viewing/Choices.h"
 #include "System/CrashGuard.h"
+#include "Viewing/Choices.h"
 
 #include <algorithm>
 

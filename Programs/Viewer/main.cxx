@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // widefov-viewer: a window into VTK data in wide and non-planar projections.
-#include "Viewing/Choices.h"
+#include "Loader.h"
 #include "Pictures/DirectionMapFile.h"
-#include "System/Display.h"
 #include "Pictures/Info.h"
 #include "Pictures/Listing.h"
-#include "Loader.h"
-#include "Text/Messages.h"
-#include "System/Program.h"
-#include "Viewing/Room.h"
 #include "Pictures/SkyPicture.h"
-#include "System/StandardInput.h"
 #include "StateLog.h"
+#include "System/Display.h"
+#include "System/Program.h"
+#include "System/StandardInput.h"
+#include "Text/Messages.h"
 #include "Viewer.h"
 #include "ViewerOptions.h"
+#include "Viewing/Choices.h"
+#include "Viewing/Room.h"
 #include "Wall.h"
 
 #include <optional>
@@ -40,7 +40,7 @@ int Run(int argc, char** argv)
   }
   LoadDirectionMap(options.Picture);
   LoadSky(options.Picture);
-  Room room(options);
+  Room room(options.Picture, options.PoseRate, options.PoseOnce);
   options.Picture = room.GetGiven();
   const std::vector<std::string> files = options.Picture.Files;
   const StandardInput input(options.Picture.Files);

@@ -2,12 +2,12 @@
 #include "Choices.h"
 
 #include "Options/Borders.h"
-#include "Pictures/EyeDistance.h"
-#include "Text/Messages.h"
 #include "Options/OptionCheck.h"
-#include "Options/StereoLayout.h"
 #include "Options/StereoChoice.h"
+#include "Options/StereoLayout.h"
+#include "Pictures/EyeDistance.h"
 #include "Stereo/Stereo.h"
+#include "Text/Messages.h"
 
 #include <algorithm>
 #include <utility>

@@ -5,8 +5,8 @@
 
 #include "Fields.h"
 #include "Options/Options.h"
-#include "Scenes/Scene.h"
 #include "Presets/Presets.h"
+#include "Scenes/Scene.h"
 
 #include <string>
 #include <vector>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Dome.h"
 
-#include "Text/Angles.h"
 #include "Options/Borders.h"
+#include "Text/Angles.h"
 
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>

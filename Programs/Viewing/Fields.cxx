@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fields.h"
 
-#include "Text/Angles.h"
 #include "Options/Borders.h"
+#include "Text/Angles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,6 @@ namespace widefov
 {
 namespace
 {
-
 // Zooming in ends here, degrees: less than any scene's pixels are worth.
 constexpr double SmallestFov = 1;
 

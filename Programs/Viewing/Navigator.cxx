@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Navigator.h"
 
-#include "Text/Angles.h"
 #include "Scenes/MeshBuilder.h"
+#include "Text/Angles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,6 @@ namespace widefov
 {
 namespace
 {
-
 // A direction whose horizontal part is shorter (of a unit vector) has no azimuth: beyond
 // the rounding of unit vectors, far below a pixel.
 constexpr double SmallestHorizontal = 1e-9;

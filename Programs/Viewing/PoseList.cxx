@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PoseList.h"
 
-#include "Text/Messages.h"
 #include "System/OutputFiles.h"
+#include "Text/Messages.h"
 
 #include <algorithm>
 #include <cstdio>

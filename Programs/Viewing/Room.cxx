@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Room.h"
 
+#include "Options/RoomOptions.h"
+#include "Options/StereoChoice.h"
 #include "Scenes/MeshBuilder.h"
 #include "Text/Messages.h"
-#include "Options/StereoChoice.h"
 
 #include <algorithm>
 
 namespace widefov
 {
-Room::Room(const ViewerOptions& o)
-  : All(o.Picture)
-  , Played(this->All.GetPoses(), o.PoseRate, o.PoseOnce, o.Picture.Poses)
+Room::Room(const Options& o, double poseRate, bool poseOnce)
+  : All(o)
+  , Played(this->All.GetPoses(), poseRate, poseOnce, o.Poses)
   , Head(*this->Played.Next())
 {
   this->All.Check(this->GetGiven());

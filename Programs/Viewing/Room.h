@@ -3,9 +3,9 @@
 #ifndef WideFoVRoom_h
 #define WideFoVRoom_h
 
-#include "PlayedHead.h"
+#include "Options/Options.h"
 #include "Pictures/Sights.h"
-#include "Viewer/ViewerOptions.h"
+#include "PlayedHead.h"
 
 #include <optional>
 #include <string>
@@ -19,7 +19,8 @@ class Room
 public:
   // Throws a Failure with ExitFailed: files that are broken, an eye of any pose that is not
   // before a screen, times that cannot be played.
-  explicit Room(const ViewerOptions& options);
+  // poseRate: head poses a second; 0: as their times say. poseOnce: the last pose stays.
+  Room(const Options& options, double poseRate, bool poseOnce);
 
   // The options, and what the files add to them.
   const Options& GetGiven() const { return this->All.GetGiven(); }

@@ -2,8 +2,8 @@
 #include "Session.h"
 
 #include "Options/Displays.h"
-#include "Text/Messages.h"
 #include "System/OutputFiles.h"
+#include "Text/Messages.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -6,6 +6,7 @@
 #include "InteractiveRate.h"
 #include "System/Display.h"
 #include "Scenes/MeshBuilder.h"
+#include "Scenes/SceneActor.h"
 #include "System/MessageCatcher.h"
 #include "Text/Messages.h"
 #include "Pictures/Passes.h"

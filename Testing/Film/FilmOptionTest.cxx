@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Command lines, lists and files of films that are refused, and in what words.
-#include "Scenes/DataSeries.h"
 #include "Film/FilmPath.h"
-#include "Text/Messages.h"
 #include "Options/Options.h"
+#include "Options/ParseOptions.h"
+#include "Scenes/DataSeries.h"
 #include "System/OutputFiles.h"
+#include "Text/Messages.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,8 @@
 
     check_structure.py ROOT
 
-Rules: dependencies run one way; the mathematics knows no VTK; functions and sources
+Rules: dependencies run one way, and in Programs never in a circle; a folder of Programs is a target;
+the mathematics knows no VTK; functions and sources
 stay short; shaders are .glsl files, with few lines of the preprocessor; every source names
 its licence; nothing names a folder of somebody's machine; what differs between versions of VTK, or between drivers of
 OpenGL, is guarded in Module/Compat alone, and what differs between those of ParaView in
@@ -19,6 +20,7 @@ import os
 import re
 import sys
 
+from circles import find_circle
 from functions import cpp_functions, python_functions, without_comments
 from sources import CPP, SHADERS, find_sources
 
@@ -28,9 +30,9 @@ MAX_SHADER_LINES = 250  # a file has one question of a stage
 MAX_DIRECTIVES = 12  # of the preprocessor, in a shader; what more of them choose from are files
 MANY_DIRECTIVES = ("Module/Shaders/lines/",)  # which have more of them still
 
-# The floors of the module, from the ground up; those in one row do not know each other. A folder
-# includes from itself and the floors below it. On the roof are the public classes.
-FLOORS = (
+# Floors, from the ground up; folders in one row do not know each other. A folder includes from itself
+# and from the floors below it.
+MODULE = (
     ("Module/Projections",),
     ("Module/Stereo", "Module/Compat", "Module/Presets"),
     ("Module/Drawables/Kinds",),
@@ -38,27 +40,49 @@ FLOORS = (
     ("Module/Shaders",),
     ("Module/Drawables",),
     ("Module/Frame",),
-    ("Module",),
+    ("Module",),  # the public classes
+)
+PROGRAMS = (
+    ("Programs/Text",),
+    ("Programs/System",),
+    ("Programs/Scenes",),
+    ("Programs/Options",),
+    ("Programs/Pictures",),
+    ("Programs/Film",),
+    ("Programs/Viewing", "Programs/Run/Wishes"),
+    ("Programs/Render", "Programs/Viewer", "Programs/Run", "Programs/Run/Loader", "Programs/Run/Overrides"),
+)
+PLUGIN = (
+    ("Plugin/Compat",),
+    ("Plugin/Views",),
+    ("Plugin/Window",),
+    ("Plugin",),
 )
 
 
-def reachable(floors):
-    """Folder -> folders whose headers it may include. The longest matching folder counts."""
-    allowed, below = {}, set()
+def stack(floors, below):
+    """Folder -> folders whose headers it may include: below, the floors under it and itself."""
+    allowed, below = {}, set(below)
     for floor in floors:
         for folder in floor:
             allowed[folder] = below | {folder}
         below |= set(floor)
-    # a library of its own, which the module knows nothing of
-    allowed["Module/Metadata"] = {"Module/Metadata"}
-    below.add("Module/Metadata")
-    allowed["Plugin"] = below | {"Plugin"}
-    allowed["Programs"] = below | {"Programs"}
-    allowed["Testing"] = below | {"Programs", "Testing"}
     return allowed
 
 
-MAY_INCLUDE = reachable(FLOORS)
+def reachable():
+    """Folder -> folders whose headers it may include. The longest matching folder counts."""
+    allowed = stack(MODULE, ())
+    # a library of its own, which the module knows nothing of
+    allowed["Module/Metadata"] = {"Module/Metadata"}
+    module = set(allowed)
+    allowed.update(stack(PROGRAMS, module))
+    allowed.update(stack(PLUGIN, module))
+    allowed["Testing"] = module | {"Testing"} | {folder for row in PROGRAMS for folder in row}
+    return allowed
+
+
+MAY_INCLUDE = reachable()
 PURE = ("Module/Metadata", "Module/Presets", "Module/Projections", "Module/Stereo")
 
 # Text that belongs to a shader, and the files that may hold it because they rewrite
@@ -111,6 +135,10 @@ EYE_AS_NUMBER = re.compile(
 KIND = re.compile(r'(?:IsA\(|strcmp\(.*|[!=]= *)"vtk\w*(?:Mapper|Helper|Actor|Volume)\w*"')
 KINDS = ("Module/Drawables/Kinds/", "Module/Compat/")
 
+# Calls of CMake that make a target of a folder of Programs.
+TARGET = re.compile(r"^(?:widefov_)?add_(?:library|executable)\(", re.M)
+TARGETS = "Programs/"
+
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(["<])([^">]+)[">]', re.M)
 
 # Written in pieces, so that this file does not match itself.
@@ -145,6 +173,38 @@ def check_includes(source, headers):
         homes = {folder_of(path) for path in headers.get(name, [])} - {None}
         if homes and not homes & MAY_INCLUDE[home]:
             yield line, "one way", "%s includes %s of %s" % (home, name, sorted(homes)[0])
+
+
+def check_circles(sources, headers):
+    """A header and its source are one; within a folder no chain of includes comes back to where it began."""
+    graph = {}
+    for source in sources:
+        if source.path.startswith(TARGETS) and source.is_kind(CPP):
+            own = os.path.splitext(source.path)[0]
+            names = [os.path.basename(m.group(2)) for m in INCLUDE.finditer(without_comments(source.text))]
+            found = {os.path.splitext(path)[0] for name in names for path in headers.get(name, [])}
+            near = {path for path in found if os.path.dirname(path) == os.path.dirname(own)}
+            graph.setdefault(own, set()).update(near - {own})
+    circle = find_circle(graph)
+    if circle:
+        path = next(s.path for s in sources if os.path.splitext(s.path)[0] == circle[0] and s.is_kind(CPP))
+        chain = " includes ".join(os.path.basename(name) for name in circle + circle[:1])
+        yield path, 1, "circle", chain
+
+
+def check_targets(sources):
+    """One folder of Programs, one target."""
+    lists = {os.path.dirname(s.path): s for s in sources if s.path.endswith("/CMakeLists.txt")}
+    folders = {os.path.dirname(s.path): s.path for s in sources if s.is_kind(CPP)}
+    for folder, path in sorted(folders.items()):
+        if not folder.startswith(TARGETS):
+            continue
+        if folder not in MAY_INCLUDE or folder not in lists:
+            yield path, 1, "target", "a folder without a floor here or without a CMakeLists.txt"
+            continue
+        made = TARGET.findall(lists[folder].text)
+        if len(made) != 1:
+            yield lists[folder].path, 1, "target", "%d targets, not one" % len(made)
 
 
 def check_length(source):
@@ -295,6 +355,8 @@ def breaches(root):
         for source in sources
         if source.path.startswith(MODELS) and source.is_kind(SHADERS)
     ]
+    for path, line, rule, text in list(check_circles(sources, headers)) + list(check_targets(sources)):
+        yield "%s:%d: %s: %s" % (path, line, rule, text)
     for source in sources:
         for check in CHECKS:
             for line, rule, text in check(source):

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Head poses at their times, and rays through screens.
+#include "Options/RoomOptions.h"
 #include "Text/Messages.h"
 #include "Viewing/PlayedHead.h"
 #include "Viewing/Room.h"

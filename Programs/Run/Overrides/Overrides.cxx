@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The factory of wide renderers and cameras, for programs that know nothing of them.
-#include "Text/Messages.h"
-#include "RunRenderer.h"
 #include "Run/Wishes/Wishes.h"
+#include "RunRenderer.h"
+#include "Text/Messages.h"
 
 #include <vtkObjectFactory.h>
 #include <vtkRenderWindow.h>

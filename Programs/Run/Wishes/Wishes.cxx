@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Wishes.h"
 
+#include "Projections/Projection.h"
 #include "Text/Messages.h"
 #include "Text/OptionValues.h"
 #include "Text/ProjectionNames.h"
-#include "Projections/Projection.h"
 
 namespace widefov
 {
