@@ -14,6 +14,7 @@ import sys
 import tempfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
+TOOLS = os.path.join(HERE, "..", "Tools", "Benchmark")
 PAGE = os.path.join(HERE, "..", "..", "Documentation", "benchmarks", "README.md")
 
 RECORD = {"scene", "triangles", "projection", "hfov", "size", "method", "parameter", "ms"}
@@ -101,8 +102,8 @@ def script_complaints(folder):
     page = os.path.join(folder, "page.md")
     shutil.copy(PAGE, page)
     for command in (
-        [os.path.join(HERE, "tables.py"), page, bench, table1, turning, bench, stereo, "--trial"],
-        [os.path.join(HERE, "plot.py"), bench, folder],
+        [os.path.join(TOOLS, "tables.py"), page, bench, table1, turning, bench, stereo, "--trial"],
+        [os.path.join(TOOLS, "plot.py"), bench, folder],
     ):
         subprocess.run([sys.executable, "-B"] + command, check=True)
     if os.path.getsize(os.path.join(folder, "room.svg")) < 10000:

@@ -12,8 +12,10 @@ import subprocess
 import sys
 import tempfile
 
-from check_bench import HERE, PAGE, run
-from tables import number
+from check_bench import PAGE, TOOLS, run
+
+sys.path.append(TOOLS)
+from tables import number  # noqa: E402
 
 # Of views that move, with one sample and with four; the last has several alone.
 MOVING = ["auto", "vertex", "perspective", "stereo-omnidirectional", "cubemap", "cubemap-ss"]
@@ -65,7 +67,7 @@ def moving_complaints(bench, mode, samples):
 def drag_complaints(program, folder):
     """A short drag of the room, 16 frames in all."""
     path = os.path.join(folder, "dragging.json")
-    command = [sys.executable, "-B", os.path.join(HERE, "dragging.py"), program, "--output", path]
+    command = [sys.executable, "-B", os.path.join(TOOLS, "dragging.py"), program, "--output", path]
     subprocess.run(command + ["--scenes", "room", "--size", "256x128", "--frames", "4"], check=True)
     with open(path, encoding="utf-8") as stream:
         document = json.load(stream)
@@ -90,7 +92,7 @@ def page_complaints(folder, film):
     shutil.copy(PAGE, page)
     files = [os.path.join(folder, "moving-%s-%d.json" % row) for row in RUNS]
     files.append(os.path.join(folder, "dragging.json"))
-    command = [sys.executable, "-B", os.path.join(HERE, "moving.py"), page] + files + ["--trial"]
+    command = [sys.executable, "-B", os.path.join(TOOLS, "moving.py"), page] + files + ["--trial"]
     subprocess.run(command, check=True)
     with open(page, encoding="utf-8") as stream:
         text = stream.read()

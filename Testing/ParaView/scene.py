@@ -251,7 +251,7 @@ def check_cells(options, view, mesh_path, picture_path, tolerance, side=0):
 def keeps_promise(options, view, mesh_path, picture_path, least, side=0):
     """Whether the view's picture shows the cells in more pixels than these, and as its technique
     promises. Of `exact` every pixel is explained; of `auto` those off are few, and show a face
-    hidden there, beside a silhouette or where surfaces cross (Testing/Reference/HiddenFaces.h)."""
+    hidden there, beside a silhouette or where surfaces cross (Testing/Tools/Reference/HiddenFaces.h)."""
     exact = view.GetProperty("Technique").GetData() == "Exact"
     tolerance = EXACT if exact else TOLERANCE
     answer = check_cells(options, view, mesh_path, picture_path, tolerance, side)

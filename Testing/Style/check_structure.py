@@ -78,7 +78,9 @@ def reachable():
     module = set(allowed)
     allowed.update(stack(PROGRAMS, module))
     allowed.update(stack(PLUGIN, module))
-    allowed["Testing"] = module | {"Testing"} | {folder for row in PROGRAMS for folder in row}
+    tools = module | {"Testing/Tools"} | {folder for row in PROGRAMS for folder in row}
+    allowed["Testing/Tools"] = tools  # know no test
+    allowed["Testing"] = tools | {"Testing"}
     return allowed
 
 

@@ -3,13 +3,13 @@
 # The errors of every scene in every projection, at its widest, the perspective at 120 degrees, under
 # every tolerance: writes the tables of Documentation/benchmarks/errors.md, from JSON files in output/errors.
 #
-#   bash Testing/Benchmark/errors.sh [--data FOLDER]
+#   bash Testing/Tools/Benchmark/errors.sh [--data FOLDER]
 #
 # Two projections at a time, some forty minutes on two cores, as many for the pictures of 8192 x 512, and
 # hours for those of 8192 x 4096, which take 12 GB. Times are not looked at. Needs a build in build/.
 # PROJECTIONS="hammer aitoff" measures these alone, and leaves the rows of others as they are.
 set -euo pipefail
-cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+cd "$(dirname "${BASH_SOURCE[0]}")/../../.."
 
 [ -x build/bin/widefov-bench ] ||
   { echo "errors.sh: there is no build/bin/widefov-bench; build the project first" >&2; exit 1; }
@@ -41,4 +41,4 @@ for name in $projections; do
 done | xargs -P 2 -L 1 bash -c 'bash Utilities/with-display.sh build/bin/widefov-bench --frames 1 \
   --projection "$2" --size "$3" --output "output/errors/$2-stretched.json" --quick \
   --methods exact,auto --tolerance 0.02 $1' errors.sh "$*"
-/usr/bin/python3 -B Testing/Benchmark/errors.py Documentation/benchmarks/errors.md output/errors/*.json
+/usr/bin/python3 -B Testing/Tools/Benchmark/errors.py Documentation/benchmarks/errors.md output/errors/*.json

@@ -17,7 +17,7 @@ import statistics
 import sys
 import tempfile
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, "Viewer"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, os.pardir, "Viewer"))
 import desktop  # noqa: E402
 
 SCENES = "winds,atrium,flow"  # what the limit is asked of

@@ -3,8 +3,8 @@
 # Every figure of Documentation/benchmarks/README.md: builds, measures, draws the plots and writes
 # the tables.
 #
-#   bash Testing/Benchmark/run.sh --moving [--size WxH] [--frames N] [OPTION...]
-#   bash Testing/Benchmark/run.sh [--quick] [OPTION...]
+#   bash Testing/Tools/Benchmark/run.sh --moving [--size WxH] [--frames N] [OPTION...]
+#   bash Testing/Tools/Benchmark/run.sh [--quick] [OPTION...]
 #
 # OPTION: [--trial] [--data FOLDER] [--scenes A,B,..] [--page FOLDER]
 #
@@ -23,7 +23,7 @@ set -euo pipefail
 exec < /dev/null
 
 step="reading the command line"
-trap 'code=$?; [ "$code" -eq 0 ] || echo "Testing/Benchmark/run.sh: FAILED while $step (exit code $code)" >&2' EXIT
+trap 'code=$?; [ "$code" -eq 0 ] || echo "Testing/Tools/Benchmark/run.sh: FAILED while $step (exit code $code)" >&2' EXIT
 
 quick=()
 few=()
@@ -42,33 +42,33 @@ while [ "$#" -gt 0 ]; do
       ;;
     --moving) moving=yes ;;
     --size)
-      [ "$#" -gt 1 ] || { echo "Testing/Benchmark/run.sh: --size needs WxH" >&2; exit 2; }
+      [ "$#" -gt 1 ] || { echo "Testing/Tools/Benchmark/run.sh: --size needs WxH" >&2; exit 2; }
       size="$2"
       shift
       ;;
     --frames)
-      [ "$#" -gt 1 ] || { echo "Testing/Benchmark/run.sh: --frames needs a number" >&2; exit 2; }
+      [ "$#" -gt 1 ] || { echo "Testing/Tools/Benchmark/run.sh: --frames needs a number" >&2; exit 2; }
       frames="$2"
       shift
       ;;
     --trial) trial=(--trial) ;;
     --data)
-      [ "$#" -gt 1 ] || { echo "Testing/Benchmark/run.sh: --data needs a folder" >&2; exit 2; }
+      [ "$#" -gt 1 ] || { echo "Testing/Tools/Benchmark/run.sh: --data needs a folder" >&2; exit 2; }
       data=(--data "$(realpath "$2")")
       shift
       ;;
     --scenes)
-      [ "$#" -gt 1 ] || { echo "Testing/Benchmark/run.sh: --scenes needs names" >&2; exit 2; }
+      [ "$#" -gt 1 ] || { echo "Testing/Tools/Benchmark/run.sh: --scenes needs names" >&2; exit 2; }
       scenes=(--scenes "$2")
       shift
       ;;
     --page)
-      [ "$#" -gt 1 ] || { echo "Testing/Benchmark/run.sh: --page needs a folder" >&2; exit 2; }
+      [ "$#" -gt 1 ] || { echo "Testing/Tools/Benchmark/run.sh: --page needs a folder" >&2; exit 2; }
       page=$(realpath "$2")
       shift
       ;;
     *)
-      echo "Testing/Benchmark/run.sh: --moving, --size WxH, --frames N, --quick, --trial, --data FOLDER, --scenes A,B,.. or --page FOLDER, not: $1" >&2
+      echo "Testing/Tools/Benchmark/run.sh: --moving, --size WxH, --frames N, --quick, --trial, --data FOLDER, --scenes A,B,.. or --page FOLDER, not: $1" >&2
       exit 2
       ;;
   esac
@@ -76,15 +76,15 @@ while [ "$#" -gt 0 ]; do
 done
 
 if [ -n "$moving" ] && [ -n "${quick[*]-}" ]; then
-  echo "Testing/Benchmark/run.sh: --quick is of views that stand; leave it out, or --moving" >&2
+  echo "Testing/Tools/Benchmark/run.sh: --quick is of views that stand; leave it out, or --moving" >&2
   exit 2
 fi
 if [ -z "$moving" ] && [ -n "$size$frames" ]; then
-  echo "Testing/Benchmark/run.sh: --size and --frames are of views that move; give --moving, or leave them out" >&2
+  echo "Testing/Tools/Benchmark/run.sh: --size and --frames are of views that move; give --moving, or leave them out" >&2
   exit 2
 fi
 
-cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+cd "$(dirname "${BASH_SOURCE[0]}")/../../.."
 
 step="installing packages"
 bash Utilities/install-packages.sh build examples test
@@ -103,7 +103,7 @@ measure() { # FILE.json OPTION...: the scenes that were asked for
     ${scenes[@]+"${scenes[@]}"} ${data[@]+"${data[@]}"}
 }
 publish() { # FILE.json...: on the page, without the places of pixels that differ
-  /usr/bin/python3 -B Testing/Benchmark/publish.py "$page" "${@/#/output/}"
+  /usr/bin/python3 -B Testing/Tools/Benchmark/publish.py "$page" "${@/#/output/}"
 }
 have_page() { # a copy of it, where another folder was asked for
   [ -f "$page/README.md" ] || cp Documentation/benchmarks/README.md "$page/"
@@ -122,13 +122,13 @@ measure_moving() { # one run for each mode and number of samples
   step=dragging
   local drags=(--frames "${frames:-15}") # of scenes of its own: the viewer has not all
   [ -z "$size" ] || drags+=(--size "$size")
-  /usr/bin/python3 -B Testing/Benchmark/dragging.py build/bin/widefov-viewer \
+  /usr/bin/python3 -B Testing/Tools/Benchmark/dragging.py build/bin/widefov-viewer \
     --output output/dragging.json "${drags[@]}"
   files+=(dragging.json)
   step=writing
   publish "${files[@]}"
   have_page
-  /usr/bin/python3 -B Testing/Benchmark/moving.py "$page/README.md" "${files[@]/#/$page/}" \
+  /usr/bin/python3 -B Testing/Tools/Benchmark/moving.py "$page/README.md" "${files[@]/#/$page/}" \
     ${trial[@]+"${trial[@]}"}
 }
 if [ -n "$moving" ]; then
@@ -149,8 +149,8 @@ bash Utilities/with-display.sh build/bin/widefov-bench --output output/stereo.js
 step=writing
 publish benchmark.json table1.json turning.json small.json stereo.json
 have_page
-/usr/bin/python3 -B Testing/Benchmark/plot.py "$page/benchmark.json" "$page"
-/usr/bin/python3 -B Testing/Benchmark/tables.py "$page/README.md" "$page/benchmark.json" \
+/usr/bin/python3 -B Testing/Tools/Benchmark/plot.py "$page/benchmark.json" "$page"
+/usr/bin/python3 -B Testing/Tools/Benchmark/tables.py "$page/README.md" "$page/benchmark.json" \
   "$page/table1.json" "$page/turning.json" "$page/small.json" \
   "$page/stereo.json" ${trial[@]+"${trial[@]}"}
 echo "Written: $page"

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Where the time of a scene of the benchmark goes, by perf's samples: shares of all that is drawing.
 #
-#   bash Testing/Benchmark/profile.sh [--standing] SCENE METHOD [FRAMES [OPTION OF WIDEFOV-BENCH...]]
+#   bash Testing/Tools/Benchmark/profile.sh [--standing] SCENE METHOD [FRAMES [OPTION OF WIDEFOV-BENCH...]]
 #   for example: profile.sh office auto 300
 #
 # --standing  milliseconds of processor time in a frame instead, of a view that stands: what FRAMES
@@ -11,7 +11,7 @@
 # Needs perf (Debian: linux-perf), software rendering by llvmpipe, and a build in build/. What the
 # benchmark does for itself (scenes, rays that are cast) is left out.
 set -euo pipefail
-cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+cd "$(dirname "${BASH_SOURCE[0]}")/../../.."
 
 fail() {
   echo "profile.sh: $2" >&2
