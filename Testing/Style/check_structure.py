@@ -73,8 +73,9 @@ def stack(floors, below):
 def reachable():
     """Folder -> folders whose headers it may include. The longest matching folder counts."""
     allowed = stack(MODULE, ())
-    # a library of its own, which the module knows nothing of
+    # libraries of their own, which the module knows nothing of
     allowed["Module/Metadata"] = {"Module/Metadata"}
+    allowed["Module/Displays"] = {"Module/Displays", "Module/Projections"}
     module = set(allowed)
     allowed.update(stack(PROGRAMS, module))
     allowed.update(stack(PLUGIN, module))
@@ -85,7 +86,7 @@ def reachable():
 
 
 MAY_INCLUDE = reachable()
-PURE = ("Module/Metadata", "Module/Presets", "Module/Projections", "Module/Stereo")
+PURE = ("Module/Displays", "Module/Metadata", "Module/Presets", "Module/Projections", "Module/Stereo")
 
 # Text that belongs to a shader, and the files that may hold it because they rewrite
 # the text of VTK's own shaders.
