@@ -16,9 +16,8 @@ using OneReader = Calibration (*)(const std::string& path, const std::string& by
 const std::map<std::string, OneReader> OneProjector{ { ".data", ReadBourke },
   { ".obj", ReadObjWarp }, { ".pfm", ReadPfmWarp }, { ".sgc", ReadSciss }, { ".txt", ReadSkySkan },
   { ".skyskan", ReadSkySkan }, { ".ol", ReadScalable }, { ".csv", ReadDomeprojection } };
-}
 
-std::vector<Calibration> ReadCalibrations(const std::string& path)
+std::vector<Calibration> ReadAll(const std::string& path)
 {
   const std::string ending = LowerCase(std::filesystem::path(path).extension().string());
   if (ending == ".mpcdi")
@@ -38,5 +37,36 @@ std::vector<Calibration> ReadCalibrations(const std::string& path)
   std::vector<Calibration> one; // (a list in braces would copy it)
   one.push_back(reader->second(path, ReadBytes(path)));
   return one;
+}
+}
+
+Calibration ReadCalibration(const std::string& path, const std::string& name)
+{
+  std::vector<Calibration> all = ReadCalibrations(path);
+  std::string names;
+  for (Calibration& calibration : all)
+  {
+    if (calibration.Name == name || (name.empty() && all.size() == 1))
+    {
+      return std::move(calibration);
+    }
+    names += (names.empty() ? "" : ", ") + calibration.Name;
+  }
+  if (names.empty())
+  {
+    throw FileError(path + " has one projector, which has no name; leave " + name + " out");
+  }
+  throw FileError(path + " has the regions " + names + "; name one of them" +
+    (name.empty() ? "" : ", not " + name));
+}
+
+std::vector<Calibration> ReadCalibrations(const std::string& path)
+{
+  std::vector<Calibration> all = ReadAll(path);
+  for (Calibration& calibration : all)
+  {
+    calibration.Path = path;
+  }
+  return all;
 }
 }

@@ -78,6 +78,7 @@ struct Frustum
 // The calibration of one projector.
 struct Calibration
 {
+  std::string Path;                // of the file, for messages
   std::string Name;                // of an MPCDI region; otherwise empty
   std::array<int, 2> Size{ 0, 0 }; // pixels of the projector; 0: the file does not say
   Shows What = Shows::Picture;
@@ -95,6 +96,9 @@ struct Calibration
 // Reads all projectors of a file, told by its ending: .mpcdi, .data, .obj, .pfm, .sgc, .txt or
 // .skyskan (SkySkan), .xml or .simcad (SimCAD, or an unpacked MPCDI), .ol, .csv. Throws FileError.
 std::vector<Calibration> ReadCalibrations(const std::string& path);
+
+// The projector of this name; empty: the only one of the file. Throws a FileError.
+Calibration ReadCalibration(const std::string& path, const std::string& name);
 }
 
 #endif

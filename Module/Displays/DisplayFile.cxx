@@ -235,6 +235,10 @@ DisplayProjector ReadProjector(const std::string& path, const nlohmann::json& va
       "mask", "mask-gamma", "gamma", "black-level" });
   DisplayProjector p;
   p.Name = object.Text("name");
+  if (p.Name.find('/') != std::string::npos)
+  {
+    object.Fail("name", "no slash: it becomes part of the names of files");
+  }
   p.Size = ReadSize(object);
   p.Machine = object.Text("machine", std::string());
   p.Monitor = static_cast<int>(object.Number("monitor", 0, 1000, -1.));

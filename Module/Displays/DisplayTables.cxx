@@ -10,27 +10,6 @@ namespace wfv::displays
 {
 namespace
 {
-// The calibration of a projector's region.
-Calibration Choose(const DisplayProjector& projector)
-{
-  std::vector<Calibration> all = ReadCalibrations(projector.Calibration);
-  if (projector.Region.empty() && all.size() == 1)
-  {
-    return all[0];
-  }
-  std::string names;
-  for (Calibration& calibration : all)
-  {
-    if (calibration.Name == projector.Region)
-    {
-      return calibration;
-    }
-    names += (names.empty() ? "" : ", ") + calibration.Name;
-  }
-  throw FileError(projector.Calibration + " has the regions " + names + ", and the projector " +
-    projector.Name + " names " + (projector.Region.empty() ? "none" : projector.Region));
-}
-
 std::array<int, 2> SizeOf(const DisplayProjector& projector, const Calibration& calibration)
 {
   const std::array<int, 2> size = projector.Size[0] > 0 ? projector.Size : calibration.Size;
@@ -69,7 +48,7 @@ Table TableOf(const DisplayFile& display, const DisplayProjector& projector, boo
     return CastTable(
       *projector.Place, *display.Lit, projector.Size[0], projector.Size[1], projector.Mirror);
   }
-  const Calibration calibration = Choose(projector);
+  const Calibration calibration = ReadCalibration(projector.Calibration, projector.Region);
   notes.insert(notes.end(), calibration.Notes.begin(), calibration.Notes.end());
   const std::array<int, 2> size = SizeOf(projector, calibration);
   const bool lensAlone = calibration.Lens && calibration.Pixels.Width == 0;

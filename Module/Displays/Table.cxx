@@ -20,8 +20,8 @@ Content ContentOf(const Calibration& calibration, const Content& content)
   }
   if (!content)
   {
-    throw FileError("the calibration " + calibration.Name +
-      " says places in a picture, and not in which: name its projection");
+    throw FileError(
+      calibration.Path + " says places in a picture, and not in which: name its projection");
   }
   return content;
 }
@@ -79,8 +79,8 @@ Table MakeTable(
   }
   else if (calibration.Mesh.Triangles.empty())
   {
-    throw FileError("the calibration " + calibration.Name +
-      " says where the projector is and not what it shows: name the surface");
+    throw FileError(calibration.Path +
+      " says where the projector is and not what it shows; name the surface in a display file");
   }
   else
   {
@@ -99,8 +99,8 @@ Table MakeTable(
   const auto dark = [](const vec3& v) { return std::isnan(v.x); };
   if (std::all_of(table.Values.begin(), table.Values.end(), dark))
   {
-    throw FileError("the calibration " + calibration.Name + " shows nothing in " +
-      std::to_string(width) + "x" + std::to_string(height) + " pixels; check the size");
+    throw FileError(calibration.Path + " shows nothing in " + std::to_string(width) + "x" +
+      std::to_string(height) + " pixels; check the size");
   }
   return table;
 }

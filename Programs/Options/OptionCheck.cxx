@@ -15,6 +15,7 @@
 #include "Text/Angles.h"
 #include "Text/Messages.h"
 #include "Text/OptionValues.h"
+#include "WarpOptions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -119,6 +120,7 @@ void CompleteView(Options& o, const FieldsOfView& given)
   {
     FailUsage(complaint);
   }
+  TakeWarp(o);
 }
 
 void CheckCamera(const Options& o)
@@ -223,11 +225,12 @@ std::vector<std::string> AllOutputs(const Options& o)
 void CheckStandardStream(const Options& o)
 {
   const bool separate = HasTwoEyes(o) && FindStereoLayout(o.Layout).Separate;
-  const bool several = separate || HasRoom(o);
+  const bool several = separate || HasRoom(o) || !o.Projectors.empty();
   if (several && std::count(o.Outputs.begin(), o.Outputs.end(), StandardStream) > 0)
   {
     FailUsage("--output - takes one picture, not those of " +
-      std::string(separate ? "--layout " + o.Layout : "--screens and --pose") + "; name files");
+      std::string(separate ? "--layout " + o.Layout : "--screens, --pose and --display") +
+      "; name files");
   }
 }
 

@@ -48,6 +48,14 @@ struct PartOfPicture
   std::array<double, 2> Share{ { 1, 1 } };
 };
 
+// How bright a projector shows each pixel, in linear light; the bottom row first.
+struct ProjectorLight
+{
+  std::vector<float> Brightness; // 0 to 1
+  std::vector<float> Lift;       // added; empty: none
+  double Gamma = 2.2;
+};
+
 // Everything a user can ask for; the defaults are those of the command line. Angles in
 // degrees, distances in scene units.
 struct Options
@@ -63,8 +71,16 @@ struct Options
   bool HasFov = false;   // any field of view
   wfv::ViewOptions View; // complete after ParseOptions; Radii only where HasClip
   bool HasClip = false;
-  std::string DirectionMap;    // file of the projection of that name
-  std::string LensFile;        // of a calibrated camera
+  std::string DirectionMap;     // file of the projection of that name
+  std::string Warp;             // file of a projector's calibration; empty: none
+  std::string Projectors;       // file of a display; empty: none
+  std::string Projector;        // the only one of these that is drawn; empty: all of a display
+  double ProjectorGamma = 2.2;  // of --warp
+  std::string ContentMap;       // of --warp: the projection that the calibration refers to
+  wfv::ViewOptions ContentView; // and its numbers
+  std::shared_ptr<const ProjectorLight> Light; // of a picture for a projector; nullptr: full
+  std::string ProjectorName;                   // of one of several pictures; empty: the only one
+  std::string LensFile;                        // of a calibrated camera
   std::vector<double> Circle;  // of a round map: its centre and radius, pixels of the picture
   std::vector<double> Borders; // of what is seen: left, right, down, up from the axis; empty: even
   std::optional<PartOfPicture> Part; // that these are; View has the larger picture's fields of view

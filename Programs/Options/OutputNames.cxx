@@ -36,6 +36,12 @@ std::string NameOfScreen(const Options& sight, const std::string& path)
   return sight.Screen ? WithSuffix(path, "-" + sight.Screen->Name) : path;
 }
 
+// picture-PROJECTOR.png
+std::string NameOfProjector(const Options& o, const std::string& path)
+{
+  return o.ProjectorName.empty() ? path : WithSuffix(path, "-" + o.ProjectorName);
+}
+
 // picture-0007.png
 std::string NameOfPose(const Options& sight, const std::string& path)
 {
@@ -93,7 +99,7 @@ bool IsVr180Photo(const std::string& path)
 std::vector<std::string> FilesOf(const Options& o, const std::string& output)
 {
   const StereoLayout& layout = FindStereoLayout(o.Layout);
-  const std::string name = NameOfScreen(o, output);
+  const std::string name = NameOfProjector(o, NameOfScreen(o, output));
   if (!HasTwoEyes(o) || !layout.Separate)
   {
     return { NameOfPose(o, name) };

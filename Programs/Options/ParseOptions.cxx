@@ -16,6 +16,7 @@
 #include "Text/Messages.h"
 #include "Text/OptionValues.h"
 #include "Text/ProjectionNames.h"
+#include "WarpOptions.h"
 
 #include <CLI/CLI.hpp>
 
@@ -246,6 +247,7 @@ std::optional<int> ParseOptions(int argc, char** argv, Options& options)
   CLI::App app("Pictures of VTK data in wide and non-planar projections.", "widefov-render");
   FieldsOfView fov;
   DeclareScene(app, options, fov);
+  DeclareWarp(app, options);
   DeclareOutput(app, options);
   DeclareFilm(app, options);
   if (const std::optional<int> done = ParseCommandLine(app, argc, argv))

@@ -7,6 +7,7 @@
 #include "System/CrashGuard.h"
 #include "System/Progress.h"
 #include "Text/Messages.h"
+#include "Warp.h"
 
 #include <OpenImageIO/imageio.h>
 
@@ -121,6 +122,10 @@ bool MakeDirectionMap(Options& o)
 
 void LoadDirectionMap(Options& o)
 {
+  if (!o.Warp.empty())
+  {
+    LoadWarp(o);
+  }
   if (MakeDirectionMap(o) || o.DirectionMap.empty())
   {
     return;

@@ -6,6 +6,7 @@
 #include "Options/OutputNames.h"
 #include "Options/StereoChoice.h"
 #include "Options/StereoLayout.h"
+#include "Warp.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,8 +38,13 @@ PanoramaInfo DescribePanorama(const Options& o)
 }
 
 std::vector<std::pair<std::string, std::vector<unsigned char>>> EncodeFiles(
-  const Options& o, const std::string& output, const std::vector<Picture>& drawn)
+  const Options& o, const std::string& output, const std::vector<Picture>& unlit)
 {
+  std::vector<Picture> drawn = unlit;
+  for (Picture& picture : drawn)
+  {
+    ApplyLight(o, picture);
+  }
   const StereoLayout& layout = FindStereoLayout(o.Layout);
   const PanoramaInfo info = DescribePanorama(o);
   const std::vector<std::string> names = FilesOf(o, output);

@@ -14,6 +14,7 @@
 #include "Pictures/StereoWindow.h"
 #include "Pictures/StripFile.h"
 #include "Pictures/Tiles.h"
+#include "Pictures/Warp.h"
 #include "Scenes/ShownScene.h"
 #include "System/Progress.h"
 #include "Text/Messages.h"
@@ -290,7 +291,11 @@ void WriteTiledPictures(Stage& stage, const Options& o, OutputFiles& files, Rend
     time += DrawTimed(stage, eye);
     CheckMessages();
   };
-  const auto take = [&](std::size_t i, const Picture& rows) {
+  std::vector<int> taken(CountEyes(stage), 0); // rows
+  const auto take = [&](std::size_t i, const Picture& drawn) {
+    Picture rows = drawn;
+    ApplyLight(o, rows, taken[i]);
+    taken[i] += rows.Height;
     for (std::size_t k = i; k < pictures.size(); k += each)
     {
       pictures[k]->Add(rows.Rgb.data(), rows.Height);

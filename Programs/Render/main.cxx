@@ -17,6 +17,7 @@
 #include "Pictures/LoadScene.h"
 #include "Pictures/PictureFiles.h"
 #include "Pictures/SkyPicture.h"
+#include "Pictures/Warp.h"
 #include "RenderJob.h"
 #include "SightsJob.h"
 #include "System/OutputFiles.h"
@@ -121,7 +122,18 @@ bool DoOtherWork(Options& options)
   return false;
 }
 
-void Draw(const Options& options, const Scene& scene, double reading)
+void DrawOne(const Options& options, const Scene& scene, double reading)
+{
+  OutputFiles files;
+  RenderResult result = Render(scene, options, files);
+  result.Stats.Parts.Reading = reading;
+  WriteAll(options, scene, result, files);
+  TellOfPictures(options, result.Stats);
+}
+
+// projectors: those of a display, a picture each; none: one picture.
+void Draw(const Options& options, const std::vector<Options>& projectors, const Scene& scene,
+  double reading)
 {
   TellOfScene(scene);
   if (HasRoom(options))
@@ -129,11 +141,34 @@ void Draw(const Options& options, const Scene& scene, double reading)
     DrawSights(options, scene, reading);
     return;
   }
-  OutputFiles files;
-  RenderResult result = Render(scene, options, files);
-  result.Stats.Parts.Reading = reading;
-  WriteAll(options, scene, result, files);
-  TellOfPictures(options, result.Stats);
+  for (const Options& projector : projectors)
+  {
+    DrawOne(WithProjector(options, projector), scene, reading);
+  }
+  if (projectors.empty())
+  {
+    DrawOne(options, scene, reading);
+  }
+}
+
+// Reads the display. The names of the files are known then, and the first projector's view stands
+// for all where the eye is chosen.
+std::vector<Options> TakeProjectors(Options& options)
+{
+  if (options.Projectors.empty())
+  {
+    return {};
+  }
+  std::vector<Options> projectors = LoadProjectors(options);
+  for (const Options& projector : projectors)
+  {
+    if (!options.DryRun)
+    {
+      CheckOutputs(projector);
+    }
+  }
+  options = WithProjector(options, projectors[0]);
+  return projectors;
 }
 
 int Run(int argc, char** argv)
@@ -147,11 +182,12 @@ int Run(int argc, char** argv)
   {
     return ExitDone;
   }
-  if (!options.DryRun)
+  if (!options.DryRun && options.Projectors.empty())
   {
     CheckOutputs(options);
   }
   LoadDirectionMap(options);
+  const std::vector<Options> projectors = TakeProjectors(options);
   LoadSky(options);
   CheckSights(options);
   const Stopwatch watch;
@@ -166,7 +202,7 @@ int Run(int argc, char** argv)
     Print(DryRunText(options, scene));
     return ExitDone;
   }
-  Draw(options, scene, reading);
+  Draw(options, projectors, scene, reading);
   return ExitDone;
 }
 }

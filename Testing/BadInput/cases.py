@@ -6,6 +6,7 @@ from collections import namedtuple
 
 from inputs import ENDINGS
 from lenses import LENSES
+from projectors import PROJECTORS
 from rooms import ROOM
 
 DONE, FAILED, USAGE = 0, 1, 2
@@ -373,6 +374,7 @@ VIEWER += [failed("good.vtk " + words, says) for words, code, says in ROOM if co
 GROUPS = {
     "CommandLine": COMMAND_LINE,
     "Lenses": [Case("good.vtk " + arguments, code, says) for arguments, code, says in LENSES],
+    "Projectors": [Case("good.vtk " + arguments, code, says) for arguments, code, says in PROJECTORS],
     "Room": [Case("good.vtk " + arguments, code, says) for arguments, code, says in ROOM],
     "Data": DATA,
     "Tolerated": TOLERATED,

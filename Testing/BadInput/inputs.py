@@ -8,6 +8,7 @@ import sys
 
 import numpy
 from lenses import lens_files
+from projectors import projector_files
 from rooms import room_files
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "..", "Utilities"))
@@ -161,7 +162,7 @@ def write_inputs(folder):
     files["only-nan.vtk"] = binary([(NAN, NAN, NAN)] * len(POINTS))
     files.update(ply_files())
     files.update(direction_maps())
-    for written in (room_files(), lens_files()):
+    for written in (room_files(), lens_files(), projector_files()):
         files.update((name, text.encode()) for name, text in written.items())
     noise = random.Random(1).randbytes(4096)
     files.update(("noise." + ending, noise) for ending in ENDINGS)

@@ -1,0 +1,160 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pictures for projectors: a mesh that changes nothing, one that moves and darkens, a display of two.
+
+    test_projectors.py WIDEFOV_RENDER
+"""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy
+
+RENDER = sys.argv[1]
+
+# Pixels of the picture of all directions. Its colours are waves of DENSITY radians a unit of the sphere.
+SKY = (2048, 1024)
+DENSITY = 10
+
+# Levels of 255 by which the same direction may differ in two pictures: rays of a direction map are
+# float32, and the texture is filtered.
+LEVELS = 3
+
+# Levels of 255 of a white picture behind a mask: a half for rounding, a half for the mask's own.
+MASK_LEVELS = 1
+
+SIZE = 128
+
+
+def run(*words):
+    return subprocess.run(words, check=True, stdout=subprocess.PIPE, timeout=120).stdout
+
+
+def read_picture(path):
+    run("oiiotool", path, "--ch", "R,G,B", "-d", "uint8", "-o", path + ".ppm")
+    with open(path + ".ppm", "rb") as file:
+        words = file.readline().split() + file.readline().split() + file.readline().split()
+        data = file.read()
+    width, height = int(words[1]), int(words[2])
+    return numpy.frombuffer(data, numpy.uint8, width * height * 3).reshape(height, width, 3).astype(int)
+
+
+def all_directions():
+    """The picture of all directions: -z in the middle, +x to the right of it, +y on top."""
+    width, height = SKY
+    longitude = numpy.pi * (2 * (numpy.arange(width) + 0.5) / width - 1)
+    latitude = numpy.pi * (0.5 - (numpy.arange(height) + 0.5) / height)
+    a, b = numpy.meshgrid(longitude, latitude)
+    d = numpy.stack([numpy.cos(b) * numpy.sin(a), numpy.sin(b), -numpy.cos(b) * numpy.cos(a)], axis=-1)
+    return numpy.rint(127.5 + 127.5 * numpy.sin(DENSITY * d + numpy.arange(3))).astype(numpy.uint8)
+
+
+def mesh(shown):
+    """A mesh of 3 x 3 nodes; shown: place in the picture, 0 to 1, to u, v and intensity."""
+    lines = ["2", "3 3"]
+    for i in range(9):
+        x, y = 0.5 * (i % 3), 0.5 * (i // 3)
+        lines.append("%.9g %.9g %.9g %.9g %.9g" % ((2 * x - 1, 2 * y - 1) + shown(x, y)))
+    return "\n".join(lines) + "\n"
+
+
+class Projectors(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.sky = cls.path("sky.png")
+        with open(cls.path("sky.ppm"), "wb") as file:
+            file.write(b"P6\n%d %d\n255\n" % SKY + all_directions().tobytes())
+        run("oiiotool", cls.path("sky.ppm"), "-o", cls.sky)
+        cls.write("speck.obj", "v 0 0 -1\nv 1e-7 0 -1\nv 0 1e-7 -1\nf 1 2 3\n")
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    @classmethod
+    def path(cls, name):
+        return os.path.join(cls.folder.name, name)
+
+    @classmethod
+    def write(cls, name, text):
+        with open(cls.path(name), "w", encoding="ascii") as file:
+            file.write(text)
+        return cls.path(name)
+
+    def draw(self, *words):
+        run(RENDER, self.path("speck.obj"), "--eye", "0,0,0", "--samples", "0", "-o",
+            self.path("drawn.png"), *words)
+
+    def drawn(self, *words):
+        self.draw(*words)
+        return read_picture(self.path("drawn.png"))
+
+    def check_same(self, ours, theirs):
+        inside = ours.any(axis=2) & theirs.any(axis=2)
+        self.assertGreater(inside.mean(), 0.5)
+        off = abs(ours - theirs).max(axis=2) > LEVELS
+        worst = numpy.argwhere(off & inside)
+        self.assertEqual((off & inside).sum(), 0, "first of them at %s" % (worst[:1][:, ::-1].tolist(),))
+
+    def test_mesh_of_itself(self):
+        """A mesh whose u, v are its places shows the fisheye that it refers to."""
+        path = self.write("same.data", mesh(lambda x, y: (x, y, 1)))
+        fisheye = ["--sky", self.sky, "--projection", "azimuthal-equidistant", "--fov", "180", "--tilt", "30",
+                   "--size", "%dx%d" % (SIZE, SIZE)]
+        self.check_same(self.drawn(*fisheye, "--warp", path), self.drawn(*fisheye))
+
+    def test_part_of_a_picture(self):
+        """A mesh that shows the upper right quarter shows it as large as the quarter of a larger picture."""
+        path = self.write("quarter.data", mesh(lambda x, y: (0.5 + 0.5 * x, 0.5 + 0.5 * y, 1)))
+        map_of = ["--sky", self.sky, "--projection", "azimuthal-equidistant", "--fov", "180"]
+        whole = self.drawn(*map_of, "--size", "%dx%d" % (2 * SIZE, 2 * SIZE))
+        part = self.drawn(*map_of, "--size", "%dx%d" % (SIZE, SIZE), "--warp", path)
+        self.check_same(part, whole[:SIZE, SIZE:])
+
+    def test_intensity(self):
+        """A white picture is as bright as the mesh says, from left to right."""
+        path = self.write("ramp.data", mesh(lambda x, y: (x, y, x)))
+        row = self.drawn("--background", "1,1,1", "--projection", "equirectangular", "--size",
+                         "%dx%d" % (SIZE, SIZE), "--warp", path)[SIZE // 2, :, 0]
+        expected = 255 * (numpy.arange(SIZE) + 0.5) / SIZE
+        self.assertLessEqual(abs(row - expected).max(), MASK_LEVELS)
+
+    def test_tiles(self):
+        """Tiles of a picture are as bright as the picture."""
+        path = self.write("ramp.data", mesh(lambda x, y: (x, y, 0.5 * x + 0.5 * y)))
+        words = ["--background", "1,1,1", "--projection", "equirectangular", "--size",
+                 "%dx%d" % (SIZE, SIZE), "--warp", path]
+        self.assertEqual(abs(self.drawn(*words) - self.drawn(*words, "--tile", "64x64")).max(), 0)
+
+    def test_display(self):
+        """Two projectors on a wall: each has a file, and shows its part of the same picture."""
+        projectors = [
+            {"name": name, "size": [SIZE, SIZE],
+             "lens": {"position": [x, 0, 0], "direction": [0, 0, -1], "throw-ratio": 1}}
+            for name, x in (("left", -0.4), ("right", 0.4))
+        ]
+        wall = {"type": "plane", "lower-left": [-2, -2, -1], "lower-right": [2, -2, -1],
+                "upper-right": [2, 2, -1]}
+        path = self.write("wall.json", json.dumps({"surface": wall, "projectors": projectors}))
+        self.draw("--background", "1,1,1", "--display", path)
+        left = read_picture(self.path("drawn-left.png"))[SIZE // 2, :, 0]
+        right = read_picture(self.path("drawn-right.png"))[SIZE // 2, :, 0]
+        self.assertEqual(left[0], 255)
+        self.assertEqual(right[-1], 255)
+        # light of both adds up to white where they overlap: a fifth of each, pixel upon pixel
+        shift = round(0.8 * SIZE)
+        both = (left[shift:] / 255) ** 2.2 + (right[: SIZE - shift] / 255) ** 2.2
+        self.assertLess(abs(both - 1).max(), 0.02)
+        self.draw("--background", "1,1,1", "--display", path, "--projector", "right", "-o",
+                  self.path("one.png"))
+        self.assertTrue(os.path.exists(self.path("one-right.png")))
+        self.assertFalse(os.path.exists(self.path("one-left.png")))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
