@@ -42,7 +42,7 @@ def command_of(program, case, out):
     """The command line of a row, small and with two outputs where it names none; the viewer
     ends by itself."""
     words = [word.replace("{out}", out) for word in shlex.split(case.arguments)]
-    if words and "--size" not in words:
+    if words and not {"--size", "--display"} & set(words):
         words += ["--size", "64x32"]
     if is_viewer(program):
         return [program] + words + ([] if "--frames" in words else ["--frames", "2"])
