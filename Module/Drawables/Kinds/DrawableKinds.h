@@ -8,6 +8,7 @@
 #include "vtkWideFoVAbi.h"
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkActor;
 class vtkObjectBase;
 VTK_ABI_NAMESPACE_END
 
@@ -42,10 +43,16 @@ enum DrawableTrait : unsigned
   OfImage = 1u << 17,
 
   // Of a prop: keeps followers to itself, which turn to the camera as in a perspective.
-  KeepsFollowers = 1u << 18
+  KeepsFollowers = 1u << 18,
+
+  CopiesAtPoints = 1u << 19 // a mapper: draws something else at each point of its input
 };
 
 bool HasTrait(vtkObjectBase* drawable, DrawableTrait trait);
+
+// An actor of VTK's own class with the stock mapper of polydata or ours; followers and levels of
+// detail draw another actor.
+bool IsStockActor(vtkActor* actor);
 
 // How far the mapper draws beyond the bounds of its points, scene units.
 double Overhang(vtkObjectBase* mapper);
