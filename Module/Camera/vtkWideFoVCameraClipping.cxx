@@ -5,6 +5,7 @@
 #include "Camera/CameraInternals.h"
 #include "Camera/PropBounds.h"
 #include "Camera/SceneBounds.h"
+#include "Camera/SharedDepth.h"
 #include "Compat/Reports.h"
 #include "Projections/Bounds/ViewFrustum.h"
 
@@ -99,6 +100,10 @@ struct vtkWideFoVCamera::Clipping
 
   // Fits the clip spheres to what a renderer shows, and those that share its depth.
   void Fit(vtkRenderer* renderer);
+
+  // Tests whether depths of both cameras mean the same.
+  bool HasDepthOf(vtkWideFoVCamera* other);
+  void WarnOfOtherDepths(vtkRenderer* renderer);
 };
 
 void vtkWideFoVCamera::SetClipRadii(double nearRadius, double farRadius)
@@ -250,6 +255,31 @@ void vtkWideFoVCamera::Clipping::WarnOfClipping(double nearest, double clipped, 
   }
 }
 
+bool vtkWideFoVCamera::Clipping::HasDepthOf(vtkWideFoVCamera* other)
+{
+  const bool fixed = !this->Self->AutomaticClipRadii && !other->AutomaticClipRadii;
+  const wfv::ViewOptions& a = this->Self->Internal->Options;
+  const wfv::ViewOptions& b = other->Internal->Options;
+  return this->Self->IsWide() == other->IsWide() && a.Mapping == b.Mapping &&
+    (!fixed || a.Radii == b.Radii);
+}
+
+void vtkWideFoVCamera::Clipping::WarnOfOtherDepths(vtkRenderer* renderer)
+{
+  for (vtkRenderer* const each : this->Self->Internal->Sharing)
+  {
+    const bool shows = each->VisibleActorCount() + each->VisibleVolumeCount() > 0;
+    vtkWideFoVCamera* const camera = each == renderer ? this->Self : FindCamera(each);
+    if (shows && !(camera && this->HasDepthOf(camera)) && wfv::IsNews("shared depth"))
+    {
+      vtkWarningWithObjectMacro(this->Self,
+        "renderers with one depth buffer (PreserveDepthBuffer) have depths of "
+        "different kinds, so what is nearer may be hidden: give them one camera, or "
+        "wide cameras with one DepthMapping and the same ClipRadii");
+    }
+  }
+}
+
 void vtkWideFoVCamera::Clipping::Fit(vtkRenderer* renderer)
 {
   wfv::Reach reach;
@@ -284,8 +314,12 @@ void vtkWideFoVCamera::ResetClipRadii(const double bounds[6])
 
 void vtkWideFoVCamera::FitClipRadii(vtkRenderer* renderer)
 {
-  this->Internal->Sharing.assign(1, renderer);
+  wfv::FindRenderersOfDepth(renderer, this->Internal->Sharing);
   Clipping clipping{ this };
+  if (this->Internal->Sharing.size() > 1)
+  {
+    clipping.WarnOfOtherDepths(renderer);
+  }
   if (this->AutomaticClipRadii)
   {
     clipping.Fit(renderer);
