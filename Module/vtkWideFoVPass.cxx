@@ -53,6 +53,7 @@ void vtkWideFoVPass::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Technique: " << this->Technique << "\n"
      << indent << "Tolerance: " << this->Tolerance << "\n"
+     << indent << "LabelUp: " << this->LabelUp << "\n"
      << indent << "DebugView: " << this->DebugView << "\n"
      << indent << "ShaderFolder: " << this->ShaderFolder << "\n"
      << indent << "DelegatePass: " << this->Internal->Delegate.Get() << "\n"

@@ -91,10 +91,15 @@ const DrawableKind Kinds[] = {
   { "vtkMultiBlockVolumeMapper", 0, GpuRays },
   { "vtkSmartVolumeMapper", 0, GpuRays | MayChoose },
   { "vtkFixedPointVolumeRayCastMapper", 0, OfImage },
-  { "vtkLabelPlacementMapper", 0, InFrontOnly },
+  { "vtkLabelPlacementMapper", 0, PointLabels },
+  { "vtkLabeledDataMapper", PointLabels, 0 },
+  { "vtkDynamic2DLabelMapper", PointLabels, 0 },
   { "vtkOpenGLActor", StockActor, 0 },
-  { "vtkDistanceRepresentation3D", 0, KeepsFollowers },
-  { "vtkAngleRepresentation3D", 0, KeepsFollowers },
+  { "vtkAxesActor", 0, PartsKnowBounds },
+  { "vtkWidgetRepresentation", 0, BesideBounds },
+  { "vtkDepthSortPolyData", 0, SortsByCamera },
+  { "vtkAdaptiveDataSetSurfaceFilter", 0, CullsByCamera },
+  { "vtkLegendScaleActor", MeasuresPicture, 0 },
 };
 }
 
