@@ -4,9 +4,12 @@
 #include "Drawables/Kinds/DrawableKinds.h"
 
 #include "vtkActor.h"
+#include "vtkBoundingBox.h"
 #include "vtkFollower.h"
 #include "vtkMath.h"
+#include "vtkNew.h"
 #include "vtkProp3DFollower.h"
+#include "vtkPropCollection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,12 +45,45 @@ void HoldTurns(vtkProp* prop, double bounds[6])
     bounds[2 * i + 1] = place[i] + radius;
   }
 }
+
+bool FindBoundsOfParts(vtkProp* prop, double bounds[6])
+{
+  prop->HasTranslucentPolygonalGeometry(); // brings its parts up to date
+  vtkNew<vtkPropCollection> parts;
+  prop->GetActors(parts);
+  vtkBoundingBox box;
+  for (int i = 0; i < parts->GetNumberOfItems(); i++)
+  {
+    auto* const part = vtkProp::SafeDownCast(parts->GetItemAsObject(i));
+    const double* const own = part && part->GetVisibility() ? part->GetBounds() : nullptr;
+    if (own && vtkMath::AreBoundsInitialized(own))
+    {
+      box.AddBounds(own);
+    }
+  }
+  vtkMath::UninitializeBounds(bounds);
+  if (box.IsValid())
+  {
+    box.GetBounds(bounds);
+  }
+  return box.IsValid();
+}
 }
 
 namespace wfv
 {
+bool HasOtherBounds(vtkProp* prop)
+{
+  return vtkFollower::SafeDownCast(prop) || vtkProp3DFollower::SafeDownCast(prop) ||
+    HasTrait(prop, PartsKnowBounds);
+}
+
 bool FindBounds(vtkProp* prop, double bounds[6])
 {
+  if (HasTrait(prop, PartsKnowBounds))
+  {
+    return FindBoundsOfParts(prop, bounds);
+  }
   const double* const own = prop->GetBounds();
   if (own)
   {

@@ -15,8 +15,11 @@ namespace wfv
 // viewer, they hold it whichever way it is turned. False if the prop has none.
 bool FindBounds(vtkProp* prop, double bounds[6]);
 
-// The same from the last answer of GetBounds, if the prop is VTK's own actor: to ask an actor anew
-// runs its pipeline, which takes about as long as to draw a small one.
+// Tests whether these may be others than GetBounds says.
+bool HasOtherBounds(vtkProp* prop);
+
+// The same as FindBounds from the last answer of GetBounds, if the prop is VTK's own actor: to ask
+// an actor anew runs its pipeline, which takes about as long as to draw a small one.
 bool FindLastBounds(vtkProp* prop, double bounds[6]);
 
 // Returns the distance from a point to a box; 0 inside of it.

@@ -199,6 +199,7 @@ wfv::Reach vtkWideFoVCamera::Clipping::FindReachOfProps(vtkRenderer* renderer, c
   else
   {
     renderer->ComputeVisiblePropBounds(bounds);
+    wfv::HoldOtherBounds(renderer, bounds);
   }
   wfv::LeaveOutEndless(renderer, bounds);
   wfv::InflateForQuadrics(renderer, this->Self->Position, bounds);
