@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWideFoVPass: what a wide frame draws, and to where.
 #include "Camera/Tile.h"
+#include "Compat/Reports.h"
 #include "Drawables/Kinds/DrawableKinds.h"
 #include "Drawables/PointLabels.h"
 #include "Drawables/Sky.h"
@@ -21,6 +22,7 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <string>
 
 void vtkWideFoVPass::DrawDelegate(const vtkRenderState* s)
 {
@@ -49,6 +51,20 @@ bool IsPointLabels(vtkProp* prop)
 }
 }
 
+namespace
+{
+void WarnOfMeasure(vtkProp* prop)
+{
+  if (wfv::HasTrait(prop, wfv::MeasuresPicture) &&
+    wfv::IsNews(std::string("measure ") + prop->GetClassName()))
+  {
+    vtkWarningWithObjectMacro(prop, << prop->GetClassName()
+                                    << " says other lengths than are seen: a wide picture has no "
+                                       "one scale");
+  }
+}
+}
+
 int vtkWideFoVPass::Cull(vtkProp** props, bool selects)
 {
   Internals& in = *this->Internal;
@@ -60,6 +76,7 @@ int vtkWideFoVPass::Cull(vtkProp** props, bool selects)
   for (int i = 0; i < in.Props.GetCount(); i++)
   {
     vtkProp* const prop = in.Props.GetProp(i);
+    WarnOfMeasure(prop);
     auto* const flat = in.Enlargement > 0 ? vtkActor2D::SafeDownCast(prop) : nullptr;
     if (IsPointLabels(prop))
     {

@@ -91,14 +91,33 @@ void FrameProps::Look(vtkProp* prop, bool asked, Entry& entry)
   }
 }
 
-void FrameProps::Gather(vtkRenderer* renderer, vtkProp** props, int count)
+bool FrameProps::WatchFilters()
 {
-  const bool asked = HasAsked(renderer);
-  this->Entries.resize(count);
-  for (int i = 0; i < count; i++)
+  bool changes = false;
+  for (Entry& entry : this->Entries)
   {
-    Look(props[i], asked, this->Entries[i]);
+    auto* const actor = entry.Watched ? nullptr : vtkActor::SafeDownCast(entry.Prop);
+    entry.Watched = true;
+    if (actor && actor->GetMapper())
+    {
+      changes = this->Filters.Watch(actor->GetMapper()) || changes;
+    }
   }
+  return changes;
+}
+
+void FrameProps::Gather(vtkRenderer* renderer, vtkWideFoVCamera* camera, vtkProp** props, int count)
+{
+  bool asked = !this->Filters.Begin(renderer, camera) && HasAsked(renderer);
+  this->Entries.resize(count);
+  do
+  {
+    for (int i = 0; i < count; i++)
+    {
+      Look(props[i], asked, this->Entries[i]);
+    }
+    asked = false; // new filters have changed what was told
+  } while (this->WatchFilters());
 }
 
 bool FrameProps::GetSceneBounds(vtkRenderer* renderer, double bounds[6]) const
