@@ -43,7 +43,7 @@ OWN_WAY = {
     "vtkDistanceRepresentation3D": "right; its text faces the eye upright all round",
     "vtkFinitePlaneWidget": "right but for the colour of its plane, which is by chance in stock VTK too",
     "vtkPointCloudWidget": "right; its outline shows where the pointer picks it",
-    "vtkLegendScaleActor": "an overlay, as in any view",
+    "vtkLegendScaleActor": "an overlay, with a warning: a wide picture has no one scale",
 }
 
 # The VTK whose widgets are set beside the six faces.
