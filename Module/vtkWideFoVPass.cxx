@@ -53,6 +53,7 @@ void vtkWideFoVPass::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Technique: " << this->Technique << "\n"
      << indent << "Tolerance: " << this->Tolerance << "\n"
+     << indent << "LabelUp: " << this->LabelUp << "\n"
      << indent << "DebugView: " << this->DebugView << "\n"
      << indent << "ShaderFolder: " << this->ShaderFolder << "\n"
      << indent << "DelegatePass: " << this->Internal->Delegate.Get() << "\n"
@@ -216,6 +217,10 @@ void vtkWideFoVPass::RenderActive(const vtkRenderState* s)
 void vtkWideFoVPass::DrawFlat(const vtkRenderState* s, vtkWideFoVCamera* camera)
 {
   Internals& in = *this->Internal;
+  if (camera)
+  {
+    in.Props.Gather(s->GetRenderer(), camera, s->GetPropArray(), s->GetPropArrayCount());
+  }
   std::vector<vtkProp*> volumes;
   const bool moved = camera && camera->GetBaselineRadius() > 0;
   for (int i = 0; moved && i < s->GetPropArrayCount(); i++)
@@ -259,7 +264,7 @@ void vtkWideFoVPass::RenderWide(const vtkRenderState* s, vtkWideFoVCamera* camer
   {
     in.Small.Shrink(renderer, in.Enlargement);
   }
-  in.Props.Gather(renderer, props, count);
+  in.Props.Gather(renderer, camera, props, count);
   this->BeginFrame(s, camera);
   this->BeginStages(renderer, camera);
   in.Props.Choose(in.Stages, in.Stages.GetViewNumber());

@@ -110,6 +110,30 @@ public:
   vtkBooleanMacro(DebugView, vtkTypeBool);
   ///@}
 
+  /**
+   * Where the tops of labels point: of point labels (vtkLabelPlacementMapper, vtkLabeledDataMapper)
+   * and of vtkBillboardTextActor3D.
+   */
+  enum LabelUps
+  {
+    LABEL_UP_AUTOMATIC = 0, ///< to the zenith in a round map, to the picture's top in any other
+    LABEL_UP_PICTURE,       ///< to the picture's top
+    LABEL_UP_WORLD,         ///< to the renderer's EnvironmentUp
+    LABEL_UP_ZENITH         ///< to what is up for the camera: the centre of a dome's picture
+  };
+
+  ///@{
+  /**
+   * The same (default LABEL_UP_AUTOMATIC).
+   */
+  vtkSetClampMacro(LabelUp, int, LABEL_UP_AUTOMATIC, LABEL_UP_ZENITH);
+  vtkGetMacro(LabelUp, int);
+  void SetLabelUpToAutomatic() { this->SetLabelUp(LABEL_UP_AUTOMATIC); }
+  void SetLabelUpToPicture() { this->SetLabelUp(LABEL_UP_PICTURE); }
+  void SetLabelUpToWorld() { this->SetLabelUp(LABEL_UP_WORLD); }
+  void SetLabelUpToZenith() { this->SetLabelUp(LABEL_UP_ZENITH); }
+  ///@}
+
   ///@{
   /**
    * Folder for the text of the shader programs that props are drawn with (default none: it is not
@@ -235,6 +259,7 @@ protected:
   int Technique = AUTO;
   double Tolerance = 0.25;
   vtkTypeBool DebugView = 0;
+  int LabelUp = LABEL_UP_AUTOMATIC;
   std::string ShaderFolder;
   vtkTypeBool Culling = 1;
   vtkTypeBool KeepUpdateRate = 0;

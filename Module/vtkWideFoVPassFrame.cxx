@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkWideFoVPass: what a wide frame draws, and to where.
 #include "Camera/Tile.h"
+#include "Compat/Reports.h"
 #include "Drawables/Kinds/DrawableKinds.h"
+#include "Drawables/PointLabels.h"
 #include "Drawables/Sky.h"
 #include "Frame/BlockClusters.h"
 #include "Frame/FlatDraws.h"
@@ -20,6 +22,7 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <string>
 
 void vtkWideFoVPass::DrawDelegate(const vtkRenderState* s)
 {
@@ -41,11 +44,24 @@ void vtkWideFoVPass::DrawDelegate(const vtkRenderState* s)
 
 namespace
 {
-// Labels whose places are behind the plane of a camera, as those of VTK's placement.
-bool LeavesOutWhatIsBehind(vtkProp* prop)
+bool IsPointLabels(vtkProp* prop)
 {
   auto* const actor = vtkActor2D::SafeDownCast(prop);
-  return actor && wfv::HasTrait(actor->GetMapper(), wfv::InFrontOnly);
+  return actor && wfv::HasTrait(actor->GetMapper(), wfv::PointLabels);
+}
+}
+
+namespace
+{
+void WarnOfMeasure(vtkProp* prop)
+{
+  if (wfv::HasTrait(prop, wfv::MeasuresPicture) &&
+    wfv::IsNews(std::string("measure ") + prop->GetClassName()))
+  {
+    vtkWarningWithObjectMacro(prop, << prop->GetClassName()
+                                    << " says other lengths than are seen: a wide picture has no "
+                                       "one scale");
+  }
 }
 }
 
@@ -60,14 +76,15 @@ int vtkWideFoVPass::Cull(vtkProp** props, bool selects)
   for (int i = 0; i < in.Props.GetCount(); i++)
   {
     vtkProp* const prop = in.Props.GetProp(i);
+    WarnOfMeasure(prop);
     auto* const flat = in.Enlargement > 0 ? vtkActor2D::SafeDownCast(prop) : nullptr;
-    if (flat)
-    {
-      in.Flat.push_back(flat);
-    }
-    else if (LeavesOutWhatIsBehind(prop))
+    if (IsPointLabels(prop))
     {
       in.Labels.push_back(static_cast<vtkActor2D*>(prop));
+    }
+    else if (flat)
+    {
+      in.Flat.push_back(flat);
     }
     else if (!in.Texts.Take(prop) && !in.Props.IsCulled(i) && !wfv::sky::IsLeftOut(prop, selects))
     {
@@ -117,20 +134,6 @@ void vtkWideFoVPass::DrawProps(const vtkRenderState* s, vtkProp** props, int cou
   }
 }
 
-namespace
-{
-// In the order of VTK's renderers: what lies in the scene, what shines through, what lies upon it.
-void DrawOverlay(vtkActor2D* flat, vtkRenderer* renderer)
-{
-  flat->RenderOpaqueGeometry(renderer);
-  if (flat->HasTranslucentPolygonalGeometry())
-  {
-    flat->RenderTranslucentPolygonalGeometry(renderer);
-  }
-  flat->RenderOverlay(renderer);
-}
-}
-
 void vtkWideFoVPass::BeginFrame(const vtkRenderState* s, vtkWideFoVCamera* camera)
 {
   Internals& in = *this->Internal;
@@ -147,13 +150,14 @@ void vtkWideFoVPass::BeginFrame(const vtkRenderState* s, vtkWideFoVCamera* camer
 void vtkWideFoVPass::DrawLabels(vtkRenderer* renderer)
 {
   Internals& in = *this->Internal;
+  const auto up = static_cast<wfv::LabelUp>(this->LabelUp);
   in.Camera->SetNothingBehind(true);
   for (vtkActor2D* const labels : in.Labels)
   {
-    DrawOverlay(labels, renderer);
+    wfv::DrawPointLabels(labels, renderer, in.Camera, up);
   }
   in.Camera->SetNothingBehind(false);
-  in.Texts.Draw(renderer, in.Camera, in.Stages.Projected->GetTile());
+  in.Texts.Draw(renderer, in.Camera, in.Stages.Projected->GetTile(), up);
 }
 
 // Of a pass over the picture, which may be larger. What that draws by a copy of the camera has a
@@ -183,7 +187,8 @@ void vtkWideFoVPass::DrawSeen(const vtkRenderState* s, int seen)
   }
   this->Draws = true;
   {
-    const wfv::FrameInDrawing frame(s->GetRenderer(), &in.Stages);
+    const auto up = static_cast<wfv::LabelUp>(this->LabelUp);
+    const wfv::FrameInDrawing frame(s->GetRenderer(), &in.Stages, up);
     this->DrawProps(s, s->GetPropArray(), seen);
   }
   this->Draws = false;
@@ -192,7 +197,7 @@ void vtkWideFoVPass::DrawSeen(const vtkRenderState* s, int seen)
     in.Small.End();
     for (vtkActor2D* const flat : in.Flat)
     {
-      DrawOverlay(flat, s->GetRenderer());
+      wfv::DrawOverlay(flat, s->GetRenderer());
     }
   }
 }

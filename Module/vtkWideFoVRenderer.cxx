@@ -153,12 +153,12 @@ bool vtkWideFoVRenderer::AnswerPicker(double& x, double& y, double& z)
 {
   using Asker = wfv::FlatQuestions::Asker;
   auto* camera = vtkWideFoVCamera::SafeDownCast(this->ActiveCamera);
-  const Asker asker = camera ? camera->GetFlatQuestions().AskPlace(z) : Asker::Any;
+  const double ndc[2] = { x, y };
+  const Asker asker = camera ? camera->GetFlatQuestions().AskPlace(ndc, z) : Asker::Any;
   if (asker == Asker::Any)
   {
     return false;
   }
-  const double ndc[2] = { x, y };
   double place[3];
   if (asker == Asker::Picker)
   {

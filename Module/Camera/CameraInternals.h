@@ -4,11 +4,14 @@
 #define WideFoVCameraInternals_h
 
 #include "Camera/FlatQuestions.h"
+#include "Camera/NearThings.h"
+#include "Camera/Reach.h"
 #include "Projections/Projection.h"
 #include "vtkWideFoVCamera.h"
 
 #include <array>
 #include <optional>
+#include <vector>
 
 // Smallest field of view, degrees: below it float32 cannot tell pixels apart.
 constexpr double MinFieldOfView = 0.01;
@@ -33,6 +36,8 @@ struct vtkWideFoVCamera::Internals
   // Normalized device coordinates that the window shows of a perspective: low and high x, low
   // and high y; all of it unless the window is a tile.
   std::array<double, 4> Part{ { -1, 1, -1, 1 } };
+  wfv::NearThings Things;
+  std::vector<vtkRenderer*> Sharing; // the depth of the renderer whose frame is prepared
   wfv::FlatQuestions Questions;
   std::array<double, 2> PickRange; // of the last picker
 };

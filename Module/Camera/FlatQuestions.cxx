@@ -63,11 +63,21 @@ void FlatQuestions::AskDepth(const double world[3], double depth)
     this->Last = Step::PickerMiddle;
     return;
   }
+  std::copy_n(world, 3, this->World.begin());
   this->WorldDepth = depth;
   this->Last = Step::World;
 }
 
-FlatQuestions::Asker FlatQuestions::AskPlace(double& depth)
+FlatQuestions::Asker FlatQuestions::AskCorner(const double ndc[2])
+{
+  const bool lower = ndc[0] == -1 && ndc[1] == -1;
+  const bool upper = ndc[0] == 1 && ndc[1] == 1;
+  this->AtMiddle = lower;
+  this->Middle = this->World;
+  return lower || upper ? Asker::PickerCorner : Asker::Any;
+}
+
+FlatQuestions::Asker FlatQuestions::AskPlace(const double ndc[2], double& depth)
 {
   const Step before = this->Last;
   const bool follows = depth == (before == Step::World ? this->WorldDepth : this->FocalDepth);
@@ -90,7 +100,7 @@ FlatQuestions::Asker FlatQuestions::AskPlace(double& depth)
       return Asker::Any;
     case Step::World:
       this->Last = Step::World; // several places may be asked for at the depth of one
-      return Asker::Any;
+      return this->AskCorner(ndc);
     default:
       return Asker::Any;
   }

@@ -12,6 +12,9 @@
 //   dragged to, what the camera looks at, in which direction, and then for a pixel the same as a
 //   picker. It moves in a plane that faces the camera, which beside it is seen from its edge: so it
 //   keeps its distance from the eye instead.
+// * A vtk3DWidget whose handles are to be as large as a share of the window: how deep the place is
+//   that was picked last, and which places the window's lower left and upper right corners show at
+//   that depth.
 #ifndef WideFoVFlatQuestions_h
 #define WideFoVFlatQuestions_h
 
@@ -46,18 +49,18 @@ public:
   {
     Any,
     Picker,      // which is to be told the place by Answer
-    PickerCorner // which is to be told GetCorner
+    PickerCorner // which is to be told GetCorner, as a widget that sizes its handles
   };
 
-  // A place of the picture that is asked for, at this depth. A handle's depth becomes that of the
-  // place that it is dragged to.
-  Asker AskPlace(double& depth);
+  // A place of the picture (NDC) that is asked for, at this depth. A handle's depth becomes that of
+  // the place that it is dragged to.
+  Asker AskPlace(const double ndc[2], double& depth);
 
   // Of a picker whose line is known: next it asks for the unit of its tolerance.
   void ExpectMiddle() { this->Last = Step::PickerRange; }
 
-  // The middle of the picker's line, or a place as far from it as the window's corners are apart,
-  // which are so many scene units.
+  // The middle of the picker's line, or the widget's place; or a place as far from it as the
+  // window's corners are apart, which are so many scene units.
   void GetCorner(double diagonal, double place[3]);
 
   // The middle of the picker's line, world.
@@ -70,6 +73,8 @@ public:
   bool AskRange(double range[2]);
 
 private:
+  Asker AskCorner(const double ndc[2]);
+
   enum class Step
   {
     None,
@@ -90,7 +95,8 @@ private:
   std::array<double, 3> Position;
   std::array<double, 3> FocalPoint;
   std::array<double, 3> Middle;
-  bool AtMiddle = true; // the corner that was told last
+  std::array<double, 3> World; // asked for last, of which WorldDepth is
+  bool AtMiddle = true;        // the corner that was told last
   double FocalDepth = 0;
   double WorldDepth = 0;
   std::array<double, 2> Range;

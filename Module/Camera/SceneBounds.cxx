@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Camera/SceneBounds.h"
 
+#include "Camera/PropBounds.h"
 #include "Drawables/Kinds/DrawableKinds.h"
 
 #include "vtkActor.h"
@@ -33,10 +34,11 @@ double OverhangOfPixels(vtkProperty* property, vtkRenderer* renderer)
 }
 
 // Of an actor without a mapper, such as axes, which is drawn by others that it keeps to itself: its
-// letters stand beside its bounds. Stock VTK adds as much to the clipping range of any scene.
-double OverhangOfLetters(vtkActor* actor)
+// letters stand beside its bounds, as handles of widgets do. Stock VTK adds as much to the clipping
+// range of any scene.
+double OverhangBesideBounds(vtkProp* prop)
 {
-  const double* const bounds = actor->GetBounds();
+  const double* const bounds = prop->GetBounds();
   return bounds && vtkMath::AreBoundsInitialized(bounds)
     ? 0.5 * vtkBoundingBox(bounds).GetDiagonalLength()
     : 0;
@@ -50,7 +52,7 @@ double OverhangOfActor(vtkActor* actor, vtkRenderer* renderer, double farthest)
   }
   if (!actor->GetMapper())
   {
-    return OverhangOfLetters(actor);
+    return OverhangBesideBounds(actor);
   }
   const double pixels = farthest * OverhangOfPixels(actor->GetProperty(), renderer);
   return std::max(wfv::Overhang(actor->GetMapper()), pixels);
@@ -64,6 +66,10 @@ double OverhangOfParts(vtkProp* prop, vtkRenderer* renderer, double farthest)
   if (vtkBillboardTextActor3D::SafeDownCast(prop))
   {
     return overhang;
+  }
+  if (wfv::HasTrait(prop, wfv::BesideBounds))
+  {
+    overhang = prop->GetVisibility() ? OverhangBesideBounds(prop) : 0;
   }
   vtkNew<vtkPropCollection> parts;
   prop->GetActors(parts);
@@ -121,6 +127,27 @@ void LeaveOutEndless(vtkRenderer* renderer, double bounds[6])
     }
   }
   vtkMath::UninitializeBounds(bounds);
+  if (box.IsValid())
+  {
+    box.GetBounds(bounds);
+  }
+}
+
+void HoldOtherBounds(vtkRenderer* renderer, double bounds[6])
+{
+  vtkBoundingBox box(bounds);
+  vtkPropCollection* const props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator it;
+  props->InitTraversal(it);
+  while (vtkProp* const prop = props->GetNextProp(it))
+  {
+    double own[6];
+    if (prop->GetVisibility() && prop->GetUseBounds() && HasOtherBounds(prop) &&
+      FindBounds(prop, own) && vtkMath::AreBoundsInitialized(own))
+    {
+      box.AddBounds(own);
+    }
+  }
   if (box.IsValid())
   {
     box.GetBounds(bounds);

@@ -16,6 +16,9 @@ namespace wfv
 // with a point at infinity would have all others at the near clip sphere.
 void LeaveOutEndless(vtkRenderer* renderer, double bounds[6]);
 
+// Adds the bounds of visible props that draw elsewhere than their own bounds say (PropBounds.h).
+void HoldOtherBounds(vtkRenderer* renderer, double bounds[6]);
+
 // Grows the bounds of the renderer's props, in world coordinates, by what its
 // actors draw beyond them (not parts of assemblies). The eye tells how large a size in pixels may
 // be.

@@ -2,7 +2,6 @@
 #include "vtkWideFoVCamera.h"
 
 #include "Camera/CameraInternals.h"
-#include "Projections/Bounds/ViewFrustum.h"
 
 #include "vtkMath.h"
 #include "vtkMatrix3x3.h"
@@ -20,14 +19,6 @@ vtkStandardNewMacro(vtkWideFoVCamera);
 
 namespace
 {
-// Near over far of the automatic clip spheres, where the bounds reach the eye. Depth
-// is linear in the distance, so this costs no precision far away; it only keeps the
-// eye itself out.
-constexpr double NearOverFar = 1e-4;
-
-// Room, relative, that the automatic clip spheres leave beyond the bounds.
-constexpr double ClipMargin = 1e-3;
-
 double ClampAngle(vtkObject* self, const char* what, double value, double least, double max)
 {
   const double min = std::max(MinFieldOfView, least);
@@ -38,37 +29,6 @@ double ClampAngle(vtkObject* self, const char* what, double value, double least,
                                     << "] degrees; " << clamped << " is used");
   }
   return clamped;
-}
-
-// Distances from a point to the nearest and farthest point of a box.
-void DistanceToBounds(const double p[3], const double b[6], double& nearest, double& farthest)
-{
-  double near2 = 0;
-  double far2 = 0;
-  for (int i = 0; i < 3; i++)
-  {
-    const double low = b[2 * i] - p[i];
-    const double high = p[i] - b[2 * i + 1];
-    const double outside = std::max({ low, high, 0.0 });
-    const double away = std::max(std::abs(low), std::abs(high));
-    near2 += outside * outside;
-    far2 += away * away;
-  }
-  nearest = std::sqrt(near2);
-  farthest = std::sqrt(far2);
-}
-
-// Of a box, view coordinates.
-wfv::BoxCorners CornersOf(const double bounds[6], vtkMatrix4x4* toView)
-{
-  wfv::BoxCorners corners;
-  for (int i = 0; i < 8; i++)
-  {
-    double p[4] = { bounds[i & 1 ? 1 : 0], bounds[i & 2 ? 3 : 2], bounds[i & 4 ? 5 : 4], 1 };
-    toView->MultiplyPoint(p, p);
-    corners[i] = wfv::vec3(p[0], p[1], p[2]);
-  }
-  return corners;
 }
 }
 
@@ -272,70 +232,4 @@ int vtkWideFoVCamera::GetDepthMapping()
 double vtkWideFoVCamera::GetTilt()
 {
   return this->Internal->Options.Tilt;
-}
-
-void vtkWideFoVCamera::SetClipRadii(double nearRadius, double farRadius)
-{
-  if (!(nearRadius > 0) || !(farRadius > nearRadius) || !std::isfinite(farRadius))
-  {
-    vtkErrorMacro(<< "The clip spheres need 0 < near < far, not " << nearRadius << " and "
-                  << farRadius << "; they are unchanged");
-    return;
-  }
-  this->AutomaticClipRadii = 0;
-  this->Internal->Options.Radii = { { nearRadius, farRadius } };
-  this->Modified();
-}
-
-void vtkWideFoVCamera::GetClipRadii(double radii[2])
-{
-  std::copy_n(this->Internal->Options.Radii.begin(), 2, radii);
-}
-
-double vtkWideFoVCamera::GetNearClipRadius()
-{
-  return this->Internal->Options.Radii[0];
-}
-
-double vtkWideFoVCamera::GetFarClipRadius()
-{
-  return this->Internal->Options.Radii[1];
-}
-
-void vtkWideFoVCamera::ResetClipRadii(const double bounds[6])
-{
-  if (!vtkMath::AreBoundsInitialized(bounds))
-  {
-    return;
-  }
-  double nearest;
-  double farthest;
-  double viewpoint[3];
-  this->GetViewpoint(viewpoint);
-  DistanceToBounds(viewpoint, bounds, nearest, farthest);
-  if (!(farthest > 0) || !std::isfinite(farthest))
-  {
-    return;
-  }
-  // seen from a point of the eyes' circle it is that much nearer, or farther
-  const double radius = this->GetBaselineRadius();
-  if (radius == 0)
-  {
-    farthest = wfv::FarthestSeen(this->GetDrawnProjection(), this->Internal->Options,
-      CornersOf(bounds, this->GetModelViewTransformMatrix()))
-                 .value_or(farthest);
-  }
-  const double f = (farthest + radius) * (1 + ClipMargin);
-  const double n = std::max((nearest - radius) * (1 - ClipMargin), NearOverFar * f);
-  std::array<double, 2>& radii = this->Internal->Options.Radii;
-  if (n != radii[0] || f != radii[1])
-  {
-    radii = { { n, f } };
-    this->Modified();
-    if (this->IsWide())
-    {
-      // for those who know no clip spheres
-      this->SetClippingRange(n, f);
-    }
-  }
 }

@@ -156,6 +156,8 @@ public:
 
   ///@{
   /// Derive the clip spheres from the bounds of the visible props before each frame (default on).
+  /// If the eye is in them, the near radius is 1e-6 of the far one (1e-4 with REVERSED and where
+  /// stock VTK draws); LOGARITHMIC begins before what is nearer, others warn once of it.
   vtkSetMacro(AutomaticClipRadii, vtkTypeBool);
   vtkGetMacro(AutomaticClipRadii, vtkTypeBool);
   vtkBooleanMacro(AutomaticClipRadii, vtkTypeBool);
@@ -409,14 +411,11 @@ protected:
 
   // Of a perspective: half its width and height at distance 1, and where its axis is, NDC.
   void SetFrustum(const double half[2], const double center[2]);
-
   // For a perspective of which half the width at distance 1 is tx: where the eye is (scene
   // units to the right) and by how much its picture is shifted (NDC).
   void GetFlatEye(double tx, double& position, double& shift);
-
   void GetFrustumPlanesOfBoth(double aspect, double planes[24]);
   void FindEye(vtkRenderer* renderer);
-
   // One warning a process for each property of vtkCamera that is set and that no view has.
   void WarnOfWhatIsIgnored(vtkRenderer* renderer);
 
@@ -429,8 +428,8 @@ protected:
   // The field of view that SetViewAngle means, degrees.
   double GetFieldOfViewAngle();
 
-  // What of a perspective the window shows, where it is a tile.
-  void FindPart(vtkRenderer* renderer);
+  void FitClipRadii(vtkRenderer* renderer); // to what its frame shows
+  void FindPart(vtkRenderer* renderer);     // of a perspective, that the window shows as a tile
   void ToWorld(const wfv::ViewRay& ray, double origin[3], double direction[3]);
 #endif
 
@@ -441,6 +440,7 @@ private:
   vtkWideFoVCamera(const vtkWideFoVCamera&) = delete;
   void operator=(const vtkWideFoVCamera&) = delete;
 
+  struct Clipping;
   struct Internals;
   std::unique_ptr<Internals> Internal;
   const wfv::Projection* Definition;

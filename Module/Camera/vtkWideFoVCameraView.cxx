@@ -3,7 +3,6 @@
 #include "vtkWideFoVCamera.h"
 
 #include "Camera/CameraInternals.h"
-#include "Camera/SceneBounds.h"
 #include "Camera/Tile.h"
 #include "Projections/DirectionMap.h"
 
@@ -195,21 +194,7 @@ void vtkWideFoVCamera::PrepareFrame(vtkRenderer* renderer)
   this->WarnOfWhatIsIgnored(renderer);
   this->FindEye(renderer);
   this->FindPart(renderer);
-  if (this->AutomaticClipRadii)
-  {
-    double bounds[6];
-    if (const double* const known = this->Internal->Bounds)
-    {
-      std::copy_n(known, 6, bounds);
-    }
-    else
-    {
-      renderer->ComputeVisiblePropBounds(bounds);
-    }
-    wfv::LeaveOutEndless(renderer, bounds);
-    wfv::InflateForQuadrics(renderer, this->Position, bounds);
-    this->ResetClipRadii(bounds);
-  }
+  this->FitClipRadii(renderer);
 }
 
 void vtkWideFoVCamera::FindPart(vtkRenderer* renderer)

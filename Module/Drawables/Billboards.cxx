@@ -5,6 +5,7 @@
 #include "Camera/Tile.h"
 #include "vtkWideFoVCamera.h"
 
+#include "vtkActor.h"
 #include "vtkBillboardTextActor3D.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
@@ -12,6 +13,8 @@
 #include "vtkOpenGLCamera.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkTexture.h"
+#include "vtkTransform.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,14 +52,13 @@ bool FindPlace(vtkWideFoVCamera* camera, double aspect, const double world[3], d
 class QuadAccess : public vtkBillboardTextActor3D
 {
 public:
-  static vtkProperty* Look(vtkBillboardTextActor3D* text)
-  {
-    return (text->*(&QuadAccess::QuadActor))->GetProperty();
-  }
+  static vtkActor* Of(vtkBillboardTextActor3D* text) { return text->*(&QuadAccess::QuadActor); }
 };
 
 // A camera from the same place that shows `world` at `ndc`, and what is round it in parallel.
-void ShowAt(vtkCamera* flat, vtkCamera* camera, const double world[3], const double ndc[3])
+// aspect: of what is drawn to, in which a circle round there is one.
+void ShowAt(
+  vtkCamera* flat, vtkCamera* camera, const double world[3], const double ndc[3], double aspect)
 {
   flat->SetPosition(camera->GetPosition());
   flat->SetFocalPoint(camera->GetFocalPoint());
@@ -68,13 +70,54 @@ void ShowAt(vtkCamera* flat, vtkCamera* camera, const double world[3], const dou
   vtkNew<vtkMatrix4x4> projection;
   for (int i = 0; i < 3; i++)
   {
-    projection->SetElement(i, i, scale);
-    projection->SetElement(i, 3, ndc[i] - scale * place[i]);
+    const double along = i == 0 ? scale / aspect : scale;
+    projection->SetElement(i, i, along);
+    projection->SetElement(i, 3, ndc[i] - along * place[i]);
   }
   flat->SetExplicitProjectionTransformMatrix(projection);
   flat->UseExplicitProjectionTransformMatrixOn();
   flat->ParallelProjectionOn();
 }
+
+// Turns the text's rectangle about its place in the plane of a camera, by degrees counterclockwise,
+// while this lives.
+class Turned
+{
+public:
+  Turned(vtkBillboardTextActor3D* text, vtkCamera* camera, double degrees)
+    : Quad(degrees != 0 ? QuadAccess::Of(text) : nullptr)
+  {
+    if (!this->Quad)
+    {
+      return;
+    }
+    const double* const place = text->GetPosition();
+    vtkNew<vtkTransform> turn;
+    turn->Translate(place);
+    turn->RotateWXYZ(degrees, camera->GetViewPlaneNormal());
+    turn->Translate(-place[0], -place[1], -place[2]);
+    this->Quad->SetUserMatrix(turn->GetMatrix());
+    // pixels of the letters are no pixels of the picture
+    if (vtkTexture* const letters = this->Quad->GetTexture())
+    {
+      letters->InterpolateOn();
+    }
+  }
+
+  ~Turned()
+  {
+    if (this->Quad)
+    {
+      this->Quad->SetUserMatrix(nullptr);
+    }
+  }
+
+  Turned(const Turned&) = delete;
+  Turned& operator=(const Turned&) = delete;
+
+private:
+  vtkActor* Quad;
+};
 }
 
 namespace wfv
@@ -94,7 +137,7 @@ bool Billboards::Take(vtkProp* prop)
 }
 
 void ShowBillboard(vtkBillboardTextActor3D* actor, vtkRenderer* renderer, vtkWideFoVCamera* camera,
-  const float tile[4], const std::function<void()>& draw)
+  const float tile[4], LabelUp up, const std::function<void()>& draw)
 {
   double ndc[3];
   if (!FindPlace(camera, PictureAspect(renderer), actor->GetPosition(), ndc))
@@ -103,22 +146,26 @@ void ShowBillboard(vtkBillboardTextActor3D* actor, vtkRenderer* renderer, vtkWid
   }
   ndc[0] = tile[0] * ndc[0] + tile[2];
   ndc[1] = tile[1] * ndc[1] + tile[3];
+  const double turn = FindLabelTurn(renderer, camera, up, actor->GetPosition());
+  const int* const size = renderer->GetSize();
   vtkNew<vtkOpenGLCamera> flat;
-  ShowAt(flat, camera, actor->GetPosition(), ndc);
+  ShowAt(flat, camera, actor->GetPosition(), ndc, 1.0 * size[0] / std::max(size[1], 1));
   const ActiveCamera active(renderer, flat);
   // it faces where the camera looks, not the eye: lights of the scene would make it black elsewhere
-  vtkProperty* const look = QuadAccess::Look(actor);
+  vtkProperty* const look = QuadAccess::Of(actor)->GetProperty();
   const bool lit = look->GetLighting();
   look->SetLighting(false);
+  const Turned turned(actor, flat, turn);
   draw();
   look->SetLighting(lit);
 }
 
-void Billboards::Draw(vtkRenderer* renderer, vtkWideFoVCamera* camera, const float tile[4]) const
+void Billboards::Draw(
+  vtkRenderer* renderer, vtkWideFoVCamera* camera, const float tile[4], LabelUp up) const
 {
   for (vtkBillboardTextActor3D* const actor : this->Actors)
   {
-    ShowBillboard(actor, renderer, camera, tile, [&] {
+    ShowBillboard(actor, renderer, camera, tile, up, [&] {
       actor->RenderOpaqueGeometry(renderer);
       if (actor->HasTranslucentPolygonalGeometry())
       {

@@ -2,8 +2,7 @@
 #include "Drawables/FlatHabits.h"
 
 #include "Compat/ImageModule.h"
-#include "Compat/Reports.h"
-#include "Drawables/Kinds/DrawableKinds.h"
+#include "Drawables/Facing.h"
 #include "vtkWideFoVCamera.h"
 
 #include "vtkActor.h"
@@ -12,11 +11,7 @@
 #include "vtkGlyph3DMapper.h"
 #include "vtkImageMapper3D.h"
 #include "vtkImageSlice.h"
-#include "vtkMath.h"
 #include "vtkProp3DFollower.h"
-
-#include <cmath>
-#include <string>
 
 namespace
 {
@@ -49,44 +44,6 @@ vtkCamera** FindFaced(vtkProp* prop)
   auto* const follower = vtkProp3DFollower::SafeDownCast(prop);
   return follower ? &PropFollowerAccess::Of(follower) : nullptr;
 }
-
-// Where the ray to a place begins, which differs from eye to eye; the camera's own place where that
-// is not seen.
-void FindEye(vtkWideFoVCamera* camera, double aspect, const double place[3], double eye[3])
-{
-  double ndc[3];
-  double direction[3];
-  const bool seen = camera->WorldToNDC(place, aspect, ndc);
-  if (!seen || !camera->NDCToRay(ndc, aspect, eye, direction))
-  {
-    camera->GetPosition(eye);
-  }
-}
-
-// A camera that looks at a place from there, as upright as it can be.
-void LookAt(vtkCamera* flat, vtkCamera* camera, const double eye[3], const double place[3])
-{
-  constexpr double Upright = 1e-3; // sine of the least angle between up and the line of sight
-  double sight[3];
-  double up[3];
-  double side[3];
-  vtkMath::Subtract(place, eye, sight);
-  vtkMath::Normalize(sight);
-  camera->GetViewUp(up);
-  vtkMath::Normalize(up);
-  vtkMath::Cross(sight, up, side);
-  if (vtkMath::Norm(side) < Upright)
-  {
-    // straight above or below: its top is away from where the camera looks
-    const double sign = vtkMath::Dot(sight, up) > 0 ? -1 : 1;
-    camera->GetDirectionOfProjection(up);
-    vtkMath::MultiplyScalar(up, sign);
-  }
-  flat->SetPosition(eye);
-  flat->SetFocalPoint(place);
-  flat->SetViewUp(up);
-  flat->Modified(); // followers ask whether it was
-}
 }
 
 namespace wfv
@@ -107,9 +64,7 @@ void FlatHabits::Face(vtkProp* prop, vtkWideFoVCamera* camera, double aspect)
   vtkCamera* const flat = this->Cameras[this->UsedCameras++];
   double place[3];
   vtkProp3D::SafeDownCast(prop)->GetPosition(place);
-  double eye[3];
-  FindEye(camera, aspect, place, eye);
-  LookAt(flat, camera, eye, place);
+  LookAt(flat, camera, aspect, place);
   // the prop's reference to its camera is kept for it; what is drawn may tell it of another
   // meanwhile
   flat->Register(nullptr);
@@ -119,26 +74,6 @@ void FlatHabits::Face(vtkProp* prop, vtkWideFoVCamera* camera, double aspect)
     *faced = *faced == flat ? before : *faced;
     gone->UnRegister(nullptr);
   });
-}
-
-// Nobody can ask such a prop for its followers.
-void WarnOfFollowers(vtkProp* prop, vtkWideFoVCamera* camera)
-{
-  const double* const b = HasTrait(prop, KeepsFollowers) ? prop->GetBounds() : nullptr;
-  if (!b || !vtkMath::AreBoundsInitialized(b))
-  {
-    return;
-  }
-  double eye[3];
-  double ahead[3];
-  camera->GetPosition(eye);
-  camera->GetDirectionOfProjection(ahead);
-  const double way[3] = { 0.5 * (b[0] + b[1]) - eye[0], 0.5 * (b[2] + b[3]) - eye[1],
-    0.5 * (b[4] + b[5]) - eye[2] };
-  if (vtkMath::Dot(way, ahead) < 0 && IsNews(std::string("followers of ") + prop->GetClassName()))
-  {
-    vtkWarningWithObjectMacro(prop, << "its text is upside down behind the eye");
-  }
 }
 
 void FlatHabits::Stop(vtkProp* prop, vtkWideFoVCamera* camera, double aspect)
@@ -159,7 +94,6 @@ void FlatHabits::Stop(vtkProp* prop, vtkWideFoVCamera* camera, double aspect)
     }
     return;
   }
-  WarnOfFollowers(prop, camera);
   auto* const slice = vtkImageSlice::SafeDownCast(prop);
   vtkImageMapper3D* const mapper = slice ? slice->GetMapper() : nullptr;
   if (mapper && SetResamplesToPixels(mapper, false))

@@ -9,22 +9,12 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
-class vtkProp;
 VTK_ABI_NAMESPACE_END
 
 namespace wfv
 {
-// An actor of VTK's own class with the stock mapper of polydata or ours; followers and levels of
-// detail draw another actor.
-bool IsStockActor(vtkActor* actor);
-
 // Shaders of a user's own may move vertices anywhere.
 bool HasOwnShaders(vtkActor* actor);
-
-// The prop's bounds in world coordinates; of what turns to the viewer those that hold it whichever
-// way it is turned. False where it has none.
-bool FindBounds(vtkProp* prop, double bounds[6]);
-void HoldTurns(vtkProp* prop, double bounds[6]);
 
 struct PropTraits
 {

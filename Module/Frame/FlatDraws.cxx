@@ -2,7 +2,7 @@
 #include "Frame/FlatDraws.h"
 
 #include "Compat/Reports.h"
-#include "Drawables/PropTraits.h"
+#include "Drawables/Kinds/DrawableKinds.h"
 #include "Drawables/Sky.h"
 #include "Frame/PropParts.h"
 

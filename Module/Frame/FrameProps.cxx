@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Frame/FrameProps.h"
 
+#include "Camera/PropBounds.h"
 #include "Drawables/LineMapper.h"
 #include "Frame/Stages.h"
 
@@ -25,14 +26,6 @@ namespace
 // Of props with wide lines. Where more are in a frame all of them are chords: a strip near the eye
 // takes 50 ms on llvmpipe, at 960 x 960.
 constexpr int MostPropsOfStrips = 25;
-
-// To ask an actor for its bounds runs its pipeline, which takes about as long as to draw a small
-// one. This is what it last answered.
-class ActorAccess : public vtkActor
-{
-public:
-  static const double* GetLastBounds(vtkActor* actor) { return actor->*(&ActorAccess::Bounds); }
-};
 
 // A renderer's stock culler asks every prop for its bounds before each frame.
 bool HasAsked(vtkRenderer* renderer)
@@ -77,17 +70,7 @@ void FrameProps::Look(vtkProp* prop, bool asked, Entry& entry)
   now.Prop = prop;
   auto* const actor = vtkActor::SafeDownCast(prop);
   vtkMapper* const mapper = actor ? actor->GetMapper() : nullptr;
-  const bool known = asked && actor && IsStockActor(actor);
-  const double* const bounds = known ? ActorAccess::GetLastBounds(actor) : prop->GetBounds();
-  now.HasBounds = bounds != nullptr;
-  if (bounds)
-  {
-    std::copy_n(bounds, 6, now.Bounds);
-    if (!known)
-    {
-      HoldTurns(prop, now.Bounds);
-    }
-  }
+  now.HasBounds = asked ? FindLastBounds(prop, now.Bounds) : FindBounds(prop, now.Bounds);
   // of anything but an actor there is no telling when it changes
   if (mapper)
   {
@@ -108,14 +91,33 @@ void FrameProps::Look(vtkProp* prop, bool asked, Entry& entry)
   }
 }
 
-void FrameProps::Gather(vtkRenderer* renderer, vtkProp** props, int count)
+bool FrameProps::WatchFilters()
 {
-  const bool asked = HasAsked(renderer);
-  this->Entries.resize(count);
-  for (int i = 0; i < count; i++)
+  bool changes = false;
+  for (Entry& entry : this->Entries)
   {
-    Look(props[i], asked, this->Entries[i]);
+    auto* const actor = entry.Watched ? nullptr : vtkActor::SafeDownCast(entry.Prop);
+    entry.Watched = true;
+    if (actor && actor->GetMapper())
+    {
+      changes = this->Filters.Watch(actor->GetMapper()) || changes;
+    }
   }
+  return changes;
+}
+
+void FrameProps::Gather(vtkRenderer* renderer, vtkWideFoVCamera* camera, vtkProp** props, int count)
+{
+  bool asked = !this->Filters.Begin(renderer, camera) && HasAsked(renderer);
+  this->Entries.resize(count);
+  do
+  {
+    for (int i = 0; i < count; i++)
+    {
+      Look(props[i], asked, this->Entries[i]);
+    }
+    asked = false; // new filters have changed what was told
+  } while (this->WatchFilters());
 }
 
 bool FrameProps::GetSceneBounds(vtkRenderer* renderer, double bounds[6]) const

@@ -4,6 +4,7 @@
 #ifndef WideFoVFrameProps_h
 #define WideFoVFrameProps_h
 
+#include "Drawables/CameraFilters.h"
 #include "Drawables/PropTraits.h"
 #include "vtkWideFoVAbi.h"
 
@@ -23,6 +24,7 @@ class vtkDataObject;
 class vtkMapper;
 class vtkProp;
 class vtkRenderer;
+class vtkWideFoVCamera;
 class vtkWideFoVStage;
 VTK_ABI_NAMESPACE_END
 
@@ -32,8 +34,8 @@ class FrameProps
 {
 public:
   // Asks all of them for their bounds, which brings their data up to date, unless the renderer's
-  // culler has just done so.
-  void Gather(vtkRenderer* renderer, vtkProp** props, int count);
+  // culler has just done so. Filters of their data are told of the view.
+  void Gather(vtkRenderer* renderer, vtkWideFoVCamera* camera, vtkProp** props, int count);
 
   // Bounds of all visible props of the renderer, as vtkRenderer::ComputeVisiblePropBounds says
   // them, where these are the props gathered; false where there are others.
@@ -62,13 +64,18 @@ private:
     bool WideLines = false;
     PropTraits Traits;
     vtkWideFoVStage* Stage = nullptr;
+    bool Watched = false;   // its filters
     std::uint64_t View = 0; // that Culled and Stage are of; 0: none
   };
 
   static void Look(vtkProp* prop, bool asked, Entry& entry);
   static vtkDataObject* FindData(vtkMapper* mapper, const Entry& before, Entry& now);
 
+  // Looks for filters that ask a camera; true if what they make changes.
+  bool WatchFilters();
+
   std::vector<Entry> Entries;
+  CameraFilters Filters;
 };
 }
 

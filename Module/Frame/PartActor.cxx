@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Frame/PartActor.h"
 
+#include "Camera/Tile.h"
 #include "Frame/PropKeys.h"
 #include "Frame/Stages.h"
+#include "vtkWideFoVCamera.h"
 
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkOpenGLActor.h"
 #include "vtkRenderer.h"
 
@@ -31,10 +35,16 @@ bool IsFrameInDrawing()
   return Innermost && Innermost->Found;
 }
 
-FrameInDrawing::FrameInDrawing(vtkRenderer* renderer, Stages* stages)
+LabelUp FindLabelUp()
+{
+  return Innermost ? Innermost->Up : LabelUp::Picture;
+}
+
+FrameInDrawing::FrameInDrawing(vtkRenderer* renderer, Stages* stages, LabelUp up)
   : Before(Innermost)
   , Renderer(renderer)
   , Found(stages)
+  , Up(up)
 {
   Innermost = this;
 }
@@ -61,6 +71,10 @@ public:
   {
     Stages* const stages = FindFrame(renderer);
     PropTraits traits;
+    if (stages && !this->GetMapper())
+    {
+      this->FaceEye(renderer);
+    }
     if (stages && stages->IsLeftOut(this, traits))
     {
       return;
@@ -85,6 +99,22 @@ protected:
   vtkObjectBase* NewInstanceInternal() const override { return PartActor::New(); }
 
 private:
+  // A follower hands its matrix to an actor without a mapper of its own, before each drawing.
+  void FaceEye(vtkRenderer* renderer)
+  {
+    auto* const camera = vtkWideFoVCamera::SafeDownCast(renderer->GetActiveCamera());
+    vtkMatrix4x4* const matrix = this->GetUserMatrix();
+    vtkNew<vtkMatrix4x4> turned;
+    if (camera && matrix)
+    {
+      turned->DeepCopy(matrix);
+      if (TurnFollower(turned, camera, PictureAspect(renderer)))
+      {
+        this->SetUserMatrix(turned);
+      }
+    }
+  }
+
   PropKeys Keys;
 };
 }

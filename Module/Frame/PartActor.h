@@ -3,6 +3,7 @@
 #ifndef WideFoVPartActor_h
 #define WideFoVPartActor_h
 
+#include "Drawables/Facing.h"
 #include "vtkWideFoVAbi.h"
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -18,8 +19,9 @@ class Stages;
 class FrameInDrawing
 {
 public:
-  // stages: nullptr for what is no part of the frame, though it is drawn meanwhile
-  FrameInDrawing(vtkRenderer* renderer, Stages* stages);
+  // stages: nullptr for what is no part of the frame, though it is drawn meanwhile; up: where the
+  // tops of its texts point
+  FrameInDrawing(vtkRenderer* renderer, Stages* stages, LabelUp up = LabelUp::Picture);
   ~FrameInDrawing();
   FrameInDrawing(const FrameInDrawing&) = delete;
   FrameInDrawing& operator=(const FrameInDrawing&) = delete;
@@ -28,7 +30,9 @@ private:
   FrameInDrawing* Before;
   vtkRenderer* Renderer;
   Stages* Found;
+  LabelUp Up;
 
+  friend LabelUp FindLabelUp();
   friend Stages* FindFrame(vtkRenderer* renderer);
   friend bool IsFrameInDrawing();
 };
@@ -36,12 +40,15 @@ private:
 // The stages of the wide frame that is drawn in the renderer just now, else nullptr.
 Stages* FindFrame(vtkRenderer* renderer);
 
+// Where the tops of texts point in the innermost frame.
+LabelUp FindLabelUp();
+
 // In any renderer.
 bool IsFrameInDrawing();
 
 // Nobody can ask such a prop for its actors. So the ones that VTK makes look for the frame
 // themselves, and so do texts (PartText.h): a factory makes them, under the names of VTK's own
-// classes (Overrides.h).
+// classes (Overrides.h). Where VTK's followers draw by them, these face the eye upright.
 vtkObject* MakePartActor();
 
 // True of an actor that was made so.

@@ -66,8 +66,9 @@ private:
       return draw();
     }
     int drawn = 0;
+    const LabelUp up = FindLabelUp();
     const FrameInDrawing none(renderer, nullptr);
-    ShowBillboard(this, renderer, camera, stages->Projected->GetTile(), [&] {
+    ShowBillboard(this, renderer, camera, stages->Projected->GetTile(), up, [&] {
       // the whole's keys, which it has been given, have the whole's stage
       const vtkSmartPointer<vtkInformation> before = this->PropertyKeys;
       this->Keys->Copy(before);

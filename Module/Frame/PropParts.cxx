@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Frame/PropParts.h"
 
+#include "Camera/PropBounds.h"
 #include "Compat/ImageModule.h"
 #include "Drawables/PropTraits.h"
 #include "Drawables/Sky.h"

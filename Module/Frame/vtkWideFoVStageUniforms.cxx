@@ -33,6 +33,16 @@ int CountSamples()
   return glIsEnabled(GL_MULTISAMPLE) ? std::min(samples, wfv::WFV_MOST_SAMPLES) : 0;
 }
 
+// View coordinates per unit of the pre-clip's own: a power of two, which costs no rounding. It is
+// near the far radius, or below if the near one is so much smaller that products of three lengths
+// there would be too small for a float.
+double FindUnit(const wfv::vec2& radii)
+{
+  constexpr double MostBits = 24; // between the radii, with a unit near the far one
+  const double bits = std::log2(radii.y / radii.x) - MostBits;
+  return std::exp2(std::floor(std::log2(radii.y) - 0.5 * std::max(bits, 0.0)));
+}
+
 // The uniform wfvView.
 void SetViewParameters(vtkShaderProgram* program, const wfv::WfvView& v)
 {
@@ -59,7 +69,7 @@ void SetViewParameters(vtkShaderProgram* program, const wfv::WfvView& v)
   program->SetUniformf("wfvView.lens5", static_cast<float>(v.lens5));
   program->SetUniformf("wfvView.maxAngle", static_cast<float>(v.maxAngle));
   program->SetUniformf("wfvView.curvature", static_cast<float>(v.curvature));
-  const double unit = std::exp2(std::floor(std::log2(v.radii.y)));
+  const double unit = FindUnit(v.radii);
   program->SetUniformf("wfvUnit", static_cast<float>(unit));
   const double depth = v.radii.y - v.radii.x;
   set2("wfvUnitDepth", wfv::vec2(unit / depth, -v.radii.x / depth));

@@ -5,10 +5,10 @@
 #include "Text/Angles.h"
 
 #include <vtkFloatArray.h>
-#include <vtkPlatonicSolidSource.h>
 #include <vtkPointData.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -16,30 +16,42 @@ namespace widefov
 {
 namespace
 {
-
-Vector3 PointOf(vtkPolyData* mesh, vtkIdType id)
-{
-  Vector3 p;
-  mesh->GetPoint(id, p.data());
-  return Unit(p);
-}
+// The icosahedron, wound so that its inside is seen from the front; by no source of VTK, whose
+// winding differs from version to version. Sides of a golden rectangle, halved.
+constexpr double Long = 0.5;
+constexpr double Short = 0.30901699437494745;
+constexpr std::array<Vector3, 12> Corners{ {
+  { { 0, Short, -Long } },
+  { { 0, Short, Long } },
+  { { 0, -Short, Long } },
+  { { -Short, Long, 0 } },
+  { { -Short, -Long, 0 } },
+  { { Short, Long, 0 } },
+  { { Short, -Long, 0 } },
+  { { 0, -Short, -Long } },
+  { { Long, 0, Short } },
+  { { -Long, 0, Short } },
+  { { -Long, 0, -Short } },
+  { { Long, 0, -Short } },
+} };
+constexpr vtkIdType Faces[20][3] = { { 0, 5, 3 }, { 1, 3, 5 }, { 1, 2, 9 }, { 1, 8, 2 },
+  { 0, 7, 11 }, { 0, 10, 7 }, { 2, 6, 4 }, { 7, 4, 6 }, { 3, 9, 10 }, { 4, 10, 9 }, { 5, 11, 8 },
+  { 6, 8, 11 }, { 1, 9, 3 }, { 1, 5, 8 }, { 0, 3, 10 }, { 0, 11, 5 }, { 7, 10, 4 }, { 7, 6, 11 },
+  { 2, 4, 9 }, { 2, 8, 6 } };
 
 // Splits every triangle into four; all new points lie on the unit sphere.
 class Subdivision
 {
 public:
-  explicit Subdivision(vtkPolyData* solid)
+  Subdivision()
   {
-    for (vtkIdType i = 0; i < solid->GetNumberOfPoints(); i++)
+    for (const Vector3& corner : Corners)
     {
-      this->Points.push_back(PointOf(solid, i));
+      this->Points.push_back(Unit(corner));
     }
-    for (vtkIdType i = 0; i < solid->GetNumberOfCells(); i++)
+    for (const auto& face : Faces)
     {
-      vtkIdType count = 0;
-      const vtkIdType* ids = nullptr;
-      solid->GetPolys()->GetCellAtId(i, count, ids);
-      this->Triangles.push_back({ { ids[0], ids[1], ids[2] } });
+      this->Triangles.push_back({ { face[0], face[1], face[2] } });
     }
   }
 
@@ -94,11 +106,7 @@ Scene MakeSphere()
 {
   // seven splits of the icosahedron: the longest edge is 0.59 degrees
   constexpr int Splits = 7;
-  vtkNew<vtkPlatonicSolidSource> solid;
-  solid->SetSolidTypeToIcosahedron();
-  solid->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  solid->Update();
-  Subdivision sphere(solid->GetOutput());
+  Subdivision sphere;
   for (int i = 0; i < Splits; i++)
   {
     sphere.Split();

@@ -18,11 +18,11 @@ COLOURS = 0.1  # of what both cover, that may have a colour which is not near in
 # What has a size in pixels, or is made for the view that it is drawn in: it cannot be the picture of
 # six views.
 OWN_WAY = {
-    "vtkBillboardTextActor3D": "as many pixels large as it is told, upright in the picture",
-    "vtkFlagpoleLabel": "its label is as many pixels large as it is told, upright in the picture",
-    "vtkLabelPlacementMapper": "as many pixels large as it is told, where its places are seen",
-    "vtkLabeledDataMapper": "as many pixels large as it is told, where its places are seen",
-    "vtkDynamic2DLabelMapper": "as many pixels large as it is told, where its places are seen",
+    "vtkBillboardTextActor3D": "as many pixels large as it is told, its top where `LabelUp` says",
+    "vtkFlagpoleLabel": "its label is as many pixels large as it is told, along its pole",
+    "vtkLabelPlacementMapper": "as many pixels large as it is told, where its places are seen, tops where `LabelUp` says",
+    "vtkLabeledDataMapper": "as many pixels large as it is told, where its places are seen, tops where `LabelUp` says",
+    "vtkDynamic2DLabelMapper": "as many pixels large as it is told, where its places are seen, tops where `LabelUp` says",
     "vtkFixedPointVolumeRayCastMapper": "as `vtkGPUVolumeRayCastMapper` draws it (`VolumeKinds`), see [limits](known-limits.md)",
     "vtkCaptionActor2D": "an overlay, beside what it points at",
     "vtkCaptionRepresentation": "an overlay, beside what it points at",
@@ -34,16 +34,16 @@ OWN_WAY = {
     "vtkRectilinearWipeWidget": "an overlay, where its image is seen",
     "vtkFixedSizeHandleRepresentation3D": "seen, of its size in pixels",
     "vtkMeasurementCubeHandleRepresentation3D": "seen, of its size in pixels",
-    "vtkSphereRepresentation": "its text is as many pixels large as it is told, upright in the picture",
-    "vtkSphereWidget2": "its text is as many pixels large as it is told, upright in the picture",
+    "vtkSphereRepresentation": "its text is as many pixels large as it is told, its top where `LabelUp` says",
+    "vtkSphereWidget2": "its text is as many pixels large as it is told, its top where `LabelUp` says",
     "vtkResliceCursorLineRepresentation": "turns the camera to its slice in each frame, as in stock VTK",
     "vtkResliceCursorThickLineRepresentation": "turns the camera to its slice in each frame, as in stock VTK",
     "vtkResliceCursorWidget": "turns the camera to its slice in each frame, as in stock VTK",
-    "vtkAngleRepresentation3D": "right but for its text, see [limits](known-limits.md)",
-    "vtkDistanceRepresentation3D": "right but for its text, see [limits](known-limits.md)",
+    "vtkAngleRepresentation3D": "right; its text faces the eye upright all round",
+    "vtkDistanceRepresentation3D": "right; its text faces the eye upright all round",
     "vtkFinitePlaneWidget": "right but for the colour of its plane, which is by chance in stock VTK too",
     "vtkPointCloudWidget": "right; its outline shows where the pointer picks it",
-    "vtkLegendScaleActor": "an overlay, as in any view",
+    "vtkLegendScaleActor": "an overlay, with a warning: a wide picture has no one scale",
 }
 
 # The VTK whose widgets are set beside the six faces.

@@ -4,7 +4,9 @@
 #include "Compat/CompositeMapper.h"
 #include "Compat/Splats.h"
 
+#include "vtkActor.h"
 #include "vtkDataArray.h"
+#include "vtkMapper.h"
 #include "vtkOpenGLSphereMapper.h"
 #include "vtkOpenGLStickMapper.h"
 #include "vtkPointData.h"
@@ -79,7 +81,7 @@ const DrawableKind Kinds[] = {
   { CompositeMapperName, StockComposite | InBounds, NotItsInput },
   { BlockMapperName, DrawsBlocks, 0 },
   { "vtkWideFoVCompositeHelper", DrawsBlocks | ClassifiesBlocks, 0 },
-  { "vtkGlyph3DMapper", 0, NotItsInput },
+  { "vtkGlyph3DMapper", 0, NotItsInput | CopiesAtPoints },
   { "vtkOpenGLGlyph3DHelper", OneMaterial, Glyphs },
   { "vtkOpenGLSphereMapper", 0, PointsAlone | Spheres, OverhangOfSpheres },
   { "vtkOpenGLStickMapper", 0, PointsAlone | Cylinders, OverhangOfSticks },
@@ -89,10 +91,15 @@ const DrawableKind Kinds[] = {
   { "vtkMultiBlockVolumeMapper", 0, GpuRays },
   { "vtkSmartVolumeMapper", 0, GpuRays | MayChoose },
   { "vtkFixedPointVolumeRayCastMapper", 0, OfImage },
-  { "vtkLabelPlacementMapper", 0, InFrontOnly },
+  { "vtkLabelPlacementMapper", 0, PointLabels },
+  { "vtkLabeledDataMapper", PointLabels, 0 },
+  { "vtkDynamic2DLabelMapper", PointLabels, 0 },
   { "vtkOpenGLActor", StockActor, 0 },
-  { "vtkDistanceRepresentation3D", 0, KeepsFollowers },
-  { "vtkAngleRepresentation3D", 0, KeepsFollowers },
+  { "vtkAxesActor", 0, PartsKnowBounds },
+  { "vtkWidgetRepresentation", 0, BesideBounds },
+  { "vtkDepthSortPolyData", 0, SortsByCamera },
+  { "vtkAdaptiveDataSetSurfaceFilter", 0, CullsByCamera },
+  { "vtkLegendScaleActor", MeasuresPicture, 0 },
 };
 }
 
@@ -103,6 +110,11 @@ bool HasTrait(vtkObjectBase* drawable, DrawableTrait trait)
     return ((kind.Itself & trait) && std::strcmp(name, kind.Name) == 0) ||
       ((kind.Derived & trait) && drawable->IsA(kind.Name));
   });
+}
+
+bool IsStockActor(vtkActor* actor)
+{
+  return HasTrait(actor, StockActor) && HasTrait(actor->GetMapper(), StockMesh);
 }
 
 double Overhang(vtkObjectBase* mapper)

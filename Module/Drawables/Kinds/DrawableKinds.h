@@ -8,6 +8,7 @@
 #include "vtkWideFoVAbi.h"
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkActor;
 class vtkObjectBase;
 VTK_ABI_NAMESPACE_END
 
@@ -35,17 +36,31 @@ enum DrawableTrait : unsigned
   MayChoose = 1u << 14, // unless it is told otherwise (Compat/SmartMapper.h)
 
   // Others.
-  InFrontOnly = 1u << 15, // labels: leaves out what is behind the plane of the camera
+  PointLabels = 1u << 15, // labels of places in the picture, which are turned there
   StockActor = 1u << 16,  // draws by its own keys, and once
 
   // Of a mapper of volumes: what it draws on the processor, GPU ray casting shows alike.
   OfImage = 1u << 17,
 
-  // Of a prop: keeps followers to itself, which turn to the camera as in a perspective.
-  KeepsFollowers = 1u << 18
+  CopiesAtPoints = 1u << 18, // a mapper: draws something else at each point of its input
+
+  // Of a prop: GetBounds is not what it draws.
+  PartsKnowBounds = 1u << 19, // its actors have the bounds, once it is asked for translucent ones
+  BesideBounds = 1u << 20, // some of it is beside its bounds, by no more than half their diagonal
+
+  // Of a filter: asks a camera what no wide view can answer.
+  SortsByCamera = 1u << 21, // along the direction of view
+  CullsByCamera = 1u << 22, // by the planes of a frustum
+
+  // Of an overlay: says how long things are in the picture.
+  MeasuresPicture = 1u << 23
 };
 
 bool HasTrait(vtkObjectBase* drawable, DrawableTrait trait);
+
+// An actor of VTK's own class with the stock mapper of polydata or ours; followers and levels of
+// detail draw another actor.
+bool IsStockActor(vtkActor* actor);
 
 // How far the mapper draws beyond the bounds of its points, scene units.
 double Overhang(vtkObjectBase* mapper);

@@ -29,7 +29,7 @@ vec4 wfvClip(vec2 ndc, float rho)
   return vec4((ndc * wfvTile.xy + wfvTile.zw) * rho, depth * rho, rho);
 }
 
-// View coordinates per unit of the pre-clip's own: a power of two near the far radius, which
+// View coordinates per unit of the pre-clip's own: a power of two near the far radius or below, which
 // costs no rounding.
 uniform float wfvUnit;
 
