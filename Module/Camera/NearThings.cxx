@@ -77,6 +77,10 @@ enum class Cell
   Strip
 };
 
+// Of the size of a triangle: one that comes so near meets the eye, because its coordinates may be
+// rounded to float. It has no near part that could be lost.
+constexpr double AtEye = 1e-7;
+
 // Measures the distances of one eye.
 class Ruler
 {
@@ -155,7 +159,12 @@ void Ruler::Measure(const double* a, const double* b, const double* c)
   const double* const corners[3] = { a, b, c };
   const double distance =
     b == c ? DistanceToSegment(this->Eye, a, b) : DistanceToTriangle(this->Eye, corners);
-  this->Nearest = std::min(this->Nearest, distance);
+  const double size =
+    std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
+  if (distance > AtEye * size)
+  {
+    this->Nearest = std::min(this->Nearest, distance);
+  }
 }
 
 // Measures the cell whose points were placed.
