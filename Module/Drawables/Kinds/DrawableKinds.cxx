@@ -79,7 +79,7 @@ const DrawableKind Kinds[] = {
   { CompositeMapperName, StockComposite | InBounds, NotItsInput },
   { BlockMapperName, DrawsBlocks, 0 },
   { "vtkWideFoVCompositeHelper", DrawsBlocks | ClassifiesBlocks, 0 },
-  { "vtkGlyph3DMapper", 0, NotItsInput },
+  { "vtkGlyph3DMapper", 0, NotItsInput | MakesCopies },
   { "vtkOpenGLGlyph3DHelper", OneMaterial, Glyphs },
   { "vtkOpenGLSphereMapper", 0, PointsAlone | Spheres, OverhangOfSpheres },
   { "vtkOpenGLStickMapper", 0, PointsAlone | Cylinders, OverhangOfSticks },

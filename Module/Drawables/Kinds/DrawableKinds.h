@@ -42,7 +42,10 @@ enum DrawableTrait : unsigned
   OfImage = 1u << 17,
 
   // Of a prop: keeps followers to itself, which turn to the camera as in a perspective.
-  KeepsFollowers = 1u << 18
+  KeepsFollowers = 1u << 18,
+
+  // Of a mapper: draws copies of its sources, by helpers that it makes.
+  MakesCopies = 1u << 19
 };
 
 bool HasTrait(vtkObjectBase* drawable, DrawableTrait trait);
