@@ -77,7 +77,7 @@ enum class Cell
   Strip
 };
 
-// Of the size of a triangle: one that comes so near meets the eye, because its coordinates may be
+// Of the eye's largest coordinate: what comes so near meets the eye, because coordinates may be
 // rounded to float. It has no near part that could be lost.
 constexpr double AtEye = 1e-7;
 
@@ -159,9 +159,9 @@ void Ruler::Measure(const double* a, const double* b, const double* c)
   const double* const corners[3] = { a, b, c };
   const double distance =
     b == c ? DistanceToSegment(this->Eye, a, b) : DistanceToTriangle(this->Eye, corners);
-  const double size =
-    std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
-  if (distance > AtEye * size)
+  const double farthest =
+    std::max({ std::abs(this->Eye[0]), std::abs(this->Eye[1]), std::abs(this->Eye[2]) });
+  if (distance > AtEye * farthest)
   {
     this->Nearest = std::min(this->Nearest, distance);
   }
