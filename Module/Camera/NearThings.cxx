@@ -77,8 +77,8 @@ enum class Cell
   Strip
 };
 
-// Of the eye's largest coordinate: what comes so near meets the eye, because coordinates may be
-// rounded to float. It has no near part that could be lost.
+// Distance at which a triangle counts as touching the eye, as a fraction of the eye's largest
+// coordinate. Coordinates may be rounded to float, so the triangle has no near part to lose.
 constexpr double AtEye = 1e-7;
 
 // Measures the distances of one eye.

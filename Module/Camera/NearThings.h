@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is so near to the eye that automatic clip spheres may cut it off, although the bounds of the
-// whole scene do not tell: they hold the eye.
+// Finds the distance from the eye to the nearest prop. Automatic clip spheres need it if the bounds
+// of the scene contain the eye, because the bounds say nothing about near props then.
 #ifndef WideFoVNearThings_h
 #define WideFoVNearThings_h
 

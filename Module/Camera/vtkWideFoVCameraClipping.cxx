@@ -31,8 +31,8 @@ constexpr double NearOverFarOfReciprocals = 1e-4;
 // The least of logarithmic depth: a step is 2e-6 of the distance, then.
 constexpr double LeastNearOverFar = 1e-13;
 
-// Of the distance to the nearest thing, where logarithmic depth begins: only a sample of a large
-// mesh is measured.
+// Distance at which logarithmic depth begins, as a fraction of the distance to the nearest prop. It
+// is small because only a sample of a large mesh is measured.
 constexpr double BeforeNearest = 0.01;
 
 // Room, relative, that the automatic clip spheres leave beyond the bounds.
@@ -50,7 +50,7 @@ double FarthestOfBox(const double p[3], const double b[6])
   return std::sqrt(squared);
 }
 
-// Of a box, view coordinates.
+// Returns the corners of a box in view coordinates.
 wfv::BoxCorners CornersOf(const double bounds[6], vtkMatrix4x4* toView)
 {
   wfv::BoxCorners corners;

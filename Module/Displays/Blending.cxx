@@ -123,7 +123,7 @@ std::vector<Table> AsDirections(std::vector<Table> tables, const vec3& eye)
   return tables;
 }
 
-// What a pixel needs to know of all projectors.
+// Light of all projectors at one pixel.
 struct Overlap
 {
   float Share = 0; // of the projector's own, 0 to 1
@@ -167,7 +167,8 @@ void Measure(const std::vector<Finder>& finders, const std::vector<Table>& table
   }
 }
 
-// Where most black adds up the sum is `most`; everywhere else as much is added.
+// Sets the brightness and the lift of a projector, so that the black levels of all projectors add
+// up to `most` at every pixel.
 void SetLight(
   Table& table, const std::vector<Overlap>& overlaps, double blackLevel, double most, Masks masks)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What calibration files of projectors say: which place of a picture, or which point of the
-// surface, each place of a projector's picture shows. Pure mathematics and files, no VTK.
+// Contents of projector calibration files: the place of a picture, or the point of the surface,
+// that each place of a projector's picture shows. Pure mathematics and files, no VTK.
 #ifndef WideFoVCalibration_h
 #define WideFoVCalibration_h
 
@@ -71,7 +71,7 @@ struct Frustum
   glm::dmat3 Rotation{ 1 };        // from the picture's coordinates to the room's
   vec3 Position{ 0 };              // of the projector in the room, metres, for profile SL
   vec3 PlaneShift{ 0 };            // added to the picture's plane at the distance PlaneDistance
-  double PlaneDistance = 1;        // scene units of PlaneShift
+  double PlaneDistance = 1;        // in the units of PlaneShift
   vec3 DirectionAt(vec2 uv) const; // unit vector of a place u, v
 };
 

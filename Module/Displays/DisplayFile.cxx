@@ -18,7 +18,7 @@ constexpr double Largest = 1e6;
 // Pixels along a side of a projector.
 constexpr double MostPixels = 32768;
 
-// Where files lie that the display file names.
+// Returns the path of a file that a display file names, relative to the display file.
 std::string Beside(const std::string& display, const std::string& name)
 {
   return (std::filesystem::path(display).parent_path() / name).string();

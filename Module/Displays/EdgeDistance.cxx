@@ -58,7 +58,7 @@ public:
   }
 
 private:
-  // Where the parabola of the place b comes below that of the place a.
+  // Returns the abscissa from which the parabola of place b is below the parabola of place a.
   double Meet(int a, int b) const
   {
     const double left = this->Values[a] + double(a) * a;

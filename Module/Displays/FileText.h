@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bytes, lines and numbers of files.
+// Reads files, and takes lines and numbers from their text.
 #ifndef WideFoVFileText_h
 #define WideFoVFileText_h
 
@@ -9,7 +9,7 @@
 
 namespace wfv::displays
 {
-// Bytes of the largest file, or part of an archive, that is read.
+// Largest size of a file, or of a member of an archive, bytes.
 constexpr std::size_t LargestFile = std::size_t{ 1 } << 30;
 
 // Pixels, nodes or triangles at the most; a larger number in a file is taken for damage.
@@ -45,7 +45,7 @@ public:
     return true;
   }
 
-  // What was not taken, without blanks around.
+  // Returns the rest of the text, trimmed.
   std::string_view Remainder() const;
 
 private:
@@ -71,7 +71,7 @@ public:
   // Throws a FileError that names the file and this line.
   [[noreturn]] void Fail(const std::string& problem) const;
 
-  // So many finite numbers, which must be all that is on this line where `alone` is set.
+  // Returns the N finite numbers of this line. Throws a FileError if the line has anything else.
   template <std::size_t N>
   std::array<double, N> Finite(const char* what, char separator = ' ') const
   {

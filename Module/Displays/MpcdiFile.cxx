@@ -19,8 +19,7 @@ namespace
 const std::map<std::string, double> Units{ { "mm", 1e-3 }, { "cm", 1e-2 }, { "dm", 0.1 },
   { "m", 1 }, { "in", 0.0254 }, { "ft", 0.3048 }, { "yd", 0.9144 } };
 
-// By how much the axes of a frame may be no unit vectors, or not at right angles: files have five
-// digits.
+// Largest deviation of a frame's axes from orthonormal. Files have five digits.
 constexpr double FrameSlack = 1e-3;
 
 struct Description

@@ -100,7 +100,7 @@ namespace
 // measured them. More is a fold.
 constexpr double NoiseShare = 0.01;
 
-// Where a pixel has no value, programs write NaN or zeros, of which one alone may be a corner.
+// Removes empty pixels. Programs write them as NaN or as zeros. A single zero may be a corner.
 void DropEmpty(Calibration& calibration)
 {
   const bool flat = calibration.What == Shows::Picture;

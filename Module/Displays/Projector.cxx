@@ -11,7 +11,7 @@ namespace
 constexpr int LensSteps = 50;
 constexpr double LensRest = 1e-12;
 
-// Where a ray goes on that meets the mirror. False: it does not.
+// Reflects a ray in the mirror. Returns false if the ray misses the mirror.
 bool Reflect(const SphereMirror& mirror, vec3& origin, vec3& direction)
 {
   SphereSurface ball;

@@ -29,7 +29,7 @@ struct Box
     this->High = glm::max(this->High, p);
   }
 
-  // Where a ray enters, or Nowhere.
+  // Returns the distance at which a ray enters the box, or Nowhere.
   double Enter(const vec3& origin, const vec3& inverse) const
   {
     const vec3 a = (this->Low - origin) * inverse;

@@ -10,7 +10,7 @@ namespace
 // Widths of a picture: so far outside of it a place still counts as on its border.
 constexpr double BorderRounding = 1e-6;
 
-// What places of the picture look at: by the calibration's own frustum, or else by the caller's.
+// Returns the picture that a calibration refers to: its own frustum, or else the caller's.
 Content ContentOf(const Calibration& calibration, const Content& content)
 {
   if (calibration.Content)

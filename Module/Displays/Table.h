@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What each pixel of a projector shows and how bright: the one form that all calibrations come to.
+// Table of a projector: what each pixel shows, and how bright. All calibrations become tables.
 #ifndef WideFoVDisplaysTable_h
 #define WideFoVDisplaysTable_h
 

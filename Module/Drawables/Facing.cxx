@@ -16,7 +16,7 @@
 
 namespace
 {
-// Where the ray to a place begins; the camera's own place where that is not seen.
+// Finds the origin of the ray to a place. If no ray reaches the place, takes the camera's position.
 void FindEye(vtkWideFoVCamera* camera, double aspect, const double place[3], double eye[3])
 {
   double ndc[3];
@@ -45,7 +45,7 @@ void FindFollowerAxes(vtkCamera* camera, const double place[3], double axes[3][3
   vtkMath::Cross(axes[1], axes[2], axes[0]);
 }
 
-// What is up, world; a unit vector.
+// Finds the up direction of labels, a unit vector in world coordinates.
 void FindUp(vtkRenderer* renderer, vtkWideFoVCamera* camera, wfv::LabelUp kind, double up[3])
 {
   if (kind == wfv::LabelUp::World)

@@ -22,7 +22,7 @@ void LookAt(vtkCamera* flat, vtkWideFoVCamera* camera, double aspect, const doub
 // follower faces the eye upright, for the direction it is seen in. False of any other.
 bool TurnFollower(vtkMatrix4x4* matrix, vtkWideFoVCamera* camera, double aspect);
 
-// Where the top of a label points.
+// Direction in which the top of a label points.
 enum class LabelUp
 {
   Automatic, // Zenith if the map is round, else Picture

@@ -108,7 +108,7 @@ void DrawPlaced(vtkActor2D* labels, vtkLabelPlacementMapper* mapper, vtkRenderer
   turning->ReleaseGraphicsResources(renderer->GetVTKWindow());
 }
 
-// Where a label stands, world; false where it stands at a place of the picture.
+// Finds the world position of a label. Returns false if the label has a position in the picture.
 bool FindPlace(vtkLabeledDataMapper* mapper, int i, double place[3])
 {
   if (vtkDynamic2DLabelMapper::SafeDownCast(mapper))

@@ -40,7 +40,7 @@ private:
 // The stages of the wide frame that is drawn in the renderer just now, else nullptr.
 Stages* FindFrame(vtkRenderer* renderer);
 
-// Where the tops of texts point in the innermost frame.
+// Returns the direction of the tops of texts in the innermost frame.
 LabelUp FindLabelUp();
 
 // In any renderer.

@@ -9,7 +9,7 @@ namespace widefov
 {
 namespace
 {
-// Of projectors.
+// Range of a projector's gamma.
 const Range Gammas{ 0.1, 10 };
 
 void CheckWarp(const Options& o)

@@ -10,8 +10,9 @@ namespace widefov
 {
 void DeclareWarp(CLI::App& app, Options& options);
 
-// Of a complete view: keeps it as what the calibration refers to, and asks for a direction map
-// instead. Throws a Failure with ExitUsage for options that do not go with projectors.
+// Replaces a complete view by a direction map, and keeps the view as the picture that the
+// calibration refers to. Throws a Failure with ExitUsage for options that do not go with
+// projectors.
 void TakeWarp(Options& options);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What projectors show, from their calibrations and displays.
+// Makes the pictures of projectors from calibrations and display files.
 #ifndef WideFoVWarp_h
 #define WideFoVWarp_h
 

@@ -143,7 +143,7 @@ def angle(azimuth, renderer):
     measure("vtkAngleRepresentation3D", azimuth, renderer)
 
 
-# Where each stands first, degrees round the dome, and by how many quarters of a turn then. VTK puts
+# First place of each label, degrees round the dome, and quarters of a turn to its other places. VTK puts
 # labels of vtkDynamic2DLabelMapper into the plane z = 0.
 ALL_ROUND = (0, (1, 2, 3))
 PLANE = (90, (2,))

@@ -27,7 +27,7 @@ LEVELS = 3
 # Levels of 255 of a white picture behind a mask: a half for rounding, a half for the mask's own.
 MASK_LEVELS = 1
 
-# Of white, linear light of two projectors: half a level of each, at the gamma 2.2.
+# Largest error of the summed light of two projectors, as a fraction of white: half a level each, gamma 2.2.
 LIGHT = 2 * 2.2 * 0.5 / 255 + 1e-3
 
 SIZE = 128

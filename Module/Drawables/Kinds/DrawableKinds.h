@@ -44,15 +44,15 @@ enum DrawableTrait : unsigned
 
   CopiesAtPoints = 1u << 18, // a mapper: draws something else at each point of its input
 
-  // Of a prop: GetBounds is not what it draws.
+  // Props that draw beyond GetBounds.
   PartsKnowBounds = 1u << 19, // its actors have the bounds, once it is asked for translucent ones
   BesideBounds = 1u << 20, // some of it is beside its bounds, by no more than half their diagonal
 
-  // Of a filter: asks a camera what no wide view can answer.
+  // Filters that need a linear projection from the camera.
   SortsByCamera = 1u << 21, // along the direction of view
   CullsByCamera = 1u << 22, // by the planes of a frustum
 
-  // Of an overlay: says how long things are in the picture.
+  // Overlays that show the length of things in the picture.
   MeasuresPicture = 1u << 23
 };
 

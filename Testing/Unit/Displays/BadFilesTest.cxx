@@ -15,7 +15,7 @@ namespace
 {
 const std::string Good = "2\n2 2\n-1 -1 0 0 1\n1 -1 1 0 1\n-1 1 0 1 1\n1 1 1 1 1\n";
 
-// What reading a file of this name says; it names the file, in one line.
+// Reads a file of this name and returns the error, which names the file in one line.
 std::string Said(const std::string& name, const std::string& bytes)
 {
   const TemporaryFile file(name, bytes);

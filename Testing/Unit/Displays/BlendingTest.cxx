@@ -12,7 +12,7 @@ using namespace wfv::displays;
 
 namespace
 {
-// Of white: a step of 8 bits.
+// Largest deviation from even light: a step of 8 bits, as a fraction of white.
 constexpr double Even = 1. / 255;
 
 // Pixels from the edge of all pictures together: the rim, where several of them end at once, and
@@ -22,7 +22,8 @@ constexpr double Rim = 12;
 constexpr int Width = 288;
 constexpr int Height = 180;
 
-// Where a projector without distortion shows a point, pixels from the centre of the lower left one.
+// Returns the place of a point in the picture of a projector without distortion, pixels from the
+// centre of the lower left pixel.
 vec2 PlaceIn(const Projector& projector, double throwRatio, const vec3& point)
 {
   const vec3 p = glm::transpose(projector.Rotation) * (point - projector.Position);
@@ -202,7 +203,7 @@ TEST(Blending, HiddenPartsDoNotOverlap)
   EXPECT_EQ(tables[1].Brightness[middle], 1);
 }
 
-// What a projector is told, so that its gamma makes the wanted light of it.
+// A projector's gamma turns the values that it gets back into the wanted light.
 TEST(Blending, GammaIsUndone)
 {
   for (const double gamma : { 1., 1.8, 2.2, 2.6 })

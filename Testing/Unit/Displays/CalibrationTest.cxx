@@ -21,7 +21,7 @@ constexpr double FloatRounding = 1e-6;
 // Radians: numbers of text, in double.
 constexpr double TextRounding = 1e-9;
 
-// Of brightness: floats.
+// Rounding of a brightness to float.
 constexpr double LightRounding = 1e-6;
 
 double AngleBetween(const vec3& a, const vec3& b)

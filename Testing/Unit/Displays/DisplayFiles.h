@@ -43,7 +43,7 @@ std::string PngText(int width, int height, const std::vector<double>& values, in
 // A zip archive of these parts.
 std::string ZipText(const std::map<std::string, std::string>& parts);
 
-// What reading says, as one line; empty: it succeeded.
+// Returns the error of a reader in one line, or nothing if it succeeds.
 template <typename Read>
 std::string ErrorOf(const Read& read)
 {

@@ -14,7 +14,7 @@ namespace
 // Radians or metres: floats of the maps.
 constexpr double FloatRounding = 1e-6;
 
-// Of a mask of 8 bits, half a step of it.
+// Half a step of a mask of 8 bits.
 constexpr double MaskStep = 0.5 / 255;
 
 constexpr int Width = 6;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where rays of projectors end, against closed forms.
+// Compares the ends of projectors' rays with closed forms.
 #include "DisplayFiles.h"
 #include "Displays/Projector.h"
 
