@@ -7,22 +7,14 @@
 
 import json
 import os
-import subprocess
 import sys
-import tempfile
 import unittest
 
 import numpy
 
+from all_directions import LEVELS, SkyTest, read_picture, run
+
 RENDER = sys.argv[1]
-
-# Pixels of the picture of all directions. Its colours are waves of DENSITY radians a unit of the sphere.
-SKY = (2048, 1024)
-DENSITY = 10
-
-# Levels of 255 by which the same direction may differ in two pictures: rays of a direction map are
-# float32, and the texture is filtered.
-LEVELS = 3
 
 # Levels of 255 of a white picture behind a mask: a half for rounding, a half for the mask's own.
 MASK_LEVELS = 1
@@ -31,29 +23,6 @@ MASK_LEVELS = 1
 LIGHT = 2 * 2.2 * 0.5 / 255 + 1e-3
 
 SIZE = 128
-
-
-def run(*words):
-    return subprocess.run(words, check=True, stdout=subprocess.PIPE, timeout=120).stdout
-
-
-def read_picture(path):
-    run("oiiotool", path, "--ch", "R,G,B", "-d", "uint8", "-o", path + ".ppm")
-    with open(path + ".ppm", "rb") as file:
-        words = file.readline().split() + file.readline().split() + file.readline().split()
-        data = file.read()
-    width, height = int(words[1]), int(words[2])
-    return numpy.frombuffer(data, numpy.uint8, width * height * 3).reshape(height, width, 3).astype(int)
-
-
-def all_directions():
-    """The picture of all directions: -z in the middle, +x to the right of it, +y on top."""
-    width, height = SKY
-    longitude = numpy.pi * (2 * (numpy.arange(width) + 0.5) / width - 1)
-    latitude = numpy.pi * (0.5 - (numpy.arange(height) + 0.5) / height)
-    a, b = numpy.meshgrid(longitude, latitude)
-    d = numpy.stack([numpy.cos(b) * numpy.sin(a), numpy.sin(b), -numpy.cos(b) * numpy.cos(a)], axis=-1)
-    return numpy.rint(127.5 + 127.5 * numpy.sin(DENSITY * d + numpy.arange(3))).astype(numpy.uint8)
 
 
 def mesh(shown):
@@ -65,30 +34,7 @@ def mesh(shown):
     return "\n".join(lines) + "\n"
 
 
-class Projectors(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
-        cls.sky = cls.path("sky.png")
-        with open(cls.path("sky.ppm"), "wb") as file:
-            file.write(b"P6\n%d %d\n255\n" % SKY + all_directions().tobytes())
-        run("oiiotool", cls.path("sky.ppm"), "-o", cls.sky)
-        cls.write("speck.obj", "v 0 0 -1\nv 1e-7 0 -1\nv 0 1e-7 -1\nf 1 2 3\n")
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.folder.cleanup()
-
-    @classmethod
-    def path(cls, name):
-        return os.path.join(cls.folder.name, name)
-
-    @classmethod
-    def write(cls, name, text):
-        with open(cls.path(name), "w", encoding="ascii") as file:
-            file.write(text)
-        return cls.path(name)
-
+class Projectors(SkyTest):
     def draw(self, *words):
         run(RENDER, self.path("speck.obj"), "--eye", "0,0,0", "--samples", "0", "-o",
             self.path("drawn.png"), *words)

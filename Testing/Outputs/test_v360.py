@@ -6,23 +6,14 @@ here and converted there.
     test_v360.py WIDEFOV_RENDER
 """
 
-import os
-import subprocess
 import sys
-import tempfile
 import unittest
 
 import numpy
 
+from all_directions import LEVELS, SkyTest, read_picture, read_ppm, run
+
 RENDER = sys.argv[1]
-
-# Pixels of the picture of all directions. Its colours are waves of DENSITY radians a unit of the sphere:
-# a turn by a degree changes them by 22 of 255 levels where they change most.
-SKY = (2048, 1024)
-DENSITY = 10
-
-# Levels of 255 by which two filters of one texture may differ: both interpolate between its pixels.
-LEVELS = 3
 
 # Part of the pixels that may differ more: those on the borders of circles and faces, which belong to one side.
 BESIDE_BORDERS = 0.02
@@ -39,53 +30,12 @@ MAPS = {
 }
 
 
-def run(*words):
-    return subprocess.run(words, check=True, stdout=subprocess.PIPE, timeout=120).stdout
-
-
-def read_ppm(path):
-    with open(path, "rb") as file:
-        words = file.readline().split() + file.readline().split() + file.readline().split()
-        data = file.read()
-    width, height = int(words[1]), int(words[2])
-    return numpy.frombuffer(data, numpy.uint8, width * height * 3).reshape(height, width, 3).astype(int)
-
-
-def all_directions():
-    """The picture of all directions: -z in the middle, +x to the right of it, +y on top."""
-    width, height = SKY
-    longitude = numpy.pi * (2 * (numpy.arange(width) + 0.5) / width - 1)
-    latitude = numpy.pi * (0.5 - (numpy.arange(height) + 0.5) / height)
-    a, b = numpy.meshgrid(longitude, latitude)
-    d = numpy.stack([numpy.cos(b) * numpy.sin(a), numpy.sin(b), -numpy.cos(b) * numpy.cos(a)], axis=-1)
-    return numpy.rint(127.5 + 127.5 * numpy.sin(DENSITY * d + numpy.arange(3))).astype(numpy.uint8)
-
-
-class Maps(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
-        cls.sky = cls.path("sky.png")
-        with open(cls.path("sky.ppm"), "wb") as file:
-            file.write(b"P6\n%d %d\n255\n" % SKY + all_directions().tobytes())
-        run("oiiotool", cls.path("sky.ppm"), "-o", cls.sky)
-        with open(cls.path("speck.obj"), "w", encoding="ascii") as file:
-            file.write("v 0 0 -1\nv 1e-7 0 -1\nv 0 1e-7 -1\nf 1 2 3\n")
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.folder.cleanup()
-
-    @classmethod
-    def path(cls, name):
-        return os.path.join(cls.folder.name, name)
-
+class Maps(SkyTest):
     def drawn(self, words, size):
         path = self.path("drawn.png")
         run(RENDER, self.path("speck.obj"), "--sky", self.sky, "--eye", "0,0,0", "--samples", "0",
             "--background", "0,0,0", "--projection", *words.split(), "--size", size, "-o", path)
-        run("oiiotool", path, "--ch", "R,G,B", "-d", "uint8", "-o", path + ".ppm")
-        return read_ppm(path + ".ppm")
+        return read_picture(path)
 
     def converted(self, output, size):
         width, height = size.split("x")
