@@ -4,11 +4,14 @@
 #include "Camera/Tile.h"
 #include "vtkWideFoVCamera.h"
 
+#include "vtkBox.h"
 #include "vtkCell.h"
 #include "vtkCellPicker.h"
 #include "vtkDataSet.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
+#include "vtkProp3D.h"
+#include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
@@ -53,16 +56,46 @@ bool Hits(vtkCellPicker* picker, const wfv::PickRay& ray, vtkRenderer* renderer,
   return lines ? line : hits;
 }
 
-// The ray from there to what this one hits; to what is far where it hits nothing.
+// Returns the distance at which a ray enters the bounds of a prop that keeps its actors to itself,
+// as widgets do, so that no picker finds them; the end of the ray if it enters none.
+double DistanceToWidgets(const wfv::PickRay& ray, vtkRenderer* renderer)
+{
+  double nearest = ray.Range[1];
+  vtkPropCollection* const props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator it;
+  props->InitTraversal(it);
+  while (vtkProp* const prop = props->GetNextProp(it))
+  {
+    const bool keeps = prop->GetVisibility() && !vtkProp3D::SafeDownCast(prop);
+    const double* const bounds = keeps ? prop->GetBounds() : nullptr;
+    double at[3];
+    double way[3];
+    for (int i = 0; i < 3; i++)
+    {
+      way[i] = nearest * ray.Direction[i];
+    }
+    double share = 1;
+    if (bounds && vtkMath::AreBoundsInitialized(bounds) &&
+      vtkBox::IntersectBox(bounds, ray.Origin.data(), way, at, share) && share > 0)
+    {
+      nearest *= share;
+    }
+  }
+  return nearest;
+}
+
+// The ray from there to what this one hits. Where it hits nothing, to the nearest widget, or to
+// what is far.
 wfv::PickRay SeenFrom(const double place[3], vtkRenderer* renderer, const wfv::PickRay& ray)
 {
   vtkNew<vtkCellPicker> surfaces;
   vtkNew<vtkCellPicker> lines;
   lines->SetTolerance(LineTolerance);
+  const double aim = DistanceToWidgets(ray, renderer);
   double hit[3];
   for (int i = 0; i < 3; i++)
   {
-    hit[i] = ray.Origin[i] + ray.Range[1] * ray.Direction[i];
+    hit[i] = ray.Origin[i] + aim * ray.Direction[i];
   }
   wfv::PickRay before = ray;
   const bool surface = Hits(surfaces, ray, renderer, false);
