@@ -167,7 +167,18 @@ bool vtkWideFoVRenderer::AnswerPicker(double& x, double& y, double& z)
   else
   {
     const double* const middle = camera->GetFlatQuestions().GetMiddle().data();
-    camera->GetFlatQuestions().GetCorner(wfv::FindDiagonal(this, camera, middle), place);
+    const double diagonal = wfv::FindDiagonal(this, camera, middle);
+    if (asker == Asker::PickerCorner)
+    {
+      camera->GetFlatQuestions().GetCorner(diagonal, place);
+    }
+    else
+    {
+      // as far from the lower corner, whose place the widget has been told
+      const double lower[3] = { -1, -1, 2 * z - 1 };
+      camera->NDCToWorld(lower, wfv::PictureAspect(this), place);
+      place[0] += diagonal;
+    }
   }
   x = place[0];
   y = place[1];

@@ -68,19 +68,22 @@ void FlatQuestions::AskDepth(const double world[3], double depth)
   this->Last = Step::World;
 }
 
-FlatQuestions::Asker FlatQuestions::AskCorner(const double ndc[2])
+// The lower corner alone tells no widget: handles that have no place yet ask for it as well.
+FlatQuestions::Asker FlatQuestions::AskCorner(const double ndc[2], bool afterLower)
 {
   const bool lower = ndc[0] == -1 && ndc[1] == -1;
-  const bool upper = ndc[0] == 1 && ndc[1] == 1;
-  this->AtMiddle = lower;
-  this->Middle = this->World;
-  return lower || upper ? Asker::PickerCorner : Asker::Any;
+  const bool upper = afterLower && ndc[0] == 1 && ndc[1] == 1;
+  this->Last =
+    lower ? Step::WorldLower : Step::World; // several places may be asked for at one depth
+  this->Middle = upper ? this->World : this->Middle;
+  return upper ? Asker::WidgetCorner : Asker::Any;
 }
 
 FlatQuestions::Asker FlatQuestions::AskPlace(const double ndc[2], double& depth)
 {
   const Step before = this->Last;
-  const bool follows = depth == (before == Step::World ? this->WorldDepth : this->FocalDepth);
+  const bool ofWorld = before == Step::World || before == Step::WorldLower;
+  const bool follows = depth == (ofWorld ? this->WorldDepth : this->FocalDepth);
   this->Last = Step::None;
   if (!follows)
   {
@@ -99,8 +102,8 @@ FlatQuestions::Asker FlatQuestions::AskPlace(const double ndc[2], double& depth)
       depth = this->WorldDepth;
       return Asker::Any;
     case Step::World:
-      this->Last = Step::World; // several places may be asked for at the depth of one
-      return this->AskCorner(ndc);
+    case Step::WorldLower:
+      return this->AskCorner(ndc, before == Step::WorldLower);
     default:
       return Asker::Any;
   }

@@ -48,8 +48,9 @@ public:
   enum class Asker
   {
     Any,
-    Picker,      // which is to be told the place by Answer
-    PickerCorner // which is to be told GetCorner, as a widget that sizes its handles
+    Picker,       // which is to be told the place by Answer
+    PickerCorner, // which is to be told GetCorner
+    WidgetCorner  // a widget that sizes its handles: asks for the upper corner after the lower one
   };
 
   // A place of the picture (NDC) that is asked for, at this depth. A handle's depth becomes that of
@@ -59,11 +60,11 @@ public:
   // Of a picker whose line is known: next it asks for the unit of its tolerance.
   void ExpectMiddle() { this->Last = Step::PickerRange; }
 
-  // The middle of the picker's line, or the widget's place; or a place as far from it as the
-  // window's corners are apart, which are so many scene units.
+  // The middle of the picker's line, or a place as far from it as the window's corners are apart,
+  // which are so many scene units.
   void GetCorner(double diagonal, double place[3]);
 
-  // The middle of the picker's line, world.
+  // The middle of the picker's line, or the place of the widget, world.
   const std::array<double, 3>& GetMiddle() const { return this->Middle; }
 
   // place: what to tell the picker, world. The ray begins at the position asked for.
@@ -73,7 +74,7 @@ public:
   bool AskRange(double range[2]);
 
 private:
-  Asker AskCorner(const double ndc[2]);
+  Asker AskCorner(const double ndc[2], bool afterLower);
 
   enum class Step
   {
@@ -85,7 +86,8 @@ private:
     PickerRange,
     PickerMiddle,
     PickerCorner,
-    World, // of a handle, from here on
+    World, // of a handle or a widget, from here on
+    WorldLower,
     WorldFocalPoint,
     Direction,
     HandleFocalPoint,
