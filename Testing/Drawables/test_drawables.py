@@ -54,6 +54,7 @@ ELSEWHERE = {
     "vtkMultiVolume": "see [volumes](design/volumes.md): stock VTK 9.1 is no measure of it",
     "vtkAvatar": "nothing to see without a headset",
     "vtkAxesTransformRepresentation": "a line where uninitialized memory says, in stock VTK too",
+    "vtkAxesTransformWidget": "a line where uninitialized memory says, in stock VTK too",
     "vtkLabeledTreeMapDataMapper": "labels of a plane tree map, which this test does not make",
     "vtkQtTreeRingLabelMapper": "labels of a plane tree, which this test does not make",
     "vtkOpenGLGlyph3DHelper": "a part of vtkGlyph3DMapper",
