@@ -13,6 +13,14 @@ import "./page.css";
 
 const NO_WEBGL = "This browser has no WebGL 2, so the panorama does not turn; this is all of it, flat.";
 
+const CANNOT_PLAY = "This browser cannot play the film (H.264 in MP4, of this size); another browser may.";
+const CANNOT_LOAD = "The page is not whole: a file beside it cannot be loaded.";
+
+// The mark on top is the middle of the picture. It is no north, which data need not have.
+const COMPASS = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 100" fill="none">
+  <circle cx="50" cy="50" r="47" stroke="rgba(255,255,255,.7)" stroke-width="2" fill="rgba(61,61,61,.5)"/>
+  <path d="M50 3l5 11h-10z" fill="#fff"/></svg>`;
+
 const waiting = {}; // name of a file -> who waits for it
 const addresses = {}; // name of a file -> where it is
 
@@ -52,6 +60,16 @@ function loadByName(loader) {
   }
 }
 
+// Web servers that send no parts of files let nobody move the slider, so the film is loaded as a whole.
+async function filmAddress(name) {
+  const address = await addressOf(name);
+  if (address !== name) {
+    return address;
+  }
+  const part = await fetch(name, { headers: { Range: "bytes=0-1" } });
+  return part.status === 206 ? name : URL.createObjectURL(await part.blob());
+}
+
 function say(sentence) {
   const line = document.createElement("p");
   line.className = "widefov-sentence";
@@ -75,7 +93,7 @@ function tiled(page) {
 
 async function panoramaOf(page) {
   if (page.film) {
-    return { source: await addressOf(page.film), data: page.sphere };
+    return { source: await filmAddress(page.film), data: page.sphere };
   }
   return page.tiles ? tiled(page) : { path: page.picture, data: page.sphere };
 }
@@ -89,7 +107,7 @@ function adapterOf(page) {
 }
 
 function makeViewer(page) {
-  const plugins = [CompassPlugin.withConfig({ position: "top right", size: "80px" })];
+  const plugins = [CompassPlugin.withConfig({ backgroundSvg: COMPASS, position: "top right", size: "80px" })];
   const film = ["videoPlay", "videoVolume", "videoTime"];
   if (page.film) {
     plugins.push(VideoPlugin.withConfig({ bigbutton: false }));
@@ -121,7 +139,13 @@ async function show(page) {
     await addImage(page.bar, "widefov-bar", "bar of colours");
     viewer.container.append(document.querySelector(".widefov-bar"));
   }
-  await viewer.setPanorama(await panoramaOf(page), { panoData: page.sphere });
+  try {
+    await viewer.setPanorama(await panoramaOf(page), { showLoader: false });
+  } catch (error) {
+    console.error(error);
+    viewer.hideError();
+    say(page.film ? CANNOT_PLAY : CANNOT_LOAD);
+  }
 }
 
 window.widefov = { file, show };

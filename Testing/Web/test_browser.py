@@ -1,0 +1,212 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pages of widefov-render --web in Chromium: directions, keys, touch, tiles, films, from a web server and
+opened as files.
+
+    test_browser.py WIDEFOV-RENDER [FOLDER]      FOLDER: keeps the pictures
+"""
+
+import functools
+import http.server
+import math
+import os
+import shutil
+import subprocess
+import sys
+import threading
+
+import numpy
+from matplotlib.image import imread
+
+import browser
+from pages import BALLS, RENDER, SKIPPED, PageTest, main, unit
+
+KEPT = sys.argv[2] if len(sys.argv) > 2 else None
+SIDE = 600  # pixels of the window
+BELOW = 140  # pixels from the lower border that the bar of colours and the buttons may cover
+MIDDLE = (SIDE / 2, SIDE / 2)
+WRONG = 0.5  # degrees: what is asked of the direction in the middle of the view
+NEAR = 6  # degrees round a ball, whose radius is 2.9: no other ball is so near
+FETCH = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Utilities", "fetch-viewer.sh")
+READY = "window.widefov?.viewer?.state?.ready === true"
+
+
+class Server:
+    """A folder by HTTP, on a port that is free."""
+
+    def __init__(self, folder):
+        handler = functools.partial(Handler, directory=folder)
+        self.server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler)
+        self.address = "http://127.0.0.1:%d/" % self.server.server_port
+        threading.Thread(target=self.server.serve_forever, daemon=True).start()
+
+    def close(self):
+        self.server.shutdown()
+        self.server.server_close()
+
+
+class Handler(http.server.SimpleHTTPRequestHandler):
+    def log_message(self, *_):
+        pass
+
+
+def angle(one, other):
+    """Degrees between two unit vectors."""
+    return math.degrees(math.acos(max(-1, min(1, sum(a * b for a, b in zip(one, other))))))
+
+
+def direction_of(view, x, y):
+    """Of a pixel of a view: its yaw and pitch, radians, and its angle upwards, degrees."""
+    scale = math.tan(math.radians(view["vFov"]) / 2) / (SIDE / 2)
+    right, up = (x - SIDE / 2) * scale, (SIDE / 2 - y) * scale
+    sin, cos = math.sin(view["pitch"]), math.cos(view["pitch"])
+    ahead, up = cos - up * sin, sin + up * cos
+    sin, cos = math.sin(view["yaw"]), math.cos(view["yaw"])
+    vector = (right * cos + ahead * sin, up, right * sin - ahead * cos)
+    return tuple(each / math.hypot(*vector) for each in vector)
+
+
+class Pages(PageTest):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.server = Server(cls.folder)
+        cls.addClassCleanup(cls.server.close)
+        cls.browser = browser.Browser(SIDE, SIDE)
+        cls.addClassCleanup(cls.browser.close)
+
+    def open(self, page, served=True):
+        self.browser.errors.clear()
+        self.browser.loaded.clear()
+        self.browser.open((self.server.address if served else "file://%s/" % self.folder) + page + "/index.html")
+        self.browser.wait_for(READY)
+
+    def view(self):
+        return self.browser.ask("({ ...widefov.viewer.getPosition(), vFov: widefov.viewer.state.vFov })")
+
+    def look(self, name):
+        """What the browser shows once the view stands still and has been drawn."""
+        self.browser.ask("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+        self.browser.screenshot(self.path("shot.png"))
+        if KEPT:
+            os.makedirs(KEPT, exist_ok=True)
+            shutil.copy(self.path("shot.png"), os.path.join(KEPT, name + ".png"))
+        return imread(self.path("shot.png"))[:, :, :3]
+
+    def assert_ball(self, ball, name):
+        """The ball is where the view says that it is."""
+        picture = self.look(name)
+        view = self.view()
+        picture[-BELOW:] = 0  # the bar of colours
+        yellow = (picture[:, :, 0] > 0.3) & (picture[:, :, 0] > picture[:, :, 2] + 0.2)
+        seen = [direction_of(view, x + 0.5, y + 0.5) for y, x in zip(*numpy.nonzero(yellow))]
+        near = [each for each in seen if angle(each, unit(*ball)) < NEAR]
+        self.assertGreater(len(near), 100, "%s: no ball is seen in the view %s" % (name, view))
+        middle = numpy.mean(near, axis=0)
+        off = angle(middle / numpy.linalg.norm(middle), unit(*ball))
+        self.assertLess(off, WRONG, "%s: in the view %s" % (name, view))
+
+    def assert_clean(self):
+        self.assertEqual(self.browser.errors, [])
+        for address in self.browser.loaded:
+            self.assertTrue(address.startswith((self.server.address, "file://" + self.folder, "blob:", "data:")), address)
+
+    def check_turning(self, name):
+        """By mouse, keys and touch."""
+        self.assert_ball(BALLS[0], name)
+        self.browser.drag(MIDDLE, (MIDDLE[0] - 200, MIDDLE[1] + 40))
+        dragged = self.view()
+        self.assertGreater(math.degrees(dragged["yaw"]), 15)
+        self.assertGreater(math.degrees(dragged["pitch"]), 2)
+        self.assert_ball(BALLS[0], name + "-dragged")
+        self.browser.drag(MIDDLE, (MIDDLE[0] - 200, MIDDLE[1]))
+        self.assert_ball(BALLS[1], name + "-dragged-on")
+        self.browser.key("ArrowRight", 0.2)
+        before = self.view()
+        self.assertGreater(before["yaw"], dragged["yaw"])
+        self.browser.touch("touchStart", (300, 300))
+        for x in range(300, 180, -20):
+            self.browser.touch("touchMove", (x, 300))
+        self.browser.touch("touchEnd")
+        self.assertGreater(self.view()["yaw"], before["yaw"] + 0.1)
+
+    def test_picture(self):
+        self.draw("still", "--size", "1024x512", "--title", "Balls <b> & \"heat\"")
+        for served in (True, False):
+            with self.subTest(served=served):
+                self.open("still", served)
+                self.assertEqual(self.browser.ask("document.querySelector('h1').textContent"), "Balls <b> & \"heat\"")
+                self.browser.wait_for("document.querySelector('.widefov-bar')?.naturalWidth > 100")
+                self.check_turning("served" if served else "file")
+                self.assert_clean()
+        size = sum(os.path.getsize(self.path("still/" + name)) for name in os.listdir(self.path("still"))
+                   if not name.startswith(("panorama", "bar")))
+        self.assertLess(size, 2e6)
+
+    def test_part_and_tilt(self):
+        """Of a part of the sphere, and of one whose middle is above the horizon."""
+        self.draw("part", "--size", "1024x512", "--hfov", "200", "--vfov", "100")
+        self.open("part")
+        self.browser.ask("widefov.viewer.rotate({ yaw: 1.5, pitch: -0.2 })")
+        self.assert_ball(BALLS[2], "part")
+        self.draw("tilt", "--size", "1024x512", "--tilt", "30")
+        self.open("tilt")
+        self.browser.ask("widefov.viewer.rotate({ yaw: 0.7, pitch: 0.2 })")
+        self.assert_ball(BALLS[1], "tilt")
+        self.assert_clean()
+
+    def test_tiles(self):
+        self.draw("large", "--size", "8256x4128")
+        for served in (True, False):
+            with self.subTest(served=served):
+                self.open("large", served)
+                self.browser.ask("widefov.viewer.zoom(100)")
+                self.browser.ask("widefov.viewer.rotate({ yaw: 0.7, pitch: 0.2 })")
+                self.browser.wait_for("Object.keys(widefov.viewer.adapter.queue.tasks).length === 0")
+                self.assertTrue([name for name in self.browser.loaded if "tiles/1-" in name], self.browser.loaded)
+                self.assert_ball(BALLS[1], "tiles" if served else "tiles-file")
+                self.assert_clean()
+
+    def test_film(self):
+        """A turn to the right by 80 degrees in four frames."""
+        self.draw("film", "--size", "1024x512", "--film", "turn", "--sweep", "80", "--seconds", "1", "--fps", "4",
+                  "--ease", "none")
+        for served in (True, False):
+            with self.subTest(served=served):
+                self.open("film", served)
+                self.browser.wait_for("widefov.viewer.adapter.video.currentTime > 0.3")
+                plugin = "widefov.viewer.getPlugin('video')"
+                self.browser.ask("%s.pause()" % plugin)
+                self.browser.ask("""new Promise((done) => {
+                    widefov.viewer.adapter.video.requestVideoFrameCallback(done);
+                    %s.setTime(0.3); })""" % plugin)
+                self.assertEqual(self.browser.ask("document.querySelectorAll('.psv-video-progressbar').length"), 1)
+                self.browser.ask("widefov.viewer.rotate({ yaw: 0, pitch: 0.1 })")
+                azimuth = BALLS[1][0] - 80 / 3
+                self.assert_ball((azimuth, BALLS[1][1]), "film" if served else "film-file")
+                self.assert_clean()
+
+
+class WithoutWebGL(PageTest):
+    def test_sentence(self):
+        """The picture is flat, below a sentence."""
+        self.draw("flat", "--size", "512x256")
+        window = browser.Browser(SIDE, SIDE, ["--disable-3d-apis"])
+        self.addCleanup(window.close)
+        window.open("file://%s/index.html" % self.path("flat"))
+        window.wait_for("document.querySelector('.widefov-flat')?.naturalWidth === 512")
+        self.assertIn("no WebGL", window.ask("document.querySelector('.widefov-sentence').textContent"))
+        self.assertEqual(window.errors, [])
+
+
+def lacking():
+    """What this machine lacks, or None."""
+    return browser.missing() or (None if shutil.which("npm") else "npm")
+
+
+if __name__ == "__main__":
+    if lacking():
+        print("skipped: this needs the package " + lacking())
+        sys.exit(SKIPPED)
+    subprocess.run(["bash", FETCH, os.path.dirname(os.path.dirname(RENDER))], check=True)
+    main()
