@@ -10,7 +10,7 @@ namespace widefov
 {
 namespace
 {
-constexpr int TileSide = 1024;      // pixels, about
+constexpr int LargestSide = 1280;   // of a tile, pixels
 constexpr int MostColumns = 64;     // of Photo Sphere Viewer's sphere
 constexpr int SmallestLevel = 4096; // pixels across, about; the page has a picture of 2048 as well
 }
@@ -33,7 +33,7 @@ Picture Scale(const Picture& picture, int width, int height)
 std::vector<TileLevel> PlanLevels(int width)
 {
   int columns = 1;
-  while (columns < MostColumns && columns * TileSide < width)
+  while (columns < MostColumns && columns * LargestSide < width)
   {
     columns *= 2;
   }
