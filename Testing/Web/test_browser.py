@@ -81,8 +81,9 @@ class Pages(PageTest):
         self.browser.open((self.server.address if served else "file://%s/" % self.folder) + page + "/index.html")
         self.browser.wait_for(READY)
 
-    def view(self):
-        return self.browser.ask("({ ...widefov.viewer.getPosition(), vFov: widefov.viewer.state.vFov })")
+    def view(self, frame="window."):
+        viewer = frame + "widefov.viewer"
+        return self.browser.ask("({ ...%s.getPosition(), vFov: %s.state.vFov })" % (viewer, viewer))
 
     def look(self, name):
         """What the browser shows once the view stands still and has been drawn."""
@@ -93,10 +94,10 @@ class Pages(PageTest):
             shutil.copy(self.path("shot.png"), os.path.join(KEPT, name + ".png"))
         return imread(self.path("shot.png"))[:, :, :3]
 
-    def assert_ball(self, ball, name):
+    def assert_ball(self, ball, name, frame="window."):
         """The ball is where the view says that it is."""
         picture = self.look(name)
-        view = self.view()
+        view = self.view(frame)
         picture[-BELOW:] = 0  # the bar of colours
         yellow = (picture[:, :, 0] > 0.3) & (picture[:, :, 0] > picture[:, :, 2] + 0.2)
         seen = [direction_of(view, x + 0.5, y + 0.5) for y, x in zip(*numpy.nonzero(yellow))]
@@ -174,6 +175,36 @@ class Pages(PageTest):
                 self.assertTrue([name for name in self.browser.loaded if "tiles/1-" in name], self.browser.loaded)
                 self.assert_ball(BALLS[1], "tiles" if served else "tiles-file")
                 self.assert_clean()
+
+    def test_notebook(self):
+        """widefov.show, as the cell of a page of a notebook; and what it refuses."""
+        import vtk
+        import widefov
+
+        reader = vtk.vtkXMLPolyDataReader()
+        reader.SetFileName(self.path("balls.vtp"))
+        reader.Update()
+        mapper = vtk.vtkPolyDataMapper()
+        mapper.SetInputData(reader.GetOutput())
+        mapper.ScalarVisibilityOff()
+        balls = vtk.vtkActor()
+        balls.SetMapper(mapper)
+        balls.GetProperty().SetColor(1, 1, 0)
+        panorama = widefov.show(balls, (1024, 512), eye=(0, 0, 0), tilt=20, background=(0, 0, 0.5), height=SIDE,
+                                title="A </script>")
+        with open(self.path("notebook.html"), "w", encoding="utf-8") as stream:
+            stream.write("<!DOCTYPE html><link rel=icon href='data:,'><style>body { margin: 0; overflow: hidden }</style>" + panorama._repr_html_())
+        self.browser.errors.clear()
+        self.browser.loaded.clear()
+        self.browser.open(self.server.address + "notebook.html")
+        frame = "document.querySelector('iframe')?.contentWindow?."
+        self.browser.wait_for(frame + "widefov?.viewer?.state?.ready === true")
+        self.assertEqual(self.browser.ask(frame + "document.querySelector('h1').textContent"), "A </script>")
+        self.browser.ask(frame + "widefov.viewer.rotate({ yaw: 0.7, pitch: 0.2 })")
+        self.assert_ball(BALLS[1], "notebook", frame)
+        self.assert_clean()
+        with self.assertRaisesRegex(ValueError, "equirectangular"):
+            widefov.show(balls, projection="hammer")
 
     def test_film(self):
         """A turn to the right by 80 degrees in four frames."""
