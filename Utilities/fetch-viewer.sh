@@ -6,8 +6,9 @@
 #   bash Utilities/fetch-viewer.sh [BUILD]      afterwards BUILD/share/widefov/web (build/)
 #
 # The versions and the hashes of all packages are those of Programs/Web/page/package-lock.json. Needs npm,
-# which is installed if it is missing. Exit code: 1 when something failed, 2 for a wrong command line.
+# which is installed if it is missing, and the network. Exit code: 1 when something failed, 2 for a wrong command line.
 set -euo pipefail
+umask 022
 
 fail() {
   echo "fetch-viewer.sh: $1" >&2
@@ -42,5 +43,7 @@ done > web/licences.txt
 echo "$made" > web/made-of
 mkdir -p "$(dirname "$target")"
 rm -rf "$target"
-mv web "$target"
+# another run may have been quicker
+mv --no-target-directory web "$target" 2> /dev/null ||
+  [ "$(cat "$target/made-of" 2> /dev/null)" = "$made" ] || fail "$target cannot be written"
 echo "fetch-viewer.sh: $target"
