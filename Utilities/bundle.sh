@@ -104,6 +104,7 @@ copy_viewer() {
   ! command -v npm > /dev/null || bash Utilities/fetch-viewer.sh "$build"
   if [ -d "$build/share/widefov/web" ]; then
     cp --recursive "$build/share/widefov/web" "$folder/data/"
+    rm -f "$folder"/data/web/{made-of,emulator.js}
     cp "$build/share/widefov/web/licences.txt" "$folder/licences/web"
   else
     echo "bundle.sh: without the viewer of web pages (widefov-render --web); Utilities/fetch-viewer.sh makes it" >&2

@@ -34,6 +34,10 @@ mkdir web
 node_modules/.bin/esbuild viewer.js --bundle --minify --format=iife --legal-comments=none --log-level=error \
   --target=es2022 --outfile=web/viewer.js || fail "esbuild failed, see above"
 cp index.html web/
+# a headset for the tests; no package has it
+echo 'import { XRDevice, metaQuest3 } from "iwer"; window.emulator = { XRDevice, metaQuest3 };' > emulator.js
+node_modules/.bin/esbuild emulator.js --bundle --minify --format=iife --log-level=error --outfile=web/emulator.js ||
+  fail "esbuild failed, see above"
 for package in node_modules/@photo-sphere-viewer/core node_modules/three; do
   echo "${package#node_modules/} $(sed -n 's/^ *"version": "\(.*\)",*$/\1/p' "$package/package.json")"
   echo

@@ -4,7 +4,6 @@
 #include "FilmOptions.h"
 #include "RoomOptions.h"
 #include "StereoChoice.h"
-#include "StereoLayout.h"
 #include "Text/Messages.h"
 
 #include <algorithm>
@@ -15,6 +14,12 @@ namespace widefov
 namespace
 {
 constexpr double SteepestTilt = 90; // degrees; beyond, the view stands on its head
+
+// A page shows films to one eye, because browsers do not keep two films in step.
+std::string LayoutOf(const Options& o)
+{
+  return HasFilm(o) ? "left" : "separate";
+}
 }
 
 void DeclareWeb(CLI::App& app, Options& o)
@@ -34,7 +39,7 @@ void CompleteWeb(Options& o)
   const std::vector<std::string>& given = o.StereoGiven;
   if (HasTwoEyes(o) && std::find(given.begin(), given.end(), "--layout") == given.end())
   {
-    o.Layout = "separate";
+    o.Layout = LayoutOf(o);
   }
   if (HasFilm(o))
   {
@@ -61,10 +66,9 @@ void CheckWeb(const Options& o)
   {
     FailUsage("--web does not go with --screens, --pose, --warp and --display; leave them out");
   }
-  if (HasTwoEyes(o) && !FindStereoLayout(o.Layout).Separate)
+  if (HasTwoEyes(o) && o.Layout != LayoutOf(o))
   {
-    FailUsage("--web needs a picture of each eye, as --layout separate draws them; leave --layout "
-              "out");
+    FailUsage("--web needs --layout " + LayoutOf(o) + "; leave --layout out");
   }
 }
 }

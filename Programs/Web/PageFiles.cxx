@@ -20,9 +20,9 @@ const char* const ViewerFiles[] = { "index.html", "viewer.js", "viewer.css", "li
 // Names of files of a page. Films have a folder while they are drawn.
 const std::regex PageFile(
   "index\\.html|viewer\\.(js|css)|licences\\.txt|page\\.js|bar\\.png(\\.js)?|"
-  "panorama(-left|-right)?\\.jpg(\\.js)?|film(-left|-right)?\\.mp4(\\.js)?|"
+  "panorama(-right)?\\.jpg(\\.js)?|film\\.mp4(\\.js)?|"
   "tiles/\\d+-\\d+-\\d+\\.jpg(\\.js)?");
-const std::regex FilmFolder("film(-left|-right)?\\.mp4\\.parts");
+const std::regex FilmFolder("film\\.mp4\\.parts");
 
 // Largest film with a twin, bytes: base64 makes it a text of 400 million letters, and Chromium
 // takes 512.

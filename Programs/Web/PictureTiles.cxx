@@ -12,7 +12,7 @@ namespace
 {
 constexpr int LargestSide = 1280;   // of a tile, pixels
 constexpr int MostColumns = 64;     // of Photo Sphere Viewer's sphere
-constexpr int SmallestLevel = 4096; // pixels across, about; the page has a picture of 2048 as well
+constexpr int SmallestLevel = 8192; // pixels across, about; the page has a picture of 4096 as well
 }
 
 Picture Scale(const Picture& picture, int width, int height)

@@ -2,7 +2,6 @@
 #include "WebPage.h"
 
 #include "BarPicture.h"
-#include "Options/FilmOptions.h"
 #include "PageFiles.h"
 #include "PictureTiles.h"
 #include "Pictures/GPano.h"
@@ -25,8 +24,8 @@ using Json = nlohmann::ordered_json;
 // Pixels across: browsers show no larger picture at once.
 constexpr int LargestAtOnce = 8192;
 
-// Pixels across the picture that is seen before the tiles come.
-constexpr int FirstWidth = 2048;
+// Pixels across the picture that is seen before the tiles come, and in a headset.
+constexpr int FirstWidth = 4096;
 
 std::string TitleOf(const Options& o)
 {
@@ -161,25 +160,19 @@ void WritePicturePage(const Options& o, const Scene& scene, const std::vector<Pi
 
 void WriteFilmPage(const Options& o, const Scene& scene)
 {
-  const std::vector<std::string> films = FilesOfFilm(o, o.Web + "/" + WebFilm);
-  PageFiles files(o.Web);
-  Json page{ { "title", TitleOf(o) }, { "sphere", SphereOf(o, o.Size[0], o.Size[1]) } };
-  for (std::size_t i = 0; i < films.size(); i++)
+  std::error_code error;
+  if (!std::filesystem::exists(o.Web + "/" + WebFilm, error))
   {
-    const std::filesystem::path film(films[i]);
-    std::error_code error;
-    if (!std::filesystem::exists(film, error))
-    {
-      return;
-    }
-    const std::string name = film.filename().string();
-    page[i == 0 ? "film" : "right"] = name;
-    if (!files.AddTwin(name))
-    {
-      Say("warning: " + films[i] +
-        " plays from a web server alone: it is too large for a page that "
-        "is opened as a file");
-    }
+    return;
+  }
+  PageFiles files(o.Web);
+  Json page{ { "title", TitleOf(o) }, { "film", WebFilm },
+    { "sphere", SphereOf(o, o.Size[0], o.Size[1]) } };
+  if (!files.AddTwin(WebFilm))
+  {
+    Say("warning: the film in " + o.Web +
+      " plays from a web server alone: it is too large for a page "
+      "that is opened as a file");
   }
   AddBar(files, o, scene, page);
   Finish(files, o, page);

@@ -27,6 +27,13 @@ BELOW = 140  # pixels from the lower border that the bar of colours and the butt
 MIDDLE = (SIDE / 2, SIDE / 2)
 WRONG = 0.5  # degrees: what is asked of the direction in the middle of the view
 NEAR = 6  # degrees round a ball, whose radius is 2.9: no other ball is so near
+BUILD = os.path.dirname(os.path.dirname(RENDER))
+EYE = 0.1  # from the middle between the eyes, at a distance of 1 of the balls
+PIXELS = 3  # half a degree in a headset
+HEADSET = """
+    window.headset = new emulator.XRDevice(emulator.metaQuest3);
+    headset.installRuntime({ forceInstall: true });
+    headset.stereoEnabled = true;"""
 FETCH = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Utilities", "fetch-viewer.sh")
 READY = "window.widefov?.viewer?.state?.ready === true"
 
@@ -164,6 +171,31 @@ class Pages(PageTest):
         self.assert_ball(BALLS[1], "part")
         self.assert_clean()
 
+    def test_headset(self):
+        """In an emulated headset each eye sees its own picture: the left one has the ball ahead on its right."""
+        self.draw("eyes", "--size", "1024x512", "--stereo", "omnidirectional", "--ipd", str(2 * EYE))
+        with open(os.path.join(BUILD, "share/widefov/web/emulator.js"), encoding="utf-8") as stream:
+            emulator = stream.read() + HEADSET
+        added = self.browser.call("Page.addScriptToEvaluateOnNewDocument", source=emulator)
+        self.open("eyes")
+        self.browser.call("Page.removeScriptToEvaluateOnNewDocument", **added)
+        self.browser.wait_for("document.querySelector('[title=Headset]') !== null")
+        self.browser.call("Runtime.evaluate", expression="document.querySelector('[title=Headset]').click()",
+                          userGesture=True)
+        self.browser.wait_for("widefov.viewer.renderer.renderer.xr.isPresenting")
+        picture = self.look("headset")
+        wanted = math.tan(math.asin(EYE)) * SIDE / 2  # pixels: the headset sees 90 degrees upwards
+        for half, sign in ((picture[:, :SIDE // 2], 1), (picture[:, SIDE // 2:], -1)):
+            middle = half[SIDE // 2 - 60:SIDE // 2 + 60, SIDE // 4 - 80:SIDE // 4 + 80]
+            columns = numpy.nonzero(middle[:, :, 0] > middle[:, :, 2] + 0.2)[1]
+            self.assertGreater(len(columns), 100, "no ball is seen")
+            self.assertLess(abs(columns.mean() + 0.5 - 80 - sign * wanted), PIXELS)
+        self.browser.ask("headset.activeSession.end()")
+        self.browser.wait_for("!widefov.viewer.renderer.renderer.xr.isPresenting")
+        self.browser.drag(MIDDLE, (MIDDLE[0] - 200, MIDDLE[1]))
+        self.assertGreater(self.view()["yaw"], 0.2)
+        self.assert_clean()
+
     def test_tiles(self):
         self.draw("large", "--size", "8256x4128")
         for served in (True, False):
@@ -172,7 +204,7 @@ class Pages(PageTest):
                 self.browser.ask("widefov.viewer.zoom(100)")
                 self.browser.ask("widefov.viewer.rotate({ yaw: 0.7, pitch: 0.2 })")
                 self.browser.wait_for("Object.keys(widefov.viewer.adapter.queue.tasks).length === 0")
-                self.assertTrue([name for name in self.browser.loaded if "tiles/1-" in name], self.browser.loaded)
+                self.assertTrue([name for name in self.browser.loaded if "tiles/0-" in name], self.browser.loaded)
                 self.assert_ball(BALLS[1], "tiles" if served else "tiles-file")
                 self.assert_clean()
 
@@ -235,5 +267,5 @@ if __name__ == "__main__":
     if lacking():
         print("skipped: this needs the package " + lacking())
         sys.exit(SKIPPED)
-    subprocess.run(["bash", FETCH, os.path.dirname(os.path.dirname(RENDER))], check=True)
+    subprocess.run(["bash", FETCH, BUILD], check=True)
     main()

@@ -9,6 +9,7 @@ import { VideoPlugin } from "@photo-sphere-viewer/video-plugin";
 import "@photo-sphere-viewer/core/index.css";
 import "@photo-sphere-viewer/compass-plugin/index.css";
 import "@photo-sphere-viewer/video-plugin/index.css";
+import { headsetButtons } from "./headset.js";
 import "./page.css";
 
 const NO_WEBGL = "This browser has no WebGL 2, so the panorama does not turn; this is all of it, flat.";
@@ -106,21 +107,25 @@ function adapterOf(page) {
     : EquirectangularAdapter.withConfig({ shader: true, useXmpData: false });
 }
 
+function buttonsOf(page) {
+  return ["zoom", "move", ...(page.film ? ["videoPlay", "videoVolume", "videoTime"] : []), "fullscreen"];
+}
+
 function makeViewer(page) {
   const plugins = [CompassPlugin.withConfig({ backgroundSvg: COMPASS, position: "top right", size: "80px" })];
-  const film = ["videoPlay", "videoVolume", "videoTime"];
   if (page.film) {
     plugins.push(VideoPlugin.withConfig({ bigbutton: false }));
   }
   return new Viewer({
     container: "view", adapter: adapterOf(page), plugins, keyboard: "always", moveInertia: 0,
-    navbar: ["zoom", "move", ...(page.film ? film : []), "fullscreen"],
+    navbar: buttonsOf(page),
     loadingTxt: "", maxFov: 110,
   });
 }
 
 // Shows a page: its title; sphere, the part of all directions in the picture; the names of the picture
-// or the film, and of the bar of colours; tiles, the sizes of a picture in tiles.
+// or the film, of the picture of the right eye, and of the bar of colours; tiles, the sizes of a picture in
+// tiles.
 async function show(page) {
   document.title = page.title;
   const title = document.createElement("h1");
@@ -145,7 +150,9 @@ async function show(page) {
     console.error(error);
     viewer.hideError();
     say(page.film ? CANNOT_PLAY : CANNOT_LOAD);
+    return;
   }
+  viewer.setOption("navbar", [...buttonsOf(page), ...await headsetButtons(viewer, page)]);
 }
 
 window.widefov = { file, show };
