@@ -256,6 +256,11 @@ class Pages(PageTest):
                 azimuth = BALLS[1][0] - 80 / 3
                 self.assert_ball((azimuth, BALLS[1][1]), "film" if served else "film-file")
                 self.assert_clean()
+        with open(self.path("film/film.mp4"), "wb") as stream:
+            stream.write(b"no film")
+        self.browser.open(self.server.address + "film/index.html")
+        self.browser.wait_for("document.querySelector('.widefov-sentence')?.textContent.includes('cannot play')")
+        self.look("film-broken")
 
 
 def lacking():

@@ -86,6 +86,20 @@ async function addImage(name, style, text) {
   document.getElementById("view").append(image);
 }
 
+// The picture, or the film, as it is.
+async function addFlat(page) {
+  if (!page.film) {
+    await addImage(page.picture, "widefov-flat", page.title);
+    return;
+  }
+  const film = document.createElement("video");
+  film.className = "widefov-flat";
+  film.controls = true;
+  film.loop = true;
+  film.src = await addressOf(page.film);
+  document.getElementById("view").append(film);
+}
+
 function tiled(page) {
   const levels = page.tiles.map(({ width, columns }) => ({ width, cols: columns, rows: columns / 2 }));
   const tileUrl = (column, row, level) => `tiles/${level}-${column}-${row}.jpg`;
@@ -118,9 +132,29 @@ function makeViewer(page) {
   }
   return new Viewer({
     container: "view", adapter: adapterOf(page), plugins, keyboard: "always", moveInertia: 0,
-    navbar: buttonsOf(page),
-    loadingTxt: "", maxFov: 110,
+    navbar: buttonsOf(page), loadingTxt: "", maxFov: 110,
   });
+}
+
+function addTitle(page) {
+  const title = document.createElement("h1");
+  title.textContent = page.title;
+  document.getElementById("view").append(title);
+}
+
+// Puts what is in the page onto the viewer, so that it is seen on a full screen, too.
+function moveInto(viewer) {
+  viewer.container.append(...document.querySelectorAll("#view > h1, #view > .widefov-bar"));
+}
+
+async function turn(viewer, page) {
+  loadByName(viewer.textureLoader);
+  if (page.bar) {
+    await addImage(page.bar, "widefov-bar", "bar of colours");
+  }
+  moveInto(viewer);
+  await viewer.setPanorama(await panoramaOf(page), { showLoader: false });
+  viewer.setOption("navbar", [...buttonsOf(page), ...await headsetButtons(viewer, page)]);
 }
 
 // Shows a page: its title; sphere, the part of all directions in the picture; the names of the picture
@@ -128,31 +162,23 @@ function makeViewer(page) {
 // tiles.
 async function show(page) {
   document.title = page.title;
-  const title = document.createElement("h1");
-  title.textContent = page.title;
-  document.getElementById("view").append(title);
+  addTitle(page);
   if (!document.createElement("canvas").getContext("webgl2")) {
     say(NO_WEBGL);
-    await addImage(page.picture, "widefov-flat", page.title);
+    await addFlat(page);
     return;
   }
   const viewer = makeViewer(page);
   window.widefov.viewer = viewer;
-  loadByName(viewer.textureLoader);
-  viewer.container.append(title);
-  if (page.bar) {
-    await addImage(page.bar, "widefov-bar", "bar of colours");
-    viewer.container.append(document.querySelector(".widefov-bar"));
-  }
   try {
-    await viewer.setPanorama(await panoramaOf(page), { showLoader: false });
+    await turn(viewer, page);
   } catch (error) {
     console.error(error);
-    viewer.hideError();
+    viewer.destroy();
+    document.getElementById("view").replaceChildren();
+    addTitle(page);
     say(page.film ? CANNOT_PLAY : CANNOT_LOAD);
-    return;
   }
-  viewer.setOption("navbar", [...buttonsOf(page), ...await headsetButtons(viewer, page)]);
 }
 
 window.widefov = { file, show };
