@@ -26,6 +26,8 @@ make() {
   step="building the plugin"
   cmake --preset paraview -DWIDEFOV_BUILD_TESTING=OFF
   cmake --build build-paraview
+  step="fetching the viewer of web pages"
+  bash Utilities/fetch-viewer.sh build
   step="making packages"
   rm -rf "$1"
   bash Utilities/package.sh build "$1"
@@ -60,6 +62,9 @@ use_programs() {
   bash Utilities/with-display.sh widefov-render --scene room --film turn --seconds 0.2 --size 256x128 --quiet \
     -o "$work/film.mp4"
   ffprobe -v error -show_streams "$work/film.mp4" | grep '^projection=equirectangular$'
+  step="making a web page"
+  bash Utilities/with-display.sh widefov-render --scene room --size 256x128 --web "$work/page"
+  holds "$work/page/viewer.js" 100000
   step="asking the other programs"
   widefov-viewer --version
   widefov-run --help > "$work/help"

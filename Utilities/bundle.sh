@@ -16,7 +16,7 @@
 #   bin/ lib/        the programs, and libraries that nothing else on a machine shares with them
 #   lib/machine/     libraries that the driver uses as well, each in a folder of its own; used
 #                    where the machine has none
-#   data/ licences/  of the scenes "winds" and "office"; of all that is packed
+#   data/ licences/  of the scenes "winds" and "office", of web pages; of all that is packed
 #   ffmpeg/          with --films: ffmpeg, ffprobe, their libraries and licences (bundle-ffmpeg.sh)
 #   check.sh         Testing/Gpu/check.sh
 set -euo pipefail
@@ -99,6 +99,18 @@ copy_libraries() {
   done
 }
 
+# The viewer of web pages.
+copy_viewer() {
+  ! command -v npm > /dev/null || bash Utilities/fetch-viewer.sh "$build"
+  if [ -d "$build/share/widefov/web" ]; then
+    cp --recursive "$build/share/widefov/web" "$folder/data/"
+    rm -f "$folder"/data/web/{made-of,emulator.js}
+    cp "$build/share/widefov/web/licences.txt" "$folder/licences/web"
+  else
+    echo "bundle.sh: without the viewer of web pages (widefov-render --web); Utilities/fetch-viewer.sh makes it" >&2
+  fi
+}
+
 copy_others() {
   local program package data
   for program in "${programs[@]}"; do
@@ -118,6 +130,7 @@ copy_others() {
       echo "bundle.sh: without $data, which is not there" >&2
     fi
   done
+  copy_viewer
 }
 
 # Films need ffmpeg: where it is from, or where it is to be had.

@@ -36,6 +36,15 @@ git describe --exact-match --match "v$version" > /dev/null 2>&1 ||
 # shellcheck source=/dev/null
 version+="-1~$(. /etc/os-release && echo "${VERSION_ID:+deb}${VERSION_ID:-$VERSION_CODENAME}")"
 
+# without npm the packages are made all the same
+if [ -x "$build/bin/widefov-render" ]; then
+  if command -v npm > /dev/null; then
+    bash Utilities/fetch-viewer.sh "$build" >&2
+  elif [ ! -f "$build/share/widefov/web/viewer.js" ]; then
+    echo "package.sh: without the viewer of web pages (widefov-render --web); Utilities/fetch-viewer.sh makes it" >&2
+  fi
+fi
+
 more=()
 [ -z "${DEBEMAIL:-}" ] || more=(-D "CPACK_PACKAGE_CONTACT=${DEBFULLNAME:-$DEBEMAIL} <$DEBEMAIL>")
 work="$(mktemp --directory)"

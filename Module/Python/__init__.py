@@ -2,7 +2,8 @@
 """Wide field-of-view rendering for VTK.
 
 Every class of the module under its VTK name, ready to draw: importing the package
-loads VTK's OpenGL backend and text rendering as well. `render` makes a picture in one call.
+loads VTK's OpenGL backend and text rendering as well. `render` makes a picture in one call, and `show` a
+panorama that turns in a notebook.
 """
 
 from vtkmodules.vtkCommonCore import vtkVersion as _vtkVersion
@@ -25,3 +26,4 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: E402,F401
 from .vtkRenderingWideFoV import *  # noqa: E402,F401,F403
 from ._overlays import place_overlay  # noqa: E402,F401
 from ._render import render  # noqa: E402,F401
+from ._show import show  # noqa: E402,F401

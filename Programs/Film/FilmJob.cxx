@@ -270,7 +270,7 @@ void WriteStats(const Options& o, const Scene& scene, const RenderStats& stats)
 }
 }
 
-void MakeFilm(Options& o)
+Scene MakeFilm(Options& o)
 {
   CheckPlaces(o);
   CheckFfmpeg(o);
@@ -305,5 +305,6 @@ void MakeFilm(Options& o)
   WriteStats(o, first, stats);
   Tell("drawn by " + stats.Gl.Renderer + ", OpenGL " + stats.Gl.Version);
   SayWhere(o, plan);
+  return first;
 }
 }

@@ -16,6 +16,7 @@
 #include "Text/Messages.h"
 #include "Text/OptionValues.h"
 #include "WarpOptions.h"
+#include "WebOptions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -238,10 +239,10 @@ void CheckOutput(const Options& o)
 {
   CheckStandardStream(o);
   const std::vector<std::string> all = AllOutputs(o);
-  if (all.empty() && o.DumpShaders.empty() && !o.DryRun)
+  if (all.empty() && o.Web.empty() && o.DumpShaders.empty() && !o.DryRun)
   {
-    FailUsage(
-      "nothing to write; give -o FILE, --aov FILE.exr, --stats FILE.json or --dump-shaders DIR");
+    FailUsage("nothing to write; give -o FILE, --web FOLDER, --aov FILE.exr, --stats FILE.json or "
+              "--dump-shaders DIR");
   }
   for (std::size_t i = 0; i < all.size(); i++)
   {
@@ -390,6 +391,7 @@ void CheckTogether(Options& o, const FieldsOfView& fov)
   {
     CheckFiles(o);
     CheckFilm(o);
+    CheckWeb(o);
     CheckOutput(o);
   }
 }

@@ -56,6 +56,9 @@ struct ProjectorLight
   double Gamma = 2.2;
 };
 
+// The film of a web page, in its folder.
+constexpr const char* WebFilm = "film.mp4";
+
 // Everything a user can ask for; the defaults are those of the command line. Angles in
 // degrees, distances in scene units.
 struct Options
@@ -133,6 +136,8 @@ struct Options
   std::string Aov;
   std::string Stats;
   std::string DumpShaders; // a folder; empty: none
+  std::string Web;         // folder of a web page; empty: none
+  std::string Title;       // of the web page; empty: the name of the data
   int Frames = 0;          // 0: one frame, no warm-up
 
   FilmOptions Film;

@@ -17,6 +17,7 @@
 #include "Text/OptionValues.h"
 #include "Text/ProjectionNames.h"
 #include "WarpOptions.h"
+#include "WebOptions.h"
 
 #include <CLI/CLI.hpp>
 
@@ -249,6 +250,7 @@ std::optional<int> ParseOptions(int argc, char** argv, Options& options)
   DeclareScene(app, options, fov);
   DeclareWarp(app, options);
   DeclareOutput(app, options);
+  DeclareWeb(app, options);
   DeclareFilm(app, options);
   if (const std::optional<int> done = ParseCommandLine(app, argc, argv))
   {
@@ -256,6 +258,7 @@ std::optional<int> ParseOptions(int argc, char** argv, Options& options)
   }
   CompleteFromPreset(app, options, Target::File);
   CompleteFilm(options, argc, argv);
+  CompleteWeb(options);
   CheckTogether(options, fov);
   return std::nullopt;
 }

@@ -120,6 +120,10 @@ vtkSmartPointer<vtkScalarBarActor> MakeScalarBar(const Scene& scene)
 
 vtkSmartPointer<vtkProp> AddScalarBar(vtkRenderer* renderer, const Scene& scene, const Options& o)
 {
+  if (!o.Web.empty() && o.ScalarBarAt.empty())
+  {
+    return nullptr; // the page has the bar
+  }
   const vtkSmartPointer<vtkScalarBarActor> bar = MakeScalarBar(scene);
   if (!bar)
   {

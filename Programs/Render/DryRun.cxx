@@ -44,7 +44,8 @@ Json OutputsOf(const Options& o)
       std::for_each(sights.begin(), sights.end(), add);
     }
   }
-  for (const std::string& file : { o.Aov, o.Stats })
+  const std::string page = o.Web.empty() ? "" : o.Web + "/index.html";
+  for (const std::string& file : { page, o.Aov, o.Stats })
   {
     if (!file.empty())
     {

@@ -281,8 +281,27 @@ void CloseAll(const std::vector<std::unique_ptr<StripFile>>& pictures)
   }
 }
 
+bool HasPictures(const Options& o)
+{
+  return !o.Outputs.empty() || !o.Web.empty();
+}
+
+// Adds rows to the picture of an eye, which a web page is made from.
+void Keep(const Options& o, const Picture& rows, std::size_t eye, std::vector<Picture>& pictures)
+{
+  if (o.Web.empty())
+  {
+    return;
+  }
+  pictures.resize(std::max(pictures.size(), eye + 1));
+  Picture& picture = pictures[eye];
+  picture.Width = rows.Width;
+  picture.Height += rows.Height;
+  picture.Rgb.insert(picture.Rgb.end(), rows.Rgb.begin(), rows.Rgb.end());
+}
+
 // The files of an output are beside each other.
-void WriteTiledPictures(Stage& stage, const Options& o, OutputFiles& files, RenderStats& stats)
+void WriteTiledPictures(Stage& stage, const Options& o, OutputFiles& files, RenderResult& result)
 {
   const std::vector<std::unique_ptr<StripFile>> pictures = OpenPictures(o, files);
   const std::size_t each = o.Outputs.empty() ? 1 : pictures.size() / o.Outputs.size();
@@ -295,6 +314,7 @@ void WriteTiledPictures(Stage& stage, const Options& o, OutputFiles& files, Rend
   const auto take = [&](std::size_t i, const Picture& drawn) {
     Picture rows = drawn;
     ApplyLight(o, rows, taken[i]);
+    Keep(o, rows, i, result.Tiled);
     taken[i] += rows.Height;
     for (std::size_t k = i; k < pictures.size(); k += each)
     {
@@ -302,9 +322,9 @@ void WriteTiledPictures(Stage& stage, const Options& o, OutputFiles& files, Rend
     }
   };
   DrawTiles(*stage.Tiles, o, stage.Window, CountEyes(stage), draw, take);
-  if (stats.Milliseconds.empty())
+  if (result.Stats.Milliseconds.empty())
   {
-    stats.Milliseconds.push_back(time);
+    result.Stats.Milliseconds.push_back(time);
   }
   CloseAll(pictures);
 }
@@ -350,9 +370,9 @@ RenderResult RenderTiled(Stage& stage, const Scene& scene, const Options& o, Out
   {
     RenderFrames(stage, o, result.Stats);
   }
-  if (!o.Outputs.empty() || (!drawn && (!o.Stats.empty() || !o.DumpShaders.empty())))
+  if (HasPictures(o) || (!drawn && (!o.Stats.empty() || !o.DumpShaders.empty())))
   {
-    WriteTiledPictures(stage, o, files, result.Stats);
+    WriteTiledPictures(stage, o, files, result);
   }
   CountTiles(stage, result.Stats);
   if (!o.Aov.empty())
@@ -384,7 +404,7 @@ RenderResult DrawAll(const Scene& scene, const Options& o, OutputFiles& files)
   Converge(stage, o);
   RenderFrames(stage, o, result.Stats);
   Count(stage, o, result.Stats);
-  if (!o.Outputs.empty())
+  if (HasPictures(o))
   {
     result.Colors = ReadPictures(stage);
   }

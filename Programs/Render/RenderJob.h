@@ -18,13 +18,14 @@ namespace widefov
 struct RenderResult
 {
   std::vector<Picture> Colors;     // where a picture was asked for: one, or one of each eye
+  std::vector<Picture> Tiled;      // the same, drawn in tiles for a web page
   std::optional<FloatPicture> Aov; // where channels were asked for
   RenderStats Stats;
 };
 
 // Opens a window and draws. Throws a Failure with ExitFailed: no display, OpenGL too old,
 // a picture beyond its limits, an error of the renderer. A picture that is drawn in tiles goes to
-// `files` at once and is not in the result.
+// `files` at once, and is in the result for a web page alone.
 RenderResult Render(const Scene& scene, const Options& options, OutputFiles& files);
 }
 

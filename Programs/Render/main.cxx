@@ -25,6 +25,7 @@
 #include "System/Progress.h"
 #include "System/StandardInput.h"
 #include "Text/Messages.h"
+#include "Web/WebPage.h"
 
 namespace
 {
@@ -45,6 +46,10 @@ void CheckOutputs(const Options& options)
     {
       CheckWritable(output);
     }
+  }
+  if (!options.Web.empty())
+  {
+    PrepareWebPage(options);
   }
   if (!options.DumpShaders.empty())
   {
@@ -116,7 +121,15 @@ bool DoOtherWork(Options& options)
   }
   if (HasFilm(options))
   {
-    MakeFilm(options);
+    if (!options.Web.empty())
+    {
+      PrepareWebPage(options);
+    }
+    const Scene scene = MakeFilm(options);
+    if (!options.Web.empty())
+    {
+      WriteFilmPage(options, scene);
+    }
     return true;
   }
   return false;
@@ -128,6 +141,10 @@ void DrawOne(const Options& options, const Scene& scene, double reading)
   RenderResult result = Render(scene, options, files);
   result.Stats.Parts.Reading = reading;
   WriteAll(options, scene, result, files);
+  if (!options.Web.empty())
+  {
+    WritePicturePage(options, scene, result.Tiled.empty() ? result.Colors : result.Tiled);
+  }
   TellOfPictures(options, result.Stats);
 }
 

@@ -49,6 +49,7 @@ PROGRAMS = (
     ("Programs/Options",),
     ("Programs/Pictures",),
     ("Programs/Film",),
+    ("Programs/Web",),
     ("Programs/Viewing", "Programs/Run/Wishes"),
     ("Programs/Render", "Programs/Viewer", "Programs/Run", "Programs/Run/Loader", "Programs/Run/Overrides"),
 )

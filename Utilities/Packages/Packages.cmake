@@ -69,6 +69,7 @@ if(TARGET vtkRenderingWideFoVPython)
     "The classes of ${library} beside those of VTK's Python modules,\nand a picture in one call.")
   set(CPACK_COMPONENT_PYTHON_DEPENDS runtime)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${of_python}, ${of_vtk}, python3-numpy")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS widefov) # the viewer of widefov.show
   set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
     "${CMAKE_CURRENT_LIST_DIR}/postinst;${CMAKE_CURRENT_LIST_DIR}/prerm")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_STRICT_PERMISSION ON)

@@ -18,6 +18,11 @@ foreach(folder IN LISTS folders)
     file(READ "${CPACK_WIDEFOV_${upper}_COPYRIGHT}" of_imgui)
     string(APPEND licence "\n\nThe program widefov-viewer holds Dear ImGui, of which its package of Debian says:\n\n${of_imgui}")
   endif()
+  set(viewer "${folder}/usr/share/widefov/web/licences.txt")
+  if(EXISTS "${viewer}")
+    file(READ "${viewer}" of_viewer)
+    string(APPEND licence "\n\nThe viewer in /usr/share/widefov/web is made of:\n\n${of_viewer}")
+  endif()
   file(WRITE "${documents}/copyright" "${licence}")
   string(TIMESTAMP day "%a, %d %b %Y %H:%M:%S +0000" UTC) # of SOURCE_DATE_EPOCH
   file(WRITE "${documents}/changelog.Debian" "widefov (${CPACK_DEBIAN_PACKAGE_VERSION}) unstable; \
