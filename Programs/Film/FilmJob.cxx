@@ -278,7 +278,7 @@ void MakeFilm(Options& o)
   LoadSky(o);
   const StandardInput input(o.Files);
   FilmScenes scenes(o);
-  const Scene first = scenes.GetScene(0);
+  const Scene first = scenes.GetFirstFilled();
   TellOfScene(first);
   const bool placed = o.Eye || SaysWhereTheEyeGoes(o.Film);
   ChooseView(o, first, placed ? vtkBoundingBox() : scenes.FindBounds());

@@ -3,6 +3,7 @@
 
 #include "Damage.h"
 #include "Datasets.h"
+#include "EmptyFile.h"
 #include "GltfFile.h"
 #include "System/CrashGuard.h"
 #include "System/MessageCatcher.h"
@@ -199,6 +200,29 @@ vtkSmartPointer<vtkDataObject> ReadGuarded(const std::string& path, ReadFunction
     "file is complete");
   return read(path);
 }
+
+// Reads the file. Throws a Failure with ExitFailed if the reader complains.
+vtkSmartPointer<vtkDataObject> ReadStrictly(const std::string& path, ReadFunction read)
+{
+  MessageCatcher::TakeFirstError();
+  MessageCatcher::TakeWarnings();
+  vtkSmartPointer<vtkDataObject> data;
+  try
+  {
+    data = ReadGuarded(path, read);
+  }
+  catch (const std::exception& error)
+  {
+    FailDamaged(path, error.what());
+  }
+  const std::string error = MessageCatcher::TakeFirstError();
+  const std::string warning = WarningOfDamage(MessageCatcher::TakeWarnings());
+  if (!error.empty() || !warning.empty())
+  {
+    FailDamaged(path, error.empty() ? warning : error);
+  }
+  return data;
+}
 }
 
 std::vector<std::string> ReadableEndings()
@@ -229,24 +253,12 @@ vtkSmartPointer<vtkDataObject> ReadFile(const std::string& path)
   {
     FailDamaged(path, early);
   }
-  MessageCatcher::TakeFirstError();
-  MessageCatcher::TakeWarnings();
-  vtkSmartPointer<vtkDataObject> data;
-  try
+  if (vtkSmartPointer<vtkDataObject> empty = EmptyData(path, EndingOf(path)))
   {
-    data = ReadGuarded(path, read);
+    return empty;
   }
-  catch (const std::exception& error)
-  {
-    FailDamaged(path, error.what());
-  }
-  const std::string error = MessageCatcher::TakeFirstError();
-  const std::string warning = WarningOfDamage(MessageCatcher::TakeWarnings());
-  if (!error.empty() || !warning.empty())
-  {
-    FailDamaged(path, error.empty() ? warning : error);
-  }
-  if (Leaves(data).empty())
+  const vtkSmartPointer<vtkDataObject> data = ReadStrictly(path, read);
+  if (Leaves(data).empty() && EndingOf(path) != ".vtm")
   {
     FailDamaged(path, "it holds no geometry");
   }
@@ -264,9 +276,8 @@ void DropUnusable(SceneProp& prop)
   if (clean.Data->GetNumberOfCells() == 0)
   {
     Fail(prop.Label +
-      (clean.Dropped > 0 ? ": none of its cells has coordinates that are all finite and below 1e18"
-                         : " holds no points or cells") +
-      "; there is nothing to draw, so check the data");
+      ": none of its cells has coordinates that are all finite and below 1e18; there is nothing to "
+      "draw, so check the data");
   }
   if (clean.Dropped > 0)
   {
@@ -276,22 +287,35 @@ void DropUnusable(SceneProp& prop)
   prop.Surface = clean.Data;
 }
 
+std::vector<SceneProp> PropsOf(vtkDataObject* data)
+{
+  std::vector<SceneProp> props;
+  for (const auto& part : PartsByArrays(data))
+  {
+    SceneProp prop;
+    prop.Source = part;
+    prop.Surface = SurfaceOf(part);
+    props.push_back(prop);
+  }
+  return props;
+}
+
 namespace
 {
-// One, or of glTF one a part.
-std::vector<SceneProp> PropsOf(const std::string& path)
+std::vector<SceneProp> ReadProps(const std::string& path)
 {
-  SceneProp prop;
-  prop.Source = ReadFile(path);
-  prop.Globe = EndingOf(path) == ".nc" || EndingOf(path) == ".cdf";
+  const vtkSmartPointer<vtkDataObject> data = ReadFile(path);
   const Progress progress("taking the surface of " + path);
   std::vector<SceneProp> parts = IsGltf(path) ? ReadGltf(path) : std::vector<SceneProp>();
-  if (!parts.empty())
+  if (parts.empty())
   {
-    return parts;
+    parts = PropsOf(data);
   }
-  prop.Surface = SurfaceOf(prop.Source);
-  return { prop };
+  for (SceneProp& part : parts)
+  {
+    part.Globe = EndingOf(path) == ".nc" || EndingOf(path) == ".cdf";
+  }
+  return parts;
 }
 }
 
@@ -302,7 +326,7 @@ Scene ReadScene(const std::vector<std::string>& paths)
   for (std::size_t i = 0; i < paths.size(); i++)
   {
     Tell("reading " + paths[i]);
-    for (SceneProp& prop : PropsOf(paths[i]))
+    for (SceneProp& prop : ReadProps(paths[i]))
     {
       prop.Label = paths[i];
       prop.Index = static_cast<int>(i);

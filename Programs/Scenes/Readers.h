@@ -20,8 +20,13 @@ vtkSmartPointer<vtkDataObject> ReadFile(const std::string& path);
 // The times of all steps that the file has, of data that ReadFile made; none where it has none.
 std::vector<double> TimesOf(vtkDataObject* data);
 
-// One prop a file, of glTF one a part, in the order given. Cells with unusable points are left out
-// with a warning; a file of which nothing is left throws a Failure with ExitFailed.
+// The props of data that ReadFile made: one, or of composite data one for each set of arrays that
+// its parts have.
+std::vector<SceneProp> PropsOf(vtkDataObject* data);
+
+// One prop a file, of glTF and composite data one a part, in the order given. Cells with unusable
+// points are left out with a warning; a file of which nothing is left throws a Failure with
+// ExitFailed.
 Scene ReadScene(const std::vector<std::string>& paths);
 
 // Leaves out cells with unusable points, with a warning; throws a Failure with

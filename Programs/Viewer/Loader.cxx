@@ -99,7 +99,7 @@ Loaded LoadFitted(Options& o, bool fits)
   }
   if (fits)
   {
-    ChooseView(o, loaded.What);
+    ChooseView(o, loaded.What.Props.empty() ? steps->GetFirstFilled() : loaded.What);
   }
   MakePose(loaded.What, o); // complains
   if (fits)

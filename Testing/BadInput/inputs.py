@@ -119,6 +119,7 @@ def texts():
         "zero-area.vtk": legacy(triangles=TRIANGLES + [(0, 0, 1), (5, 5, 5)]),
         "only-zero-area.vtk": legacy(triangles=[(0, 0, 1), (5, 5, 5)]),
         "unknown.xyz": "1 2 3\n",
+        "empty-data.vtp": '<VTKFile type="PolyData"><PolyData/></VTKFile>',
         "unknown.conf": "# options\nhfvo = 90\n",
         "wrong.conf": "hfov = 900\n",
         "words.conf": "a line of words\n",

@@ -30,6 +30,10 @@ SQUARE = """<?xml version="1.0"?>
 """
 
 
+# As VTK writes a surface without points.
+EMPTY = '<VTKFile type="PolyData"><PolyData><Piece NumberOfPoints="0"><Points/></Piece></PolyData></VTKFile>'
+
+
 class FilmTest(unittest.TestCase):
     """Each test in a folder of its own."""
 
