@@ -8,9 +8,6 @@
 #include "System/Progress.h"
 #include "Text/Messages.h"
 
-#include <vtkExodusIIReader.h>
-#include <vtkNew.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,29 +16,6 @@ namespace widefov
 {
 namespace
 {
-// Step number `index` of a file whose first step was read well.
-std::vector<SceneProp> ReadExodusStep(const std::string& path, int index)
-{
-  vtkNew<vtkExodusIIReader> reader;
-  reader->SetFileName(path.c_str());
-  reader->UpdateInformation();
-  reader->SetAllArrayStatus(vtkExodusIIReader::NODAL, 1);
-  reader->SetAllArrayStatus(vtkExodusIIReader::ELEM_BLOCK, 1);
-  reader->SetTimeStep(index);
-  reader->Update();
-  const std::string error = MessageCatcher::TakeFirstError();
-  if (!error.empty())
-  {
-    Fail(path + " cannot be read: " + error + "; check that the file is complete");
-  }
-  std::vector<SceneProp> props = PropsOf(reader->GetOutputDataObject(0));
-  for (SceneProp& prop : props)
-  {
-    prop.Label = path;
-  }
-  return props;
-}
-
 bool HasColors(const SceneProp& prop)
 {
   return !prop.Array.empty() && !prop.Direct && prop.ColorMap;
@@ -140,11 +114,8 @@ void FilmScenes::FindFiles(const Options& o)
 Scene FilmScenes::ReadStep(std::size_t number) const
 {
   const TimeStep& step = this->Series->GetSteps()[number];
-  Scene moving = ReadScene(step.Files);
-  if (step.Index > 0)
-  {
-    moving.Props = ReadExodusStep(step.Files.front(), step.Index);
-  }
+  Scene moving =
+    ReadScene(step.Files, step.Index > 0 ? std::optional<double>(step.Time) : std::nullopt);
   Scene scene = this->Fixed;
   for (SceneProp& prop : moving.Props)
   {

@@ -78,6 +78,9 @@ class Ways(FilmTest):
         self.write("way.txt", "0 0 0  0 0 -1\n0 0 1  0 0 -1\n")
         path = ["square.vtp", "--film", "path", "--path", "way.txt", "--seconds", "0.12", *FRAMES]
         self.assertEqual(self.film(*path), "")
+        self.write("one.txt", "0 0 0  0 0 -1\n")
+        self.assertEqual(self.film("square.vtp", "--film", "path", "--path", "one.txt", "--seconds", "0.08", "-o", "one/%d.png"),
+                         "widefov-render: warning: one.txt has one pose: the camera stands still")
         frames = self.frames()
         self.film(*path, "--eye", "5,5,5")  # which says nothing
         self.assertEqual([a.tobytes() for a in frames], [b.tobytes() for b in self.frames()])

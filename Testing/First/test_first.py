@@ -280,6 +280,44 @@ class Volumes(Case):
         self.assertGreater(float(line.split()[2 + 5]), 1)  # cells of six faces
 
 
+class Formats(Case):
+    def test_the_page_lists_what_is_read(self):
+        rows = json.loads(self.run_it("--list-formats", "--json").stdout)
+        page = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Documentation", "formats.md")
+        with open(page, encoding="utf-8") as stream:
+            listed = [line for line in stream.read().splitlines() if line.startswith("| `")]
+        self.assertEqual(listed, ["| `%s` | %s |" % (row["ending"], row["name"]) for row in rows])
+        self.assertIn(".pvtu    VTK, parts of an unstructured grid\n", self.run_it("--list-formats").stdout)
+
+    def tell(self, path):
+        told = json.loads(self.run_it("--info", path, "--json").stdout)["files"][0]
+        return told["points"], {array["name"]: (array["type"], array["components"]) for array in told["arrays"]}
+
+    def test_clouds(self):
+        colors = {"RGB": ("unsigned char", 3)}
+        for name, text, count, arrays in (
+                ("a.xyz", "# a cloud\n0 0 0\n1 2 3\n", 2, {}),
+                ("b.xyz", "0 0 0 255 0 0\n1 2 3 0 1 2\n", 2, colors),
+                ("c.pts", "2\n0 0 0 -5 255 0 0\n1 2 3 8 0 1 2\n", 2, {"column 4": ("double", 1), **colors}),
+                ("d.csv", '"heat","x","y","z"\r\n7,0,0,0\r\n,1,2,3\r\n', 2, {"heat": ("double", 1)}),
+                ("e.csv", "X;Y;Z;Red;Green;Blue\n0;0;0;1;2;3\n", 1, colors)):
+            self.assertEqual(self.tell(self.path(name, text)), (count, arrays), name)
+
+    def test_parts(self):
+        for i in range(2):
+            self.path("part%d.vtp" % i, files.xml_surface(files.box((3 * i, 0, 0), (1, 1, 1)), heat=range(8)))
+        whole = self.path("whole.pvtp", '<VTKFile type="PPolyData"><PPolyData><PPointData><PDataArray type="Float32" '
+                          'Name="heat"/></PPointData><PPoints><PDataArray type="Float32" NumberOfComponents="3"/></PPoints>'
+                          '<Piece Source="part0.vtp"/><Piece Source="part1.vtp"/></PPolyData></VTKFile>')
+        self.assertEqual(self.tell(whole), (16, {"heat": ("float", 1)}))
+
+    def test_images_of_medicine(self):
+        header = "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 5 5 5\nencoding: ascii\n\n"
+        self.assertEqual(self.tell(self.path("a.nrrd", header + " ".join(map(str, range(125))) + "\n"))[0], 125)
+        header = "ObjectType = Image\nNDims = 3\nDimSize = 3 3 3\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n"
+        self.assertEqual(self.tell(self.path("a.mha", header + 27 * "a"))[0], 27)
+
+
 class Info(Case):
     def test_every_array_of_a_legacy_file_is_there(self):
         arrays = {"s%d" % i: [i] * 8 for i in range(10)}
