@@ -17,7 +17,6 @@
 #include <vtkNIFTIImageReader.h>
 #include <vtkNetCDFCFReader.h>
 #include <vtkNew.h>
-#include <vtkNrrdReader.h>
 #include <vtkOBJReader.h>
 #include <vtkPDBReader.h>
 #include <vtkPLYReader.h>
@@ -123,6 +122,9 @@ const Unread UnreadKinds[] = {
   { ".xdmf", "ParaView or meshio saves it as .vtu or .vtkhdf" },
   { ".xmf", "ParaView or meshio saves it as .vtu or .vtkhdf" },
   { ".foam", "foamToVTK or ParaView saves it as .vtm" },
+  // VTK reads the first axis of these as components
+  { ".nrrd", "3D Slicer or SimpleITK saves it as .mha" },
+  { ".nhdr", "3D Slicer or SimpleITK saves it as .mha" },
   { ".dcm", "dcm2niix saves a folder of DICOM as .nii" },
   { ".gz", "unpack it with gunzip" },
   { ".las", "PDAL saves it as .ply or .csv" },
@@ -164,7 +166,6 @@ const std::vector<FileKind>& FileKinds()
     { ".mha", "MetaImage", MakePlain<vtkMetaImageReader> },
     { ".mhd", "MetaImage, data in another file", MakePlain<vtkMetaImageReader> },
     { ".nii", "NIfTI images of medicine", MakePlain<vtkNIFTIImageReader> },
-    { ".nrrd", "NRRD images", MakePlain<vtkNrrdReader> },
     { ".xyz", "points as text, a line each", MakeCloud },
     { ".pts", "points of scanners as text", MakeCloud },
     { ".csv", "points as text, with names of columns", MakeCloud },

@@ -51,7 +51,9 @@ vtkSmartPointer<vtkDataObject> Read(const std::string& path, const std::optional
   {
     reader->Update();
   }
-  return OutputOf(reader);
+  // the reader of legacy files tells the time 0 of each
+  return EndingOf(path) == ".vtk" ? vtkSmartPointer<vtkDataObject>(reader->GetOutputDataObject(0))
+                                  : OutputOf(reader);
 }
 
 void CheckRegular(const std::string& path)

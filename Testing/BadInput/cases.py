@@ -192,6 +192,7 @@ DATA = [
     failed("pipe.vtk", "pipe.vtk"),
     failed("unknown.abc", "unknown.abc: there is no reader for '.abc'; convert it to one of .vtk .vtp"),
     failed("some.xdmf", "there is no reader for '.xdmf'; ParaView or meshio saves it as .vtu"),
+    failed("some.nrrd", "there is no reader for '.nrrd'; 3D Slicer or SimpleITK saves it as .mha"),
     failed("short.xyz", "line 2 is not 3 numbers"),
     failed("no-places.csv", "it has no columns x, y and z"),
     failed("words.ply", "1 of vertex, but only the first 0 are whole"),

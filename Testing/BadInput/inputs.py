@@ -19,7 +19,7 @@ INFINITY = float("inf")
 
 # Endings that widefov-render reads.
 ENDINGS = (
-    "vtk vtp vtu vti vts vtr vtm pvtp pvtu pvti pvts pvtr vtkhdf stl ply obj g pdb ex2 case nc cdf mha mhd nii nrrd "
+    "vtk vtp vtu vti vts vtr vtm pvtp pvtu pvti pvts pvtr vtkhdf stl ply obj g pdb ex2 case nc cdf mha mhd nii "
     "xyz pts csv glb gltf"
 ).split()
 
@@ -124,6 +124,7 @@ def texts():
         "zero-area.vtk": legacy(triangles=TRIANGLES + [(0, 0, 1), (5, 5, 5)]),
         "only-zero-area.vtk": legacy(triangles=[(0, 0, 1), (5, 5, 5)]),
         "unknown.abc": "1 2 3\n",
+        "some.nrrd": "NRRD0004\n",
         "some.xdmf": "<Xdmf/>\n",
         "short.xyz": "1 2 3\n4 5\n",
         "no-places.csv": "a,b,c\n1,2,3\n",
