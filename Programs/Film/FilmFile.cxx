@@ -76,7 +76,7 @@ std::vector<std::unique_ptr<FilmSink>> OpenSinks(const Options& o, const FilmPla
   {
     if (FindContainer(output) == nullptr)
     {
-      sinks.push_back(std::make_unique<FrameFiles>(o, output));
+      sinks.push_back(std::make_unique<FrameFiles>(o, plan, output));
       continue;
     }
     const std::vector<std::string> paths = FilesOfFilm(o, output);
@@ -114,6 +114,8 @@ FilmFile::FilmFile(
     Say(path + " is whole already; remove it to draw it again");
     return;
   }
+  MakeFolderOf(path);
+  CheckWritable(path);
   this->Parts.emplace(path, this->Coding.Segment, o.Film, plan);
 }
 

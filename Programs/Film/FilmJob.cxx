@@ -48,7 +48,7 @@ void CheckPlaces(const Options& o)
     {
       if (FindContainer(file) != nullptr)
       {
-        CheckWritable(file);
+        CheckMakeable(file);
       }
     }
   }
@@ -278,7 +278,8 @@ Scene MakeFilm(Options& o)
   LoadSky(o);
   const StandardInput input(o.Files);
   FilmScenes scenes(o);
-  const Scene first = scenes.GetScene(0);
+  CheckPlaces(o); // of files that the data name, too
+  const Scene first = scenes.GetFirstFilled();
   TellOfScene(first);
   const bool placed = o.Eye || SaysWhereTheEyeGoes(o.Film);
   ChooseView(o, first, placed ? vtkBoundingBox() : scenes.FindBounds());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FilmParts.h"
 
+#include "Options/FilmIdentity.h"
 #include "System/OutputFiles.h"
 #include "Text/Messages.h"
 
@@ -152,10 +153,11 @@ void FilmParts::CheckSameFilm(const std::string& command) const
     return;
   }
   const std::vector<unsigned char> bytes = ReadBytes(path);
-  if (std::string(bytes.begin(), bytes.end()) != text)
+  const std::string difference = FilmDifference(command, { bytes.begin(), bytes.end() });
+  if (!difference.empty())
   {
-    Fail(this->Folder + " keeps frames of another film, whose options are in " + CommandFile +
-      "; give the same ones, or remove the folder");
+    Fail(this->Folder + " keeps frames of another film: " + difference +
+      "; give the same options, or remove the folder");
   }
 }
 

@@ -227,6 +227,10 @@ std::vector<Pose> ReadPoses(const std::string& path, const Vector3& up)
   {
     Fail(path + " has no pose; a line is x y z of the eye, and of the direction");
   }
+  if (poses.size() == 1)
+  {
+    Say("warning: " + path + " has one pose: the camera stands still");
+  }
   return poses;
 }
 

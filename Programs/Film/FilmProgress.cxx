@@ -36,7 +36,12 @@ std::string Duration(double seconds)
 std::string Size(long long bytes)
 {
   const double megabytes = static_cast<double>(bytes) / 1e6;
-  return Text(megabytes < 100 ? std::round(10 * megabytes) / 10 : std::round(megabytes)) + " MB";
+  if (megabytes < 0.1)
+  {
+    return bytes > 0 ? ", " + Text(std::ceil(1000 * megabytes)) + " kB" : "";
+  }
+  return ", " + Text(megabytes < 100 ? std::round(10 * megabytes) / 10 : std::round(megabytes)) +
+    " MB";
 }
 }
 
@@ -64,8 +69,8 @@ std::string FilmProgress::TextOf(int done, long long bytes) const
   const std::string left = drawn > 0
     ? ", " + Duration(gone.count() / drawn * (this->Total - done)) + " left"
     : std::string();
-  return "frame " + std::to_string(done) + " of " + std::to_string(this->Total) + left + ", " +
-    Size(bytes);
+  const std::string number = done == 0 ? "the first frame" : "frame " + std::to_string(done);
+  return number + " of " + std::to_string(this->Total) + left + Size(bytes);
 }
 
 void FilmProgress::Update(int done, long long bytes)

@@ -26,7 +26,7 @@ struct FilmOptions
   int Part = 1;               // of Parts: what this process draws
   int Parts = 1;
   std::vector<std::string> Given; // options on the command line that only films have
-  std::string Command;            // the command line, but for what may change on resuming
+  std::string Command;            // tells the film from others (FilmIdentity.h)
 };
 }
 

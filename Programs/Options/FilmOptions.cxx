@@ -2,6 +2,7 @@
 #include "FilmOptions.h"
 
 #include "Codecs.h"
+#include "FilmIdentity.h"
 #include "OptionGroup.h"
 #include "OutputNames.h"
 #include "Presets/Presets.h"
@@ -200,31 +201,9 @@ void DeclareFilm(CLI::App& app, Options& o)
   group.Flag("--strict", film.Strict, "end at a time step that cannot be read");
 }
 
-namespace
+void CompleteFilm(const CLI::App& app, Options& o)
 {
-// The words by which a film that goes on is told from another one.
-std::string FilmCommand(int argc, char** argv)
-{
-  std::string command;
-  for (int i = 1; i < argc; i++)
-  {
-    const std::string word = argv[i];
-    if (word == "--part")
-    {
-      i++;
-    }
-    else if (word != "--resume" && word != "--strict" && word.rfind("--part=", 0) != 0)
-    {
-      command += (command.empty() ? "" : " ") + word;
-    }
-  }
-  return OneLine(command);
-}
-}
-
-void CompleteFilm(Options& o, int argc, char** argv)
-{
-  o.Film.Command = FilmCommand(argc, argv);
+  o.Film.Command = FilmIdentity(app);
   o.Film.PresetCodec = o.Preset.empty() ? "" : wfv::FindPreset(o.Preset)->Codec;
 }
 

@@ -13,8 +13,8 @@ namespace widefov
 {
 void DeclareFilm(CLI::App& app, Options& options);
 
-// After parsing: what the preset and the command line as a whole say of the film.
-void CompleteFilm(Options& options, int argc, char** argv);
+// After parsing: what the preset and the options as a whole say of the film.
+void CompleteFilm(const CLI::App& app, Options& options);
 
 bool HasFilm(const Options& options);
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <sstream>
 #include <vector>
 
@@ -34,6 +35,7 @@ struct ColmapModel
   std::size_t Count;
   bool OneFocal;
   std::array<int, 8> Coefficients; // OpenCV's order
+  UnevenKind Kind = UnevenKind::OpenCv;
 };
 
 constexpr std::array<int, 8> None{ { -1, -1, -1, -1, -1, -1, -1, -1 } };
@@ -48,6 +50,10 @@ const ColmapModel ColmapModels[] = {
   { "OPENCV_FISHEYE", LensModel::Fisheye, 8, false, { { 4, 5, 6, 7, -1, -1, -1, -1 } } },
   { "SIMPLE_RADIAL_FISHEYE", LensModel::Fisheye, 4, true, { { 3, -1, -1, -1, -1, -1, -1, -1 } } },
   { "RADIAL_FISHEYE", LensModel::Fisheye, 5, true, { { 3, 4, -1, -1, -1, -1, -1, -1 } } },
+  { "FOV", LensModel::BrownConrady, 5, false, { { 4, -1, -1, -1, -1, -1, -1, -1 } },
+    UnevenKind::Fov },
+  { "THIN_PRISM_FISHEYE", LensModel::BrownConrady, 12, false, { { 4, 5, 6, 7, 8, 9, 10, 11 } },
+    UnevenKind::PrismFisheye },
 };
 
 const ColmapModel& FindModel(
@@ -71,12 +77,17 @@ CalibratedLens FromNumbers(const ColmapModel& model, const LensNumbers& n)
   const std::size_t axis = model.OneFocal ? 1 : 2;
   CalibratedLens lens;
   lens.Model = model.Model;
+  lens.Kind = model.Kind;
   lens.Size = wfv::vec2(n[0], n[1]);
   lens.Focal = wfv::vec2(p[0], p[axis - 1]);
   lens.Axis = wfv::vec2(p[axis], p[axis + 1]);
   for (std::size_t i = 0; i < model.Coefficients.size(); i++)
   {
     lens.Coefficients[i] = model.Coefficients[i] < 0 ? 0 : p[model.Coefficients[i]];
+  }
+  if (lens.Kind == UnevenKind::Fov && lens.Coefficients[0] == 0)
+  {
+    lens.Kind = UnevenKind::OpenCv; // a field of view of 0 is a pinhole
   }
   return lens;
 }
@@ -163,17 +174,26 @@ YAML::Node FindKey(const YAML::Node& root, const std::vector<std::string>& keys)
 }
 
 // A matrix as OpenCV and ROS write it, or rows in rows.
-void AddNumbers(const YAML::Node& node, LensNumbers& numbers)
+void AddNumbers(const std::string& path, const YAML::Node& node, LensNumbers& numbers)
 {
   if (node.IsMap())
   {
-    AddNumbers(node["data"], numbers);
+    const std::size_t before = numbers.size();
+    AddNumbers(path, node["data"], numbers);
+    const std::size_t count = numbers.size() - before;
+    if (node["rows"] && node["cols"] &&
+      node["rows"].as<double>() * node["cols"].as<double>() != static_cast<double>(count))
+    {
+      Refuse(path,
+        "a matrix of " + node["rows"].as<std::string>() + " rows and " +
+          node["cols"].as<std::string>() + " columns has " + std::to_string(count) + " numbers");
+    }
   }
   else if (node.IsSequence())
   {
     for (const YAML::Node& part : node)
     {
-      AddNumbers(part, numbers);
+      AddNumbers(path, part, numbers);
     }
   }
   else
@@ -191,7 +211,7 @@ LensNumbers NumbersOf(
     Refuse(path, "it has no " + keys.front());
   }
   LensNumbers numbers;
-  AddNumbers(node, numbers);
+  AddNumbers(path, node, numbers);
   return numbers;
 }
 
@@ -243,17 +263,59 @@ std::optional<LensModel> ModelOf(const std::string& path, const YAML::Node& root
   return LensModel::BrownConrady;
 }
 
-CalibratedLens FromYaml(const std::string& path, const YAML::Node& root)
+// The matrix as nine numbers; of Kalibr it has four: fx, fy, cx, cy.
+LensNumbers MatrixOf(const std::string& path, const YAML::Node& root)
 {
-  if (!root.IsMap())
+  if (!root["intrinsics"])
+  {
+    return NumbersOf(path, root, { "camera_matrix", "Camera_Matrix", "cameraMatrix", "K" });
+  }
+  const LensNumbers n = NumbersOf(path, root, { "intrinsics" });
+  const std::string model =
+    root["camera_model"] ? root["camera_model"].as<std::string>() : "pinhole";
+  if (model != "pinhole" || n.size() != 4)
+  {
+    Refuse(path,
+      "its camera_model '" + model + "' with " + std::to_string(n.size()) +
+        " intrinsics is not drawn; Kalibr's pinhole has four");
+  }
+  return { n[0], 0, n[2], 0, n[1], n[3], 0, 0, 1 };
+}
+
+// The element of a camera: Kalibr's files have one for each, cam0, cam1; others have none.
+YAML::Node CameraOf(const std::string& path, const YAML::Node& root, const std::string& id)
+{
+  std::string ids;
+  std::map<std::string, YAML::Node> cameras;
+  for (const auto& entry : root)
+  {
+    const auto name = entry.first.as<std::string>();
+    if (name.rfind("cam", 0) == 0 && entry.second.IsMap() && entry.second["intrinsics"])
+    {
+      ids += (ids.empty() ? "" : ", ") + name;
+      cameras.emplace(name, entry.second);
+    }
+  }
+  const auto found = cameras.size() == 1 && id.empty() ? cameras.begin() : cameras.find(id);
+  if (cameras.empty() || found != cameras.end())
+  {
+    return cameras.empty() ? root : found->second;
+  }
+  FailUsage(path + " has the cameras " + ids + (id.empty() ? "" : ", none " + id) + "; write " +
+    path + "#ID for one of them");
+}
+
+CalibratedLens FromYaml(const std::string& path, const YAML::Node& file, const std::string& id)
+{
+  if (!file.IsMap())
   {
     FailUsage(path + " is no calibration; give one of OpenCV (YAML) or COLMAP (cameras.txt)");
   }
+  const YAML::Node root = CameraOf(path, file, id);
   CalibratedLens lens;
   lens.Model = ModelOf(path, root);
   lens.Size = SizeOf(path, root);
-  const LensNumbers k =
-    NumbersOf(path, root, { "camera_matrix", "Camera_Matrix", "cameraMatrix", "K" });
+  const LensNumbers k = MatrixOf(path, root);
   if (k.size() != 9 || k[1] != 0 || k[3] != 0 || k[6] != 0 || k[7] != 0 || k[8] != 1)
   {
     Refuse(path, "its camera matrix is not fx, 0, cx, 0, fy, cy, 0, 0, 1");
@@ -261,7 +323,8 @@ CalibratedLens FromYaml(const std::string& path, const YAML::Node& root)
   lens.Focal = wfv::vec2(k[0], k[4]);
   lens.Axis = wfv::vec2(k[2], k[5]) + HalfPixel;
   const LensNumbers d = NumbersOf(path, root,
-    { "distortion_coefficients", "Distortion_Coefficients", "distCoeffs", "dist_coeffs", "D" });
+    { "distortion_coefficients", "Distortion_Coefficients", "distortion_coeffs", "distCoeffs",
+      "dist_coeffs", "D" });
   const std::size_t most = lens.Coefficients.size();
   if (std::any_of(d.begin() + std::min(most, d.size()), d.end(), [](double v) { return v != 0; }))
   {
@@ -272,13 +335,13 @@ CalibratedLens FromYaml(const std::string& path, const YAML::Node& root)
 }
 
 // OpenCV's first line is no YAML: "%YAML:1.0".
-CalibratedLens ParseYaml(const std::string& path, const std::string& text)
+CalibratedLens ParseYaml(const std::string& path, const std::string& text, const std::string& id)
 {
   const bool own = text.rfind("%YAML", 0) == 0;
   const std::string rest = own ? text.substr(std::min(text.size(), text.find('\n'))) : text;
   try
   {
-    return FromYaml(path, YAML::Load(rest));
+    return FromYaml(path, YAML::Load(rest), id);
   }
   catch (const YAML::RepresentationException& e)
   {
@@ -304,7 +367,7 @@ CalibratedLens ReadLensFile(const std::string& given)
   const std::string text =
     ReadSmallFile(path, "give a calibration of OpenCV (YAML) or COLMAP (cameras.txt)");
   const std::vector<std::string> lines = ColmapLines(text);
-  CalibratedLens lens = lines.empty() ? ParseYaml(path, text) : ChooseColmap(path, lines, id);
+  CalibratedLens lens = lines.empty() ? ParseYaml(path, text, id) : ChooseColmap(path, lines, id);
   std::vector<double> all{ lens.Size.x, lens.Size.y, lens.Focal.x, lens.Focal.y, lens.Axis.x,
     lens.Axis.y };
   all.insert(all.end(), lens.Coefficients.begin(), lens.Coefficients.end());

@@ -11,6 +11,14 @@
 
 namespace widefov
 {
+// Lenses that no round map draws, as direction maps.
+enum class UnevenKind
+{
+  OpenCv,      // Brown-Conrady with decentering and rational coefficients
+  Fov,         // COLMAP's FOV: the radius is atan(2 t tan(w / 2)) / w; Coefficients[0] is w
+  PrismFisheye // COLMAP's THIN_PRISM_FISHEYE; Coefficients are k1, k2, p1, p2, k3, k4, sx1, sy1
+};
+
 // How the angle from the axis becomes a radius.
 enum class LensModel
 {
@@ -22,10 +30,11 @@ enum class LensModel
 struct CalibratedLens
 {
   std::optional<LensModel> Model; // none: the file does not say
-  wfv::vec2 Size{ 0, 0 };         // of the picture
-  wfv::vec2 Focal{ 0, 0 };        // focal lengths along x and y
-  wfv::vec2 Axis{ 0, 0 };         // principal point, from the upper left corner of the first pixel
-  double End = 0;                 // tangent of the angle from the axis up to which it is drawn
+  UnevenKind Kind = UnevenKind::OpenCv;
+  wfv::vec2 Size{ 0, 0 };  // of the picture
+  wfv::vec2 Focal{ 0, 0 }; // focal lengths along x and y
+  wfv::vec2 Axis{ 0, 0 };  // principal point, from the upper left corner of the first pixel
+  double End = 0;          // tangent of the angle from the axis up to which it is drawn
   std::array<double, 8>
     Coefficients{}; // OpenCV's order: k1, k2, p1, p2, k3 .. k6; fisheye: k1 .. k4
 };

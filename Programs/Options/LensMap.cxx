@@ -30,24 +30,50 @@ constexpr int LensSteps = 1 << 14;
 constexpr int MostSteps = 50;
 constexpr double Rest = 1e-8;
 
-// The radius of OpenCV's lens at the tangent t, without decentering.
+// The radius of a fisheye with prism at the angle a, radians.
+double RadiusOfFisheye(const std::array<double, 8>& k, double a)
+{
+  const double s = a * a;
+  return a * (1 + s * (k[0] + s * (k[1] + s * (k[4] + s * k[5]))));
+}
+
+// The radius of the lens at the tangent t, without decentering and prism.
 double RadiusOf(const CalibratedLens& lens, double t)
 {
   const std::array<double, 8>& k = lens.Coefficients;
+  if (lens.Kind == UnevenKind::Fov)
+  {
+    return std::atan(2 * t * std::tan(0.5 * k[0])) / k[0];
+  }
+  if (lens.Kind == UnevenKind::PrismFisheye)
+  {
+    return RadiusOfFisheye(k, std::atan(t));
+  }
   const double s = t * t;
   return t * (1 + s * (k[0] + s * (k[1] + s * k[4]))) / (1 + s * (k[5] + s * (k[6] + s * k[7])));
 }
 
-// Where OpenCV's lens shows the direction (p, 1), y down, ahead; pixels divided by the focal
-// lengths.
+// How far decentering and prism move the place q.
+vec2 Aside(const CalibratedLens& lens, const vec2& q)
+{
+  const std::array<double, 8>& k = lens.Coefficients;
+  if (lens.Kind == UnevenKind::Fov)
+  {
+    return vec2(0);
+  }
+  const double s = glm::dot(q, q);
+  const vec2 aside(2 * k[2] * q.x * q.y + k[3] * (s + 2 * q.x * q.x),
+    k[2] * (s + 2 * q.y * q.y) + 2 * k[3] * q.x * q.y);
+  return lens.Kind == UnevenKind::PrismFisheye ? aside + s * vec2(k[6], k[7]) : aside;
+}
+
+// Where the lens shows the direction (p, 1), y down, ahead; pixels divided by the focal lengths.
 vec2 PlaceOf(const CalibratedLens& lens, const vec2& p)
 {
   const double t = glm::length(p);
-  const double p1 = lens.Coefficients[2];
-  const double p2 = lens.Coefficients[3];
-  const vec2 aside(2 * p1 * p.x * p.y + p2 * (t * t + 2 * p.x * p.x),
-    p1 * (t * t + 2 * p.y * p.y) + 2 * p2 * p.x * p.y);
-  return (t > 0 ? RadiusOf(lens, t) / t : 1) * p + aside;
+  const bool fisheye = lens.Kind == UnevenKind::PrismFisheye;
+  const vec2 q = fisheye && t > 0 ? std::atan(t) / t * p : p;
+  return (t > 0 ? RadiusOf(lens, t) / t : 1) * p + Aside(lens, q);
 }
 
 // Of the radius alone, by halving: the start of the search.
@@ -92,7 +118,8 @@ bool Solve(const CalibratedLens& lens, const vec2& place, vec2& p)
 bool IsUneven(const CalibratedLens& lens)
 {
   const std::array<double, 8>& k = lens.Coefficients;
-  return k[2] != 0 || k[3] != 0 || k[5] != 0 || k[6] != 0 || k[7] != 0;
+  return lens.Kind != UnevenKind::OpenCv || k[2] != 0 || k[3] != 0 || k[5] != 0 || k[6] != 0 ||
+    k[7] != 0;
 }
 
 double RadiusToCorners(const wfv::MeasuredPicture& m)
@@ -135,8 +162,14 @@ double EndOfLens(
 {
   const double corner = RadiusToCorners({ lens.Size, lens.Axis, lens.Focal });
   const double most = std::min(MostAngle, fov ? 0.5 * *fov : MostAngle) * Degree;
-  return std::tan(FollowLens(file, { most, corner, BeyondCorners * corner },
-    [&](double angle) { return RadiusOf(lens, std::tan(angle)); }));
+  const double angle = FollowLens(file, { most, corner, BeyondCorners * corner },
+    [&](double a) { return RadiusOf(lens, std::tan(a)); });
+  if (lens.Kind != UnevenKind::OpenCv && !fov && RadiusOf(lens, std::tan(angle)) < corner)
+  {
+    Say("warning: " + file + " shows more than " + Text(MostAngle) +
+      " degrees from its axis, beyond which this kind of lens is not drawn");
+  }
+  return std::tan(angle);
 }
 
 std::shared_ptr<const wfv::DirectionMap> MakeLensMap(

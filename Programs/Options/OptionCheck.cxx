@@ -11,6 +11,7 @@
 #include "StereoChoice.h"
 #include "StereoLayout.h"
 #include "StereoOptions.h"
+#include "System/InputFiles.h"
 #include "System/OutputFiles.h"
 #include "Text/Angles.h"
 #include "Text/Messages.h"
@@ -58,8 +59,14 @@ void CheckDirectionMap(const Options& o, const wfv::Projection& p)
   const bool sampled = p.Axis == wfv::Family::Sampled;
   if (sampled == (o.DirectionMap.empty() && !o.UnevenLens))
   {
-    FailUsage(sampled ? "--projection direction-map needs --direction-map FILE.exr"
-                      : "--direction-map goes with --projection direction-map alone");
+    std::error_code error;
+    FailUsage(sampled ? "--projection direction-map needs --direction-map FILE.exr, or one of " +
+          Join(DisplayNames())
+        : FindDisplay(o.DirectionMap) != nullptr || std::filesystem::exists(o.DirectionMap, error)
+        ? "--direction-map goes with --projection direction-map alone"
+        : "--direction-map: there is no file or map '" + o.DirectionMap + "'" +
+          DidYouMean(NearestName(o.DirectionMap, DisplayNames())) + "; give a file, or one of " +
+          Join(DisplayNames()));
   }
 }
 
@@ -163,7 +170,8 @@ void CheckFirstView(const Options& o)
 // Something is printed instead of drawn: nothing else need be right.
 bool OnlyLists(const Options& o)
 {
-  return o.ListProjections || o.ListScenes || o.ListPresets || !o.ListArrays.empty() || o.Version;
+  return o.ListProjections || o.ListScenes || o.ListFormats || o.ListPresets ||
+    !o.ListArrays.empty() || o.Version;
 }
 
 void CheckInput(const Options& o)
@@ -222,6 +230,20 @@ std::vector<std::string> AllOutputs(const Options& o)
   return all;
 }
 
+// Every file that an option names and that is read.
+std::vector<std::string> AllInputs(const Options& o)
+{
+  std::vector<std::string> all = o.Files;
+  all.insert(all.end(),
+    { o.Config, o.DirectionMap, o.Warp, o.Projectors, o.LensFile,
+      o.LensFile.substr(0, o.LensFile.rfind('#')), o.Screens, o.Poses, o.Sky, o.Film.Audio,
+      o.Film.Path });
+  all.erase(std::remove_if(all.begin(), all.end(),
+              [](const std::string& name) { return name.empty() || name == StandardStream; }),
+    all.end());
+  return all;
+}
+
 // Standard output takes one file, and no list of several.
 void CheckStandardStream(const Options& o)
 {
@@ -244,6 +266,10 @@ void CheckOutput(const Options& o)
     FailUsage("nothing to write; give -o FILE, --web FOLDER, --aov FILE.exr, --stats FILE.json or "
               "--dump-shaders DIR");
   }
+  for (const std::string& input : AllInputs(o))
+  {
+    NoteInput(input);
+  }
   for (std::size_t i = 0; i < all.size(); i++)
   {
     for (std::size_t j = 0; j < i; j++)
@@ -253,9 +279,9 @@ void CheckOutput(const Options& o)
         FailUsage(all[i] + " is named twice as output; give each its own name");
       }
     }
-    for (const std::string& input : o.Files)
+    for (const std::string& input : AllInputs(o))
     {
-      if (input != StandardStream && SameFile(all[i], input))
+      if (SameFile(all[i], input))
       {
         FailUsage(all[i] + " is an input file; write somewhere else");
       }

@@ -144,6 +144,7 @@ struct Options
 
   bool ListProjections = false;
   bool ListScenes = false;
+  bool ListFormats = false;
   bool ListPresets = false;
   bool Info = false;
   bool Json = false;

@@ -201,6 +201,7 @@ void DeclareListings(CLI::App& app, Options& o)
   Group group(app, "Output");
   group.Flag("--list-projections", o.ListProjections, "print the projections");
   group.Flag("--list-scenes", o.ListScenes, "print the built-in scenes");
+  group.Flag("--list-formats", o.ListFormats, "print the kinds of files that are read");
   group.Name("--list-arrays", "FILE", o.ListArrays, "print the arrays of a file of data");
   group.Flag("--info", o.Info, "print what the files hold: bounds, arrays, times, triangles");
   group.Flag("--json", o.Json, "lists and --info as JSON");
@@ -229,8 +230,8 @@ void DeclareFirstLook(CLI::App& app, Look& look)
 void DeclareScene(CLI::App& app, Options& options, FieldsOfView& fov)
 {
   app
-    .add_option(
-      "FILE", options.Files, "data to draw, in any format that VTK reads; - for standard input")
+    .add_option("FILE", options.Files,
+      "data to draw, of a kind that --list-formats prints; - for standard input")
     ->type_name("");
   DeclareData(app, options);
   DeclareView(app, options, fov);
@@ -257,8 +258,8 @@ std::optional<int> ParseOptions(int argc, char** argv, Options& options)
     return done;
   }
   CompleteFromPreset(app, options, Target::File);
-  CompleteFilm(options, argc, argv);
-  CompleteWeb(options);
+  CompleteFilm(app, options);
+    CompleteWeb(options);
   CheckTogether(options, fov);
   return std::nullopt;
 }

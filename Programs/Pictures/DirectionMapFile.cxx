@@ -7,6 +7,7 @@
 #include "System/CrashGuard.h"
 #include "System/Progress.h"
 #include "Text/Messages.h"
+#include "Text/OptionValues.h"
 #include "Warp.h"
 
 #include <OpenImageIO/imageio.h>
@@ -134,7 +135,8 @@ void LoadDirectionMap(Options& o)
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))
   {
-    Fail(path + " is not there, or no file; give a direction map as an OpenEXR image");
+    Fail(path + " is not there, or no file; give a direction map as an OpenEXR image, or one of " +
+      Join(DisplayNames()));
   }
   const Progress progress("reading " + path);
   const CrashGuard guard(path + " cannot be read: it is damaged; check the file");

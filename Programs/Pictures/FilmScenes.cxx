@@ -2,15 +2,11 @@
 #include "FilmScenes.h"
 
 #include "LoadScene.h"
-#include "Scenes/Datasets.h"
 #include "Scenes/Pipeline.h"
 #include "Scenes/Readers.h"
 #include "System/MessageCatcher.h"
 #include "System/Progress.h"
 #include "Text/Messages.h"
-
-#include <vtkExodusIIReader.h>
-#include <vtkNew.h>
 
 #include <algorithm>
 #include <array>
@@ -20,32 +16,18 @@ namespace widefov
 {
 namespace
 {
-// Step number `index` of a file whose first step was read well.
-void ReadExodusStep(SceneProp& prop, const std::string& path, int index)
+bool HasColors(const SceneProp& prop)
 {
-  vtkNew<vtkExodusIIReader> reader;
-  reader->SetFileName(path.c_str());
-  reader->UpdateInformation();
-  reader->SetAllArrayStatus(vtkExodusIIReader::NODAL, 1);
-  reader->SetAllArrayStatus(vtkExodusIIReader::ELEM_BLOCK, 1);
-  reader->SetTimeStep(index);
-  reader->Update();
-  const std::string error = MessageCatcher::TakeFirstError();
-  if (!error.empty())
-  {
-    Fail(path + " cannot be read: " + error + "; check that the file is complete");
-  }
-  prop.Source = reader->GetOutputDataObject(0);
-  prop.Surface = SurfaceOf(prop.Source);
+  return !prop.Array.empty() && !prop.Direct && prop.ColorMap;
 }
 
-// The range of the colours, where all props that have some share one array.
+// The range of the colours. False where props have the colours of different arrays.
 bool AddRange(const Scene& scene, std::array<double, 2>& range)
 {
   std::string array;
   for (const SceneProp& prop : scene.Props)
   {
-    if (prop.Array.empty() || prop.Direct || !prop.ColorMap)
+    if (!HasColors(prop))
     {
       continue;
     }
@@ -57,7 +39,7 @@ bool AddRange(const Scene& scene, std::array<double, 2>& range)
     const double* const own = prop.ColorMap->GetRange();
     range = { { std::min(range[0], own[0]), std::max(range[1], own[1]) } };
   }
-  return !array.empty();
+  return true;
 }
 }
 
@@ -80,6 +62,10 @@ FilmScenes::FilmScenes(const Options& o)
   if (this->Series && !this->Look.Range)
   {
     this->FindRange();
+  }
+  if (this->Series)
+  {
+    this->CheckArray();
   }
 }
 
@@ -128,11 +114,8 @@ void FilmScenes::FindFiles(const Options& o)
 Scene FilmScenes::ReadStep(std::size_t number) const
 {
   const TimeStep& step = this->Series->GetSteps()[number];
-  Scene moving = ReadScene(step.Files);
-  if (step.Index > 0)
-  {
-    ReadExodusStep(moving.Props.front(), step.Files.front(), step.Index);
-  }
+  Scene moving =
+    ReadScene(step.Files, step.Index > 0 ? std::optional<double>(step.Time) : std::nullopt);
   Scene scene = this->Fixed;
   for (SceneProp& prop : moving.Props)
   {
@@ -156,7 +139,7 @@ bool FilmScenes::TryStep(std::size_t step)
   try
   {
     this->Shown = this->ReadStep(step);
-    this->ShownStep = step;
+    this->TakeStep(step);
     this->AddBounds();
     this->SayComplaints();
     return true;
@@ -170,6 +153,65 @@ bool FilmScenes::TryStep(std::size_t step)
     this->Complain(step, failure.what());
     return false;
   }
+}
+
+// Notes what the step says of the others: the array of the colours, and the bar, which is seen
+// over empty steps, too.
+void FilmScenes::TakeStep(std::size_t step)
+{
+  this->ShownStep = step;
+  if (!this->Shown.Lacks.empty() && !this->Lacking)
+  {
+    this->Lacking = step;
+    this->LackedArray = this->Shown.Lacks;
+    this->LackComplaint = this->Shown.Complaint;
+  }
+  this->HasArray = this->HasArray || (this->Shown.Lacks.empty() && !this->Shown.Props.empty());
+  if (this->Series && this->Look.ColorBy.empty() && this->Look.UsualArray.empty() &&
+    this->Look.Vectors.empty() && this->Look.StreamLines.empty())
+  {
+    this->Look.UsualArray = this->Shown.BarTitle;
+  }
+  if (this->Shown.BarMap)
+  {
+    this->Bar.BarMap = this->Shown.BarMap;
+    this->Bar.BarTitle = this->Shown.BarTitle;
+  }
+  else if (this->Look.Range)
+  {
+    this->Shown.BarMap = this->Bar.BarMap;
+    this->Shown.BarTitle = this->Bar.BarTitle;
+  }
+  this->SayLacking();
+}
+
+void FilmScenes::SayLacking()
+{
+  if (this->HasArray && this->Lacking && !this->SaidLacking)
+  {
+    this->SaidLacking = true;
+    Say("time step " + std::to_string(*this->Lacking) + " has no array '" + this->LackedArray +
+      "' and is drawn without it, as is every other step that has none");
+  }
+}
+
+// Reads steps until one has the array that was asked for.
+void FilmScenes::CheckArray()
+{
+  for (std::size_t i = 0; i < this->GetNumberOfSteps() && this->Lacking && !this->HasArray; i++)
+  {
+    this->TryStep(i);
+  }
+  if (this->Lacking && !this->HasArray)
+  {
+    Fail(this->LackComplaint);
+  }
+}
+
+bool FilmScenes::IsPlain(std::size_t step)
+{
+  return this->TryStep(step) && !this->Shown.Props.empty() && this->Shown.Lacks.empty() &&
+    std::none_of(this->Shown.Props.begin(), this->Shown.Props.end(), HasColors);
 }
 
 void FilmScenes::AddBounds()
@@ -196,6 +238,10 @@ void FilmScenes::Complain(std::size_t step, const std::string& complaint)
 
 void FilmScenes::SayComplaints()
 {
+  if (this->Lacking && !this->HasArray)
+  {
+    return; // one line says it if no step has the array
+  }
   for (const auto& [step, complaint] : this->Untold)
   {
     Say("time step " + std::to_string(step) +
@@ -215,11 +261,15 @@ void FilmScenes::FindRange()
   {
     Fail(this->FirstComplaint);
   }
+  if (this->IsPlain(0) && this->IsPlain(count - 1))
+  {
+    return; // no step has colours
+  }
   for (std::size_t i = 0; i < count; i++)
   {
     if (this->TryStep(i) && !AddRange(this->Shown, range))
     {
-      return; // each has its own colours, or none has
+      return; // each has its own colours
     }
     progress.Update(static_cast<double>(i + 1) / static_cast<double>(count));
   }
@@ -253,6 +303,18 @@ const Scene& FilmScenes::GetScene(std::size_t step)
       : "no time step can be read; the first complaint: " + this->FirstComplaint);
 }
 
+const Scene& FilmScenes::GetFirstFilled()
+{
+  for (std::size_t i = 0; i < this->GetNumberOfSteps(); i++)
+  {
+    if (!this->GetScene(i).Props.empty())
+    {
+      return this->Shown;
+    }
+  }
+  Fail(this->Series->GetName() + ": no time step has points or cells; there is nothing to draw");
+}
+
 vtkBoundingBox FilmScenes::FindBounds()
 {
   if (!this->AllRead)
@@ -265,6 +327,12 @@ vtkBoundingBox FilmScenes::FindBounds()
 Scene LoadScene(const Options& options)
 {
   FilmScenes scenes(options);
-  return scenes.GetScene(scenes.GetFirstStep());
+  const Scene scene = scenes.GetScene(scenes.GetFirstStep());
+  if (scene.Props.empty())
+  {
+    Say("time step " + std::to_string(scenes.GetFirstStep()) +
+      " has no points or cells: the picture is empty");
+  }
+  return scene;
 }
 }

@@ -41,8 +41,12 @@ public:
   std::size_t GetFirstStep() const { return this->FirstStep; }
 
   // The scene of a step; of one that cannot be read that of the last before it that can, or else
-  // of the first after it. It lasts until another one is asked for.
+  // of the first after it. It lasts until another one is asked for. A step that holds nothing is
+  // empty. A step that lacks the array of the colours is grey, which one line says of the first.
   const Scene& GetScene(std::size_t step);
+
+  // The scene of the first step that holds anything. Throws a Failure with ExitFailed if none does.
+  const Scene& GetFirstFilled();
 
   // Round all steps where all were read, else round those that were, and the last.
   vtkBoundingBox FindBounds();
@@ -52,6 +56,10 @@ private:
   void FindFiles(const Options& options);
   void FindRange();
   bool TryStep(std::size_t step);
+  void TakeStep(std::size_t step);
+  bool IsPlain(std::size_t step);
+  void CheckArray();
+  void SayLacking();
   void AddBounds();
   void SayComplaints();
   void Complain(std::size_t step, const std::string& complaint);
@@ -66,6 +74,12 @@ private:
   std::string FirstComplaint;
   bool SameComplaint = true; // of all broken steps
   std::vector<std::pair<std::size_t, std::string>> Untold;
+  std::optional<std::size_t> Lacking; // first step read that has not the array of the colours
+  std::string LackedArray;
+  std::string LackComplaint;
+  bool HasArray = false; // some step has it
+  bool SaidLacking = false;
+  Scene Bar;             // its bar: that of the steps with colours
   vtkBoundingBox Bounds; // of what was read
   bool AllRead = false;  // all steps, one after the other
   Scene Shown;

@@ -359,7 +359,7 @@ void SayWhereTheEyeIs(const Vector3& eye, bool inside)
 void ChooseView(Options& o, const Scene& scene, const vtkBoundingBox& later)
 {
   const bool asked = o.Inside || o.Outside;
-  if (o.Eye || (!asked && (o.LookAt || HasRoom(o) || !o.Scene.empty())))
+  if (scene.Props.empty() || o.Eye || (!asked && (o.LookAt || HasRoom(o) || !o.Scene.empty())))
   {
     return;
   }

@@ -102,7 +102,8 @@ std::vector<unsigned char> EncodeMultiView(
 std::vector<unsigned char> EncodeVr180Photo(
   const std::vector<Picture>& eyes, const PanoramaInfo& info)
 {
-  const PanoramaInfo bare;
+  PanoramaInfo bare;
+  bare.Description = info.Description;
   const std::vector<unsigned char> right = EncodePicture(eyes[1], "right.jpg", bare);
   std::vector<unsigned char> left = EncodePicture(eyes[0], "left.jpg", bare);
   const std::string extended = Vr180Extension(right);

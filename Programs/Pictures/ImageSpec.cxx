@@ -39,6 +39,10 @@ OIIO::ImageSpec PictureSpec(
   const bool exr = writer == "openexr";
   OIIO::ImageSpec spec(width, height, 3, exr ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8);
   spec.attribute("Software", "VTKWideFoV " + GetProgramName());
+  if (!info.Description.empty())
+  {
+    spec.attribute("ImageDescription", info.Description);
+  }
   if (exr)
   {
     AddEnvironment(spec, info);

@@ -105,8 +105,13 @@ Json Describe(const std::string& file)
     points += leaf->GetNumberOfPoints();
     cells += leaf->GetNumberOfCells();
   }
-  std::array<double, 6> bounds;
-  box.GetBounds(bounds.data());
+  Json bounds = nullptr; // of data without points
+  if (box.IsValid() != 0)
+  {
+    std::array<double, 6> b{};
+    box.GetBounds(b.data());
+    bounds = b;
+  }
   Json arrays = Json::array();
   for (const ArrayFacts& facts : ArraysOf(prop.Source))
   {
@@ -149,9 +154,11 @@ std::string TextOf(const Json& file)
   std::string text = file["file"].get<std::string>() +
     "\n  kind: " + file["kind"].get<std::string>() + ", parts: " + file["parts"].dump() +
     "\n  points: " + file["points"].dump() + ", cells: " + file["cells"].dump() +
-    ", triangles of the surface: " + file["surface_triangles"].dump() + "\n  bounds: x " +
-    Span(b[0], b[1]) + ", y " + Span(b[2], b[3]) + ", z " + Span(b[4], b[5]) + "\n" +
-    TimesLine(file["times"]) + (file["arrays"].empty() ? "  arrays: none\n" : "  arrays:\n");
+    ", triangles of the surface: " + file["surface_triangles"].dump() + "\n  bounds: " +
+    (b.is_null()
+        ? "none"
+        : "x " + Span(b[0], b[1]) + ", y " + Span(b[2], b[3]) + ", z " + Span(b[4], b[5])) +
+    "\n" + TimesLine(file["times"]) + (file["arrays"].empty() ? "  arrays: none\n" : "  arrays:\n");
   for (const Json& array : file["arrays"])
   {
     text += ArrayLine(array);

@@ -4,6 +4,7 @@
 #include "Options/PresetChoice.h"
 #include "Options/StereoChoice.h"
 #include "Scenes/ArrayList.h"
+#include "Scenes/FileKinds.h"
 #include "Scenes/Scenes.h"
 #include "System/Spread.h"
 #include "System/StandardInput.h"
@@ -117,6 +118,10 @@ std::string ListingText(const Options& options)
   if (options.ListScenes)
   {
     text += SceneList(options.Json);
+  }
+  if (options.ListFormats)
+  {
+    text += FormatList(options.Json);
   }
   if (!options.ListArrays.empty())
   {

@@ -34,6 +34,7 @@ struct PanoramaInfo
   double Pitch = 0;                      // degrees of the middle above the horizon
   std::array<int, 2> Whole{ { 0, 0 } };  // pixels that have these fields of view; 0: the picture's
   std::array<int, 2> Before{ { 0, 0 } }; // of these, left of the picture and above it
+  std::string Description;               // of a frame: the options of its film; empty: none
   std::string StereoMode; // "left-right", "top-bottom": two pictures in one; empty: one
 };
 }

@@ -3,6 +3,7 @@
 
 #include "EyePictures.h"
 #include "ImageOutput.h"
+#include "Options/FilmOptions.h"
 #include "Options/OutputNames.h"
 #include "Options/StereoChoice.h"
 #include "Options/StereoLayout.h"
@@ -27,6 +28,7 @@ PanoramaInfo DescribePanorama(const Options& o)
   info.Pitch = o.View.Tilt;
   info.Equirectangular =
     plain && o.Projection == "equirectangular" && std::abs(info.Pitch) <= steepest;
+  info.Description = HasFilm(o) ? o.Film.Command : "";
   info.HorizontalFov = o.View.HorizontalFov;
   info.VerticalFov = o.View.VerticalFov;
   if (o.Part)

@@ -77,10 +77,11 @@ vtkSmartPointer<vtkProp> MakePanel(
 void SayThatThereIsNone(const Options& o)
 {
   static bool said = false;
-  if (!o.ScalarBarAt.empty() && !said)
+  if (o.Look.ScalarBar && !said)
   {
     said = true;
-    Say("warning: nothing here is coloured by numbers; there is no bar for --scalar-bar-at");
+    Say(std::string("warning: nothing here is coloured by numbers; there is no bar for ") +
+      (o.ScalarBarAt.empty() ? "--scalar-bar" : "--scalar-bar-at"));
   }
 }
 }
@@ -127,7 +128,10 @@ vtkSmartPointer<vtkProp> AddScalarBar(vtkRenderer* renderer, const Scene& scene,
   const vtkSmartPointer<vtkScalarBarActor> bar = MakeScalarBar(scene);
   if (!bar)
   {
-    SayThatThereIsNone(o);
+    if (!scene.Props.empty())
+    {
+      SayThatThereIsNone(o);
+    }
     return nullptr;
   }
   vtkSmartPointer<vtkProp> shown = bar;

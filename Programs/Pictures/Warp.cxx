@@ -4,6 +4,7 @@
 #include "Displays/DisplayFile.h"
 #include "Projections/DirectionMap.h"
 #include "System/Progress.h"
+#include "System/InputFiles.h"
 #include "Text/Messages.h"
 
 #include <algorithm>
@@ -87,6 +88,11 @@ std::vector<Options> LoadProjectors(const Options& o)
     return std::make_pair(std::move(file), std::move(all));
   });
   SayNotes(notes);
+  for (const displays::DisplayProjector& projector : display.Projectors)
+  {
+    NoteInput(projector.Calibration);
+    NoteInput(projector.Mask);
+  }
   std::vector<Options> projectors;
   for (std::size_t i = 0; i < tables.size(); i++)
   {

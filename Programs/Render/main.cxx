@@ -16,6 +16,7 @@
 #include "Pictures/Listing.h"
 #include "Pictures/LoadScene.h"
 #include "Pictures/PictureFiles.h"
+#include "Pictures/Sights.h"
 #include "Pictures/SkyPicture.h"
 #include "Pictures/Warp.h"
 #include "RenderJob.h"
@@ -27,11 +28,13 @@
 #include "Text/Messages.h"
 #include "Web/WebPage.h"
 
+#include <algorithm>
+
 namespace
 {
 using namespace widefov;
 
-void CheckOutputs(const Options& options)
+void CheckPictures(const Options& options)
 {
   for (const std::string& output : options.Outputs)
   {
@@ -40,6 +43,11 @@ void CheckOutputs(const Options& options)
       CheckWritable(file);
     }
   }
+}
+
+void CheckOutputs(const Options& options)
+{
+  CheckPictures(options);
   for (const std::string& output : { options.Aov, options.Stats })
   {
     if (!output.empty())
@@ -55,6 +63,22 @@ void CheckOutputs(const Options& options)
   {
     CheckFolder(options.DumpShaders);
   }
+}
+
+// Once more, before drawing: by now all files that are read are known, and all sights of a room.
+void CheckInputsStay(const Options& options, const std::vector<Options>& projectors)
+{
+  for (const Options& projector : projectors)
+  {
+    CheckPictures(projector);
+  }
+  Sights all(options);
+  for (std::vector<Options> sights = all.Next(); HasRoom(options) && !sights.empty();)
+  {
+    std::for_each(sights.begin(), sights.end(), CheckPictures);
+    sights = all.Next();
+  }
+  CheckOutputs(options);
 }
 
 void WriteAll(const Options& options, const Scene& scene, RenderResult& result, OutputFiles& files)
@@ -219,6 +243,7 @@ int Run(int argc, char** argv)
     Print(DryRunText(options, scene));
     return ExitDone;
   }
+  CheckInputsStay(options, projectors);
   Draw(options, projectors, scene, reading);
   return ExitDone;
 }

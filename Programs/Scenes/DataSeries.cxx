@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DataSeries.h"
 
+#include "FileKinds.h"
 #include "NumberPattern.h"
+#include "System/InputFiles.h"
 #include "Text/Messages.h"
 
 #include <nlohmann/json.hpp>
-#include <vtkExodusIIReader.h>
-#include <vtkInformation.h>
-#include <vtkNew.h>
 #include <vtkSmartPointer.h>
-#include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkXMLDataElement.h>
 #include <vtkXMLUtilities.h>
 
@@ -132,24 +130,13 @@ StepList ListNumbered(const std::string& path, const NumberPattern& pattern)
 }
 
 // None where there is one step or none: then it is a file as any other.
-StepList ReadExodusSteps(const std::string& path)
+StepList ReadStepsOfFile(const std::string& path)
 {
   StepList steps;
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error))
+  const std::vector<double> times = TimesOfFile(path);
+  for (std::size_t i = 0; i < times.size() && times.size() > 1; i++)
   {
-    return steps; // its reader will say so
-  }
-  const QuietStandardError quiet;
-  vtkNew<vtkExodusIIReader> reader;
-  reader->SetFileName(path.c_str());
-  reader->UpdateInformation();
-  vtkInformation* const about = reader->GetOutputInformation(0);
-  vtkInformationDoubleVectorKey* const key = vtkStreamingDemandDrivenPipeline::TIME_STEPS();
-  const int count = about->Has(key) ? about->Length(key) : 0;
-  for (int i = 0; i < count && count > 1; i++)
-  {
-    steps.push_back({ about->Get(key)[i], { path }, i });
+    steps.push_back({ times[i], { path }, static_cast<int>(i) });
   }
   return steps;
 }
@@ -170,9 +157,9 @@ std::optional<DataSeries> DataSeries::Find(const std::string& path)
   {
     steps = ListNumbered(path, *pattern);
   }
-  else if (HasEnding(path, ".ex2"))
+  else if (HasEnding(path, ".ex2") || HasEnding(path, ".case"))
   {
-    steps = ReadExodusSteps(path);
+    steps = ReadStepsOfFile(path);
     if (steps.empty())
     {
       return std::nullopt;
@@ -189,6 +176,11 @@ std::optional<DataSeries> DataSeries::Find(const std::string& path)
   else
   {
     return std::nullopt;
+  }
+  NoteInput(path);
+  for (const TimeStep& step : steps)
+  {
+    std::for_each(step.Files.begin(), step.Files.end(), NoteInput);
   }
   return DataSeries(path, steps);
 }

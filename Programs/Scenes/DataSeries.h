@@ -24,8 +24,8 @@ public:
   DataSeries(std::string name, std::vector<TimeStep> steps);
 
   // The series that a name on the command line stands for: .pvd, .series of any format, numbered
-  // files (flow_%04d.vtp), .ex2 with several steps. Nothing where it is a file without steps.
-  // Throws a Failure with ExitFailed where the list is damaged or empty.
+  // files (flow_%04d.vtp), .ex2 and .case with several steps. Nothing where it is a file without
+  // steps. Throws a Failure with ExitFailed where the list is damaged or empty.
   static std::optional<DataSeries> Find(const std::string& path);
 
   // A step each file, in the order given.

@@ -11,6 +11,7 @@
 #include <vtkDataSetSurfaceFilter.h>
 #include <vtkGenericCell.h>
 #include <vtkImageData.h>
+#include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -21,6 +22,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
+#include <utility>
 
 namespace widefov
 {
@@ -160,6 +164,45 @@ std::vector<vtkSmartPointer<vtkDataSet>> Leaves(vtkDataObject* data)
     }
   }
   return leaves;
+}
+
+namespace
+{
+// Names and numbers of components of the arrays, in any order.
+using ArraySet = std::set<std::pair<std::string, int>>;
+
+ArraySet ArraysOf(vtkDataSetAttributes* attributes)
+{
+  ArraySet arrays;
+  for (int i = 0; i < attributes->GetNumberOfArrays(); i++)
+  {
+    vtkAbstractArray* const array = attributes->GetAbstractArray(i);
+    arrays.emplace(array->GetName() ? array->GetName() : "", array->GetNumberOfComponents());
+  }
+  return arrays;
+}
+}
+
+std::vector<vtkSmartPointer<vtkDataObject>> PartsByArrays(vtkDataObject* data)
+{
+  std::map<std::pair<ArraySet, ArraySet>, std::size_t> known;
+  std::vector<vtkSmartPointer<vtkMultiBlockDataSet>> parts;
+  const bool composite = vtkCompositeDataSet::SafeDownCast(data) != nullptr;
+  for (const auto& leaf : composite ? Leaves(data) : std::vector<vtkSmartPointer<vtkDataSet>>())
+  {
+    const auto arrays = std::pair(ArraysOf(leaf->GetPointData()), ArraysOf(leaf->GetCellData()));
+    const std::size_t part = known.emplace(arrays, parts.size()).first->second;
+    if (part == parts.size())
+    {
+      parts.push_back(vtkSmartPointer<vtkMultiBlockDataSet>::New());
+    }
+    parts[part]->SetBlock(parts[part]->GetNumberOfBlocks(), leaf);
+  }
+  if (parts.size() < 2)
+  {
+    return { data };
+  }
+  return { parts.begin(), parts.end() };
 }
 
 bool IsSpatialImage(vtkDataObject* data)

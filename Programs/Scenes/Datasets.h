@@ -16,6 +16,10 @@ namespace widefov
 // The dataset itself, or every dataset of a composite that is not empty.
 std::vector<vtkSmartPointer<vtkDataSet>> Leaves(vtkDataObject* data);
 
+// Composite data in parts whose datasets have the same arrays: in one piece an array that a dataset
+// lacks would be lost. Anything else is one part.
+std::vector<vtkSmartPointer<vtkDataObject>> PartsByArrays(vtkDataObject* data);
+
 // An image, or a grid with places of its own, of rows, columns and layers, each more than one; of a
 // composite any part is a grid.
 bool IsSpatialImage(vtkDataObject* data);

@@ -18,9 +18,10 @@ struct Look
   std::string ColorMap = "cool-warm";
   std::optional<std::array<double, 2>> Range; // none: that of the data
   bool OfSeries = false;                      // one time step of several
-  std::string Representation = "surface";     // surface-with-edges, wireframe, points
-  double LineWidth = 1;                       // pixels
-  double PointSize = 3;                       // pixels
+  std::string UsualArray; // where ColorBy is empty: array that an earlier step was coloured by
+  std::string Representation = "surface"; // surface-with-edges, wireframe, points
+  double LineWidth = 1;                   // pixels
+  double PointSize = 3;                   // pixels
   bool LinesAsTubes = false;
   bool PointsAsSpheres = false;
   bool Smooth = true; // normals for surfaces of files that have none

@@ -16,14 +16,11 @@ namespace ply
 {
 namespace
 {
+constexpr std::size_t LongestQuote = 40; // letters of a message
+
 struct Broken : std::runtime_error
 {
   using std::runtime_error::runtime_error;
-};
-
-// A header that is not known here; VTK's reader has the last word.
-struct Unknown
-{
 };
 
 struct Type
@@ -35,6 +32,7 @@ struct Type
 
 struct Property
 {
+  std::string Name;
   bool IsList = false;
   Type Count; // of a list
   Type Value;
@@ -60,7 +58,7 @@ Type FindType(const std::string& name)
   const auto found = types.find(name);
   if (found == types.end())
   {
-    throw Unknown();
+    throw Broken("its header has the unknown type '" + name.substr(0, LongestQuote) + "'");
   }
   return found->second;
 }
@@ -78,10 +76,11 @@ Property ParseProperty(std::istringstream& words)
     property.Count = FindType(count);
     if (!property.Count.Counts)
     {
-      throw Unknown();
+      throw Broken("its header has a list whose length is no whole number");
     }
   }
   property.Value = FindType(type);
+  words >> property.Name;
   return property;
 }
 
@@ -99,7 +98,7 @@ public:
     std::getline(this->Stream, line);
     if (line != "ply" && line != "ply\r")
     {
-      throw Unknown();
+      throw Broken("it does not begin with the line ply");
     }
     while (std::getline(this->Stream, line))
     {
@@ -108,6 +107,7 @@ public:
       words >> key;
       if (key == "end_header")
       {
+        this->CheckVertices();
         return;
       }
       this->ReadHeaderLine(key, words);
@@ -143,7 +143,7 @@ private:
       this->IsBigEndian = format == "binary_big_endian";
       if (!this->IsText && !this->IsBigEndian && format != "binary_little_endian")
       {
-        throw Unknown();
+        throw Broken("its header has the unknown format '" + format.substr(0, LongestQuote) + "'");
       }
     }
     else if (key == "element")
@@ -151,7 +151,7 @@ private:
       Element element;
       if (!(words >> element.Name >> element.Count))
       {
-        throw Unknown();
+        throw Broken("its header has an element without a count");
       }
       this->Elements.push_back(element);
     }
@@ -159,9 +159,29 @@ private:
     {
       if (this->Elements.empty())
       {
-        throw Unknown();
+        throw Broken("its header has a property of no element");
       }
       this->Elements.back().Properties.push_back(ParseProperty(words));
+    }
+  }
+
+  void CheckVertices() const
+  {
+    std::string names;
+    for (const Element& element : this->Elements)
+    {
+      for (const Property& property : element.Properties)
+      {
+        names += element.Name == "vertex" ? property.Name + " " : "";
+      }
+    }
+    const std::string all = " " + names;
+    for (const char* const axis : { " x ", " y ", " z " })
+    {
+      if (all.find(axis) == std::string::npos)
+      {
+        throw Broken("its vertices have no x, y and z");
+      }
     }
   }
 
@@ -208,7 +228,8 @@ private:
   {
     for (std::uint64_t i = 0; i < words; i++)
     {
-      if (!(this->Stream >> this->Word))
+      if (!(this->Stream >> this->Word) ||
+        std::string("0123456789+-.nNiI").find(this->Word[0]) == std::string::npos)
       {
         return false;
       }
@@ -242,9 +263,6 @@ std::string DamagedPly(const std::string& path)
   catch (const ply::Broken& broken)
   {
     return broken.what();
-  }
-  catch (const ply::Unknown&)
-  {
   }
   return "";
 }

@@ -8,8 +8,7 @@
 namespace widefov
 {
 // Whether the file holds what its header announces: of one that was cut off VTK 9.6 makes zeros
-// and says nothing, and earlier ones crash. An empty string, or what is wrong. What is no PLY file
-// gives an empty string, for VTK's reader says so.
+// and says nothing, and earlier ones crash. An empty string, or what is wrong.
 std::string DamagedPly(const std::string& path);
 }
 

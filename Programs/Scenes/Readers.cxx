@@ -3,31 +3,18 @@
 
 #include "Damage.h"
 #include "Datasets.h"
+#include "EmptyFile.h"
+#include "FileKinds.h"
 #include "GltfFile.h"
+#include "NamedFiles.h"
 #include "System/CrashGuard.h"
+#include "System/InputFiles.h"
 #include "System/MessageCatcher.h"
 #include "System/Progress.h"
 #include "Text/Messages.h"
-#include "Text/OptionValues.h"
 
-#include <vtkBYUReader.h>
-#include <vtkExodusIIReader.h>
-#include <vtkGLTFReader.h>
-#include <vtkGenericDataObjectReader.h>
 #include <vtkInformation.h>
-#include <vtkNetCDFCFReader.h>
-#include <vtkNew.h>
-#include <vtkOBJReader.h>
-#include <vtkPDBReader.h>
-#include <vtkPLYReader.h>
-#include <vtkSTLReader.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
-#include <vtkXMLImageDataReader.h>
-#include <vtkXMLMultiBlockDataReader.h>
-#include <vtkXMLPolyDataReader.h>
-#include <vtkXMLRectilinearGridReader.h>
-#include <vtkXMLStructuredGridReader.h>
-#include <vtkXMLUnstructuredGridReader.h>
 
 #include <algorithm>
 #include <cctype>
@@ -39,127 +26,34 @@ namespace widefov
 {
 namespace
 {
-using ReadFunction = vtkSmartPointer<vtkDataObject> (*)(const std::string& path);
-
-// What it read; the times of its steps go along (TimesOf).
+// What the reader read; the times of its steps go along (TimesOf).
 vtkSmartPointer<vtkDataObject> OutputOf(vtkAlgorithm* reader)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkDataObject* const data = reader->GetOutputDataObject(0);
   vtkInformation* const information = reader->GetOutputInformation(0);
-  if (data != nullptr && information->Has(Pipeline::TIME_STEPS()))
+  if (data != nullptr && information != nullptr && information->Has(Pipeline::TIME_STEPS()))
   {
     data->GetInformation()->CopyEntry(information, Pipeline::TIME_STEPS());
   }
   return data;
 }
 
-template <class Reader>
-vtkSmartPointer<vtkDataObject> ReadPlain(const std::string& path)
+// time: of the step; none: the first.
+vtkSmartPointer<vtkDataObject> Read(const std::string& path, const std::optional<double>& time)
 {
-  vtkNew<Reader> reader;
-  reader->SetFileName(path.c_str());
-  reader->Update();
-  return OutputOf(reader);
-}
-
-// Legacy files may hold several arrays of each kind; VTK reads one where nothing is said.
-vtkSmartPointer<vtkDataObject> ReadLegacy(const std::string& path)
-{
-  vtkNew<vtkGenericDataObjectReader> reader;
-  reader->SetFileName(path.c_str());
-  reader->ReadAllScalarsOn();
-  reader->ReadAllVectorsOn();
-  reader->ReadAllNormalsOn();
-  reader->ReadAllTensorsOn();
-  reader->ReadAllColorScalarsOn();
-  reader->ReadAllTCoordsOn();
-  reader->ReadAllFieldsOn();
-  reader->Update();
-  return reader->GetOutputDataObject(0);
-}
-
-vtkSmartPointer<vtkDataObject> ReadByu(const std::string& path)
-{
-  vtkNew<vtkBYUReader> reader;
-  reader->SetGeometryFileName(path.c_str());
-  reader->Update();
-  return reader->GetOutput();
-}
-
-// All arrays, first time step.
-vtkSmartPointer<vtkDataObject> ReadExodus(const std::string& path)
-{
-  vtkNew<vtkExodusIIReader> reader;
-  reader->SetFileName(path.c_str());
-  reader->UpdateInformation();
-  reader->SetAllArrayStatus(vtkExodusIIReader::NODAL, 1);
-  reader->SetAllArrayStatus(vtkExodusIIReader::ELEM_BLOCK, 1);
-  reader->Update();
-  return OutputOf(reader);
-}
-
-// Longitude and latitude become a unit globe.
-vtkSmartPointer<vtkDataObject> ReadNetCdf(const std::string& path)
-{
-  vtkNew<vtkNetCDFCFReader> reader;
-  reader->SetFileName(path.c_str());
-  reader->SphericalCoordinatesOn();
-  reader->ReplaceFillValueWithNanOn();
-  reader->Update();
-  return OutputOf(reader);
-}
-
-struct Format
-{
-  const char* Ending;
-  ReadFunction Read;
-};
-
-const std::vector<Format>& Formats()
-{
-  static const std::vector<Format> all{
-    { ".vtk", ReadLegacy },
-    { ".vtp", ReadPlain<vtkXMLPolyDataReader> },
-    { ".vtu", ReadPlain<vtkXMLUnstructuredGridReader> },
-    { ".vti", ReadPlain<vtkXMLImageDataReader> },
-    { ".vts", ReadPlain<vtkXMLStructuredGridReader> },
-    { ".vtr", ReadPlain<vtkXMLRectilinearGridReader> },
-    { ".vtm", ReadPlain<vtkXMLMultiBlockDataReader> },
-    { ".stl", ReadPlain<vtkSTLReader> },
-    { ".ply", ReadPlain<vtkPLYReader> },
-    { ".obj", ReadPlain<vtkOBJReader> },
-    { ".g", ReadByu },
-    { ".pdb", ReadPlain<vtkPDBReader> },
-    { ".ex2", ReadExodus },
-    { ".nc", ReadNetCdf },
-    { ".cdf", ReadNetCdf },
-    { ".glb", ReadPlain<vtkGLTFReader> },
-    { ".gltf", ReadPlain<vtkGLTFReader> },
-  };
-  return all;
-}
-
-std::string EndingOf(const std::string& path)
-{
-  std::string ending = std::filesystem::path(path).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
-}
-
-ReadFunction ReaderFor(const std::string& path)
-{
-  const std::string ending = EndingOf(path);
-  for (const Format& format : Formats())
+  const vtkSmartPointer<vtkAlgorithm> reader = KindOf(path).MakeReader(path);
+  if (time)
   {
-    if (ending == format.Ending)
-    {
-      return format.Read;
-    }
+    reader->UpdateTimeStep(*time);
   }
-  Fail(path + ": no reader for '" + ending + "'; convert it to one of " +
-    Join(ReadableEndings(), " "));
+  else
+  {
+    reader->Update();
+  }
+  // the reader of legacy files tells the time 0 of each
+  return EndingOf(path) == ".vtk" ? vtkSmartPointer<vtkDataObject>(reader->GetOutputDataObject(0))
+                                  : OutputOf(reader);
 }
 
 void CheckRegular(const std::string& path)
@@ -190,25 +84,42 @@ void CheckRegular(const std::string& path)
   Fail(path + " cannot be read: " + why + "; check that the file is complete");
 }
 
-vtkSmartPointer<vtkDataObject> ReadGuarded(const std::string& path, ReadFunction read)
+vtkSmartPointer<vtkDataObject> ReadGuarded(
+  const std::string& path, const std::optional<double>& time)
 {
   const QuietStandardError quiet;
   const Progress progress("reading " + path);
   const CrashGuard guard(path +
     " cannot be read: the reader crashed on it; check that the "
     "file is complete");
-  return read(path);
-}
+  return Read(path, time);
 }
 
-std::vector<std::string> ReadableEndings()
+// Reads the file. Throws a Failure with ExitFailed if the reader complains.
+vtkSmartPointer<vtkDataObject> ReadStrictly(
+  const std::string& path, const std::optional<double>& time)
 {
-  std::vector<std::string> endings;
-  for (const Format& format : Formats())
+  MessageCatcher::TakeFirstError();
+  MessageCatcher::TakeWarnings();
+  vtkSmartPointer<vtkDataObject> data;
+  try
   {
-    endings.emplace_back(format.Ending);
+    data = ReadGuarded(path, time);
   }
-  return endings;
+  catch (const std::exception& error)
+  {
+    FailDamaged(path, error.what());
+  }
+  const std::string error = MessageCatcher::TakeFirstError();
+  const std::string warning = WarningOfDamage(MessageCatcher::TakeWarnings());
+  if (!error.empty() || !warning.empty())
+  {
+    // the pipeline's own words name an address, not what is wrong
+    const bool words = error.rfind("Algorithm vtk", 0) != 0;
+    FailDamaged(path, error.empty() ? warning : words ? error : "its reader does not know it");
+  }
+  return data;
+}
 }
 
 std::vector<double> TimesOf(vtkDataObject* data)
@@ -220,33 +131,24 @@ std::vector<double> TimesOf(vtkDataObject* data)
                : std::vector<double>();
 }
 
-vtkSmartPointer<vtkDataObject> ReadFile(const std::string& path)
+vtkSmartPointer<vtkDataObject> ReadFile(const std::string& path, const std::optional<double>& time)
 {
   CheckRegular(path);
-  const ReadFunction read = ReaderFor(path);
+  KindOf(path);
+  NoteInput(path);
+  const std::vector<std::string> named = NamedFiles(path);
+  std::for_each(named.begin(), named.end(), NoteInput);
   const std::string early = DamagedFile(path, EndingOf(path));
   if (!early.empty())
   {
     FailDamaged(path, early);
   }
-  MessageCatcher::TakeFirstError();
-  MessageCatcher::TakeWarnings();
-  vtkSmartPointer<vtkDataObject> data;
-  try
+  if (vtkSmartPointer<vtkDataObject> empty = EmptyData(path, EndingOf(path)))
   {
-    data = ReadGuarded(path, read);
+    return empty;
   }
-  catch (const std::exception& error)
-  {
-    FailDamaged(path, error.what());
-  }
-  const std::string error = MessageCatcher::TakeFirstError();
-  const std::string warning = WarningOfDamage(MessageCatcher::TakeWarnings());
-  if (!error.empty() || !warning.empty())
-  {
-    FailDamaged(path, error.empty() ? warning : error);
-  }
-  if (Leaves(data).empty())
+  const vtkSmartPointer<vtkDataObject> data = ReadStrictly(path, time);
+  if (Leaves(data).empty() && EndingOf(path) != ".vtm")
   {
     FailDamaged(path, "it holds no geometry");
   }
@@ -264,9 +166,8 @@ void DropUnusable(SceneProp& prop)
   if (clean.Data->GetNumberOfCells() == 0)
   {
     Fail(prop.Label +
-      (clean.Dropped > 0 ? ": none of its cells has coordinates that are all finite and below 1e18"
-                         : " holds no points or cells") +
-      "; there is nothing to draw, so check the data");
+      ": none of its cells has coordinates that are all finite and below 1e18; there is nothing to "
+      "draw, so check the data");
   }
   if (clean.Dropped > 0)
   {
@@ -276,33 +177,46 @@ void DropUnusable(SceneProp& prop)
   prop.Surface = clean.Data;
 }
 
+std::vector<SceneProp> PropsOf(vtkDataObject* data)
+{
+  std::vector<SceneProp> props;
+  for (const auto& part : PartsByArrays(data))
+  {
+    SceneProp prop;
+    prop.Source = part;
+    prop.Surface = SurfaceOf(part);
+    props.push_back(prop);
+  }
+  return props;
+}
+
 namespace
 {
-// One, or of glTF one a part.
-std::vector<SceneProp> PropsOf(const std::string& path)
+std::vector<SceneProp> ReadProps(const std::string& path, const std::optional<double>& time)
 {
-  SceneProp prop;
-  prop.Source = ReadFile(path);
-  prop.Globe = EndingOf(path) == ".nc" || EndingOf(path) == ".cdf";
+  const vtkSmartPointer<vtkDataObject> data = ReadFile(path, time);
   const Progress progress("taking the surface of " + path);
   std::vector<SceneProp> parts = IsGltf(path) ? ReadGltf(path) : std::vector<SceneProp>();
-  if (!parts.empty())
+  if (parts.empty())
   {
-    return parts;
+    parts = PropsOf(data);
   }
-  prop.Surface = SurfaceOf(prop.Source);
-  return { prop };
+  for (SceneProp& part : parts)
+  {
+    part.Globe = EndingOf(path) == ".nc" || EndingOf(path) == ".cdf";
+  }
+  return parts;
 }
 }
 
-Scene ReadScene(const std::vector<std::string>& paths)
+Scene ReadScene(const std::vector<std::string>& paths, const std::optional<double>& time)
 {
   Scene scene;
   scene.FromFiles = true;
   for (std::size_t i = 0; i < paths.size(); i++)
   {
     Tell("reading " + paths[i]);
-    for (SceneProp& prop : PropsOf(paths[i]))
+    for (SceneProp& prop : ReadProps(paths[i], time))
     {
       prop.Label = paths[i];
       prop.Index = static_cast<int>(i);

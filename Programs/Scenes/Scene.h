@@ -69,6 +69,8 @@ struct Scene
   std::optional<Vector3> Eye; // none: the centre of the bounds
   std::string BarTitle;       // of the scalar bar, where BarMap is set
   vtkSmartPointer<vtkScalarsToColors> BarMap;
+  std::string Lacks;     // array that was asked for and that this time step has not; empty: none
+  std::string Complaint; // message about Lacks
 };
 
 // Bounds of all surfaces: xmin, xmax, .., zmax. False where there is nothing.

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace widefov
 {
@@ -68,8 +69,21 @@ vtkSmartPointer<vtkFloatArray> Values(
   return values;
 }
 
+// Once, of however many time steps.
+void SayResampled(const std::string& label, const int dimensions[3])
+{
+  static std::set<std::string> said;
+  if (said.insert(label).second)
+  {
+    Say(label + " is no image: its volume is resampled on a grid of " +
+      std::to_string(dimensions[0]) + "x" + std::to_string(dimensions[1]) + "x" +
+      std::to_string(dimensions[2]) + " points");
+  }
+}
+
 // An image as it is, anything else sampled.
-vtkSmartPointer<vtkImageData> OnGrid(vtkDataObject* data, const double size[3])
+vtkSmartPointer<vtkImageData> OnGrid(
+  vtkDataObject* data, const double size[3], const std::string& label)
 {
   if (auto* const image = vtkImageData::SafeDownCast(data))
   {
@@ -82,6 +96,7 @@ vtkSmartPointer<vtkImageData> OnGrid(vtkDataObject* data, const double size[3])
   {
     dimensions[i] = std::max(2, 1 + static_cast<int>(std::lround(size[i] / spacing)));
   }
+  SayResampled(label, dimensions);
   vtkNew<vtkResampleToImage> resample;
   resample->SetInputDataObject(data);
   resample->SetSamplingDimensions(dimensions);
@@ -91,7 +106,8 @@ vtkSmartPointer<vtkImageData> OnGrid(vtkDataObject* data, const double size[3])
 
 SceneVolume VolumeOf(const SceneProp& prop, const double size[3])
 {
-  const vtkSmartPointer<vtkImageData> grid = OnGrid(PointVectors(prop.Source, prop.Array), size);
+  const vtkSmartPointer<vtkImageData> grid =
+    OnGrid(PointVectors(prop.Source, prop.Array), size, prop.Label);
   vtkDataArray* const array = grid->GetPointData()->GetArray(prop.Array.c_str());
   if (array == nullptr)
   {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OutputFiles.h"
 
+#include "InputFiles.h"
 #include "Text/Messages.h"
 
 #include <algorithm>
@@ -123,6 +124,7 @@ void CheckWritable(const std::string& path)
     }
     return;
   }
+  CheckNoInput(path);
   const std::filesystem::path target = TargetOf(path);
   std::error_code error;
   if (std::filesystem::is_directory(target, error))
@@ -143,6 +145,45 @@ void CheckWritable(const std::string& path)
   {
     FailWriting(path, errno);
   }
+}
+
+void CheckMakeable(const std::string& path)
+{
+  std::error_code error;
+  std::filesystem::path folder = std::filesystem::path(PlainName(path)).parent_path();
+  const bool there = std::filesystem::exists(folder, error);
+  while (!std::filesystem::exists(folder, error) && folder != folder.root_path())
+  {
+    folder = folder.parent_path();
+  }
+  if (there)
+  {
+    CheckWritable(path);
+  }
+  else if (!std::filesystem::is_directory(folder, error) ||
+    access(folder.c_str(), W_OK | X_OK) != 0)
+  {
+    Fail(
+      "the folder of " + path + " cannot be made in " + folder.string() + "; choose another place");
+  }
+}
+
+void MakeFolderOf(const std::string& path)
+{
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  std::error_code error;
+  if (folder.empty() || std::filesystem::is_directory(folder, error))
+  {
+    return;
+  }
+  error.clear();
+  std::filesystem::create_directories(folder, error);
+  if (error)
+  {
+    Fail("the folder " + folder.string() + " cannot be made: " + error.message() +
+      "; choose another place");
+  }
+  Say("the folder " + folder.string() + " was not there, and is made");
 }
 
 void CheckFolder(const std::string& path)
@@ -210,6 +251,7 @@ OutputFiles::~OutputFiles()
 int OutputFiles::Open(const std::string& path)
 {
   const std::string target = TargetOf(path);
+  CheckNoInput(target);
   const std::string beside = (path == StandardStream ? TemporaryPlace() + "/widefov" : target) +
     ".part-" + std::to_string(getpid()) + "-" + std::to_string(this->Files.size());
   const int file = CreateUnfinished(beside);

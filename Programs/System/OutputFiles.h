@@ -13,8 +13,16 @@ namespace widefov
 constexpr const char* StandardStream = "-";
 
 // Throws a Failure with ExitFailed where a file of that name cannot be made: its folder
-// is missing or closed, or the name is that of a folder; or where standard output is a terminal.
+// is missing or closed, or the name is that of a folder or of a file that was read; or where
+// standard output is a terminal.
 void CheckWritable(const std::string& path);
+
+// As CheckWritable, but MakeFolderOf will make the folder if it is not there.
+void CheckMakeable(const std::string& path);
+
+// Makes the folders of the file that are not there, and says so in a line. Throws a Failure with
+// ExitFailed.
+void MakeFolderOf(const std::string& path);
 
 // The same where no file can be made in that folder.
 void CheckFolder(const std::string& path);

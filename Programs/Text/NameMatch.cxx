@@ -8,6 +8,9 @@ namespace widefov
 {
 namespace
 {
+// Letters of the beginning of a name that stand for it.
+constexpr std::size_t LeastBeginning = 3;
+
 // How many slips a name of this length may have and still be meant.
 std::size_t MostSlips(std::size_t length)
 {
@@ -82,6 +85,13 @@ std::string NearestName(
     all.push_back(alias);
   }
   const std::string plain = Plain(text);
+  for (const std::string& name : all)
+  {
+    if (plain.size() >= LeastBeginning && Plain(name).compare(0, plain.size(), plain) == 0)
+    {
+      return name;
+    }
+  }
   std::string nearest;
   std::size_t least = MostSlips(plain.size()) + 1;
   for (const std::string& name : all)

@@ -40,7 +40,9 @@ double ParseNumber(const std::string& option, const std::string& text, const Ran
   double value = 0;
   if (!Read(text, value) || !range.Contains(value))
   {
-    FailUsage(option + ": '" + text + "' is not a number " + range.Describe());
+    const bool any = std::isinf(range.Low) && std::isinf(range.High);
+    FailUsage(option + ": '" + text +
+      (any ? "' is not a finite number" : "' is not a number " + range.Describe()));
   }
   return value;
 }

@@ -4,13 +4,11 @@
 #include "Pictures/CameraSetup.h"
 #include "Pictures/EyeDistance.h"
 #include "Pictures/FirstView.h"
+#include "Scenes/NamedFiles.h"
 #include "Text/Messages.h"
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <optional>
-#include <regex>
 #include <thread>
 #include <utility>
 
@@ -28,20 +26,12 @@ std::uintmax_t SizeOf(const std::filesystem::path& file)
   return error ? 0 : size; // what is not there is said at once
 }
 
-// Of the files that one names, as .vtm and .gltf do.
-std::uintmax_t SizeOfNamed(const std::filesystem::path& file)
+std::uintmax_t SizeOfNamed(const std::string& file)
 {
   std::uintmax_t bytes = 0;
-  const std::string ending = file.extension().string();
-  if ((ending == ".vtm" || ending == ".gltf") && SizeOf(file) <= FewBytes)
+  for (const std::string& name : NamedFiles(file))
   {
-    std::ifstream stream(file, std::ios::binary);
-    const std::string text{ std::istreambuf_iterator<char>(stream), {} };
-    static const std::regex naming("(?:file=|\"uri\"\\s*:\\s*)\"([^\"]{1,255})\"");
-    for (std::sregex_iterator i(text.begin(), text.end(), naming), end; i != end; ++i)
-    {
-      bytes += SizeOf(file.parent_path() / (*i)[1].str());
-    }
+    bytes += SizeOf(name);
   }
   return bytes;
 }
@@ -99,7 +89,7 @@ Loaded LoadFitted(Options& o, bool fits)
   }
   if (fits)
   {
-    ChooseView(o, loaded.What);
+    ChooseView(o, loaded.What.Props.empty() ? steps->GetFirstFilled() : loaded.What);
   }
   MakePose(loaded.What, o); // complains
   if (fits)

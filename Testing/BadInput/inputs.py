@@ -19,7 +19,8 @@ INFINITY = float("inf")
 
 # Endings that widefov-render reads.
 ENDINGS = (
-    "vtk vtp vtu vti vts vtr vtm stl ply obj g pdb ex2 nc cdf glb gltf"
+    "vtk vtp vtu vti vts vtr vtm pvtp pvtu pvti pvts pvtr vtkhdf stl ply obj g pdb ex2 case nc cdf mha mhd nii "
+    "xyz pts csv glb gltf"
 ).split()
 
 # Four triangles in front of and behind the eye at the origin.
@@ -104,6 +105,10 @@ def ply_files():
     }
 
 
+# A point, of which the values follow.
+PLY = "ply\nformat ascii 1.0\nelement vertex 1\nproperty %s x\nproperty float y\nproperty float z\nend_header\n"
+
+
 def texts():
     """File name -> text of every file that is text."""
     files = {
@@ -118,7 +123,15 @@ def texts():
         "negative-index.vtk": legacy(triangles=TRIANGLES + [(0, 1, -7)]),
         "zero-area.vtk": legacy(triangles=TRIANGLES + [(0, 0, 1), (5, 5, 5)]),
         "only-zero-area.vtk": legacy(triangles=[(0, 0, 1), (5, 5, 5)]),
-        "unknown.xyz": "1 2 3\n",
+        "unknown.abc": "1 2 3\n",
+        "some.nrrd": "NRRD0004\n",
+        "some.xdmf": "<Xdmf/>\n",
+        "short.xyz": "1 2 3\n4 5\n",
+        "no-places.csv": "a,b,c\n1,2,3\n",
+        "words.ply": PLY % "float" + "a b c\n",
+        "type.ply": PLY % "foo" + "1 2 3\n",
+        "no-place.ply": "ply\nformat ascii 1.0\nelement face 0\nend_header\n",
+        "empty-data.vtp": '<VTKFile type="PolyData"><PolyData/></VTKFile>',
         "unknown.conf": "# options\nhfvo = 90\n",
         "wrong.conf": "hfov = 900\n",
         "words.conf": "a line of words\n",

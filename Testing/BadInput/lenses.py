@@ -4,15 +4,17 @@
 DONE, FAILED, USAGE = 0, 1, 2
 
 
-def yaml(matrix="[30, 0, 32, 0, 30, 16, 0, 0, 1]", lens="[0, 0, 0, 0]", width="64", more=""):
+def yaml(matrix="[30, 0, 32, 0, 30, 16, 0, 0, 1]", lens="[0, 0, 0, 0]", width="64", more="", rows=None):
     """A calibration as OpenCV writes it."""
     return (
         "%%YAML:1.0\n---\nimage_width: %s\nimage_height: 32\n%s"
         "camera_matrix: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n   data: %s\n"
-        "distortion_coefficients: !!opencv-matrix\n   rows: 4\n   cols: 1\n   dt: d\n   data: %s\n"
-    ) % (width, more, matrix, lens)
+        "distortion_coefficients: !!opencv-matrix\n   rows: %s\n   cols: 1\n   dt: d\n   data: %s\n"
+    ) % (width, more, matrix, rows or lens.count(",") + 1, lens)
 
 
+KALIBR = ("%s:\n  camera_model: pinhole\n  intrinsics: [30, 30, 32, 16]\n  distortion_model: radtan\n"
+          "  distortion_coeffs: [0, 0, 0, 0]\n  resolution: [64, 32]\n")
 COLMAP = "# cameras\n1 PINHOLE 64 32 30 30 32 16\n2 OPENCV_FISHEYE 64 32 30 30 32 16 0 0 0 0\n"
 
 
@@ -31,6 +33,9 @@ def lens_files():
         "lens-far.yml": yaml("[30, 0, 1e9, 0, 30, 16, 0, 0, 1]"),
         "lens-skewed.yml": yaml("[30, 1, 32, 0, 30, 16, 0, 0, 1]"),
         "lens-matrix.yml": yaml("[30, 0, 32]"),
+        "lens-rows.yml": yaml(rows=5),
+        "kalibr.yml": KALIBR % "cam0" + KALIBR % "cam1",
+        "kalibr-omni.yml": (KALIBR % "cam0").replace("pinhole", "omni"),
         "lens-width.yml": yaml(width="-64"),
         "lens-no-width.yml": yaml(width="[]"),
         "lens-fisheye.yml": yaml(more="fisheye_model: 1\n"),
@@ -64,7 +69,12 @@ LENSES = [
     ("--lens-file lens-huge.yml", USAGE, "1e+300 of 64"),
     ("--lens-file lens-far.yml", USAGE, "principal point"),
     ("--lens-file lens-skewed.yml", USAGE, "camera matrix"),
-    ("--lens-file lens-matrix.yml", USAGE, "camera matrix"),
+    ("--lens-file lens-matrix.yml", USAGE, "a matrix of 3 rows and 3 columns has 3 numbers"),
+    ("--lens-file lens-rows.yml", USAGE, "a matrix of 5 rows and 1 columns has 4 numbers"),
+    ("--lens-file kalibr.yml#cam1", DONE, None),
+    ("--lens-file kalibr.yml", USAGE, "has the cameras cam0, cam1; write"),
+    ("--lens-file kalibr.yml#cam2", USAGE, "none cam2"),
+    ("--lens-file kalibr-omni.yml", USAGE, "its camera_model 'omni'"),
     ("--lens-file lens-width.yml", USAGE, "-64"),
     ("--lens-file lens-no-width.yml", USAGE, "size"),
     ("--lens-file lens-model.yml", USAGE, "omni"),
@@ -101,4 +111,5 @@ LENSES = [
     ("--borders -60,90,-45,45 --stereo omnidirectional --layout split", USAGE, "--layout"),
     ("--projection hammer --direction-map cube-3x2", USAGE, "direction-map alone"),
     ("--direction-map cube-cross", DONE, None),
+    ("--direction-map foo", USAGE, "there is no file or map 'foo'; give a file, or one of mirror-ball"),
 ]

@@ -5,13 +5,25 @@
     test_bad_input.py WIDEFOV-RENDER
 """
 
+import io
 import os
 import resource
+import shutil
+
+import numpy
+from matplotlib.image import imsave
 
 from films import SQUARE, FilmTest, main, words_of
 
 TURN = ["--film", "turn", "--seconds", "0.2"]
 MP4 = ["-o", "film.mp4"]
+
+
+def sky():
+    """A picture of all directions: two pixels."""
+    stream = io.BytesIO()
+    imsave(stream, numpy.zeros((1, 2, 3)), format="png")
+    return stream.getvalue()
 
 
 class BadInput(FilmTest):
@@ -35,10 +47,37 @@ class BadInput(FilmTest):
         self.write("ffmpeg", "#!/bin/sh\necho ' V....D libtheora  Theora'\n")
         os.chmod(self.path("ffmpeg"), 0o755)
         self.assertEqual(self.refuse(1, "x265", *TURN, "--codec", "x265", *MP4, env=nowhere), [])
-        self.assertEqual(self.refuse(1, "nowhere", *TURN, "-o", "nowhere/film.mp4"), [])
         self.assertEqual(self.refuse(1, "nothing.wav", *TURN, "--audio", "nothing.wav", *MP4), [])
         self.write("text.wav", "no sound\n")
         self.assertEqual(self.refuse(1, "text.wav", *TURN, "--audio", "text.wav", *MP4), [])
+
+    def test_inputs_stay(self):
+        """No output overwrites what is read, whatever names it."""
+        with open(self.path("sky.png"), "wb") as stream:
+            stream.write(sky())
+        os.mkdir(self.path("frames"))
+        shutil.copy(self.path("sky.png"), self.path("frames/2.png"))
+        os.link(self.path("sky.png"), self.path("hard.png"))
+        os.symlink("sky.png", self.path("soft.png"))
+        self.write("way.txt", "0 0 0 0 0 -1\n1 0 0 0 0 -1\n")
+        self.write("square0.vtp", SQUARE.format(heat=0))
+        self.write("all.vtm", '<VTKFile type="vtkMultiBlockDataSet" version="1.0"><vtkMultiBlockDataSet><DataSet index="0" '
+                   'file="square0.vtp"/></vtkMultiBlockDataSet></VTKFile>')
+        self.write("a.vtp.series", '{"files": [{"name": "square0.vtp"}]}')
+        self.write("some.conf", "hfov = 90\n")
+        for name in ("sky.png", "hard.png", "soft.png"):
+            self.refuse(2, "is an input file", "--scene", "room", "--sky", "sky.png", "-o", name)
+        self.refuse(1, "frames/2.png is an input file", *TURN, "--sky", "frames/2.png", "-o", "frames/%d.png")
+        self.refuse(2, "way.txt is an input", "--film", "path", "--path", "way.txt", *MP4, "--stats", "way.txt")
+        self.refuse(2, "film.mp4 is an input", *TURN, "--audio", "film.mp4", *MP4)
+        self.refuse(2, "some.conf is an input", *TURN, "--config", "some.conf", *MP4, "--stats", "some.conf")
+        for data in ("all.vtm", "a.vtp.series"):
+            words = [data, "--eye", "0,0,0", "-o", "new.png", "--stats", "square0.vtp"]
+            self.assertEqual(self.refuse(1, "square0.vtp is an input file", *words), [])
+        self.assertEqual(self.refuse(1, "square0.vtp is an input file", "a.vtp.series", "--eye", "0,0,0", "--film",
+                                     "time", *MP4, "--stats", "square0.vtp"), [])
+        with open(self.path("sky.png"), "rb") as stream:
+            self.assertEqual(stream.read(), sky())
 
     def test_paths_and_lists(self):
         self.write("way.txt", "0 0 0 0 0 -1\n0 0 0 0 0 x\n")

@@ -5,14 +5,19 @@
     test_files.py WIDEFOV-RENDER
 """
 
+import base64
 import os
 import signal
 import subprocess
 import time
 
 from films import FilmTest, main, probe, words_of
+from matplotlib.image import imread
 
 TURN = ["--film", "turn"]
+
+# Of another program: one pixel.
+PNG = base64.b64decode("iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg==")
 
 
 class Files(FilmTest):
@@ -78,6 +83,52 @@ class Resuming(FilmTest):
                  for name in os.listdir(self.path("frames"))}
         self.assertIn("00003.png", after)
         self.assertEqual({name: after[name] for name in before}, before)
+
+    def refuse(self, says, *words):
+        before = {name: os.stat(self.path("frames/" + name)).st_mtime_ns for name in os.listdir(self.path("frames"))}
+        done = self.run_film(*words)
+        said = words_of(done.stderr)
+        self.assertEqual((done.returncode, said.count("\n")), (1, 0), said)
+        self.assertIn(says, said)
+        for name, time_ in before.items():
+            self.assertEqual(os.stat(self.path("frames/" + name)).st_mtime_ns, time_)
+
+    def test_frames_know_their_film(self):
+        for ending in ("png", "jpg", "exr"):
+            words = [*TURN, "--seconds", "0.16", "--hfov", "90", "-o", "frames/%d." + ending]
+            self.film(*words)
+            self.film(*words, "--resume", "--quiet")  # nothing that changes a frame
+            self.refuse("frames/1.%s is not of this film: --hfov is 100, and 90 there; give" % ending, *TURN, "--seconds",
+                        "0.16", "--hfov", "100", "-o", "frames/%d." + ending, "--resume")
+            whole = [frame.tobytes() for frame in self.pictures(ending)] if ending == "png" else []
+            path = self.path("frames/2." + ending)
+            os.truncate(path, os.path.getsize(path) - 9)
+            self.assertEqual(self.film(*words, "--resume"), "widefov-render: frames/2.%s is cut short, and is drawn again" % ending)
+            if whole:
+                self.assertEqual([frame.tobytes() for frame in self.pictures(ending)], whole)
+        self.refuse("--tilt is 10, and not given there", *words, "--tilt", "10", "--part", "1/2")
+        shorter = [*TURN, "--seconds", "0.08", "-o", "frames/%d.png"]
+        said = self.film(*shorter)
+        self.assertEqual(said, "widefov-render: 2 older frames after frames/2.png will stay; remove them if they are not of "
+                         "this film")
+        self.refuse("--seconds is 0.16, and 0.08 there", *TURN, "--seconds", "0.16", "-o", "frames/%d.png", "--resume")
+        with open(self.path("frames/1.png"), "wb") as stream:
+            stream.write(PNG)
+        self.refuse("frames/1.png is not of this film: it does not say which options", *shorter, "--resume")
+
+    def pictures(self, ending):
+        place = self.path("frames")
+        return [imread(os.path.join(place, name)) for name in sorted(os.listdir(place)) if name.endswith(ending)]
+
+    def test_folders_are_made_and_said(self):
+        for output in ("new/deep/film.mp4", "other/deep/%d.png"):
+            said = self.run_film(*TURN, "--seconds", "0.08", "-o", output).stderr
+            self.assertIn("widefov-render: the folder %s was not there, and is made\n" % os.path.dirname(output), said)
+        with open(self.path("file"), "w", encoding="utf-8") as stream:
+            stream.write("in the way")
+        for output in ("file/film.mp4", "file/%d.png"):
+            done = self.run_film(*TURN, "--seconds", "0.08", "-o", output)
+            self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
 
     def runs(self):
         parts = self.path("film.mp4.parts")

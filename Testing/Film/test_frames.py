@@ -10,7 +10,7 @@ import os
 import numpy
 from matplotlib.image import imread
 
-from films import SIZE, SQUARE, FilmTest, main
+from films import EMPTY, SIZE, SQUARE, FilmTest, main
 
 FRAMES = ["-o", "frames/%05d.png"]
 
@@ -78,6 +78,9 @@ class Ways(FilmTest):
         self.write("way.txt", "0 0 0  0 0 -1\n0 0 1  0 0 -1\n")
         path = ["square.vtp", "--film", "path", "--path", "way.txt", "--seconds", "0.12", *FRAMES]
         self.assertEqual(self.film(*path), "")
+        self.write("one.txt", "0 0 0  0 0 -1\n")
+        self.assertEqual(self.film("square.vtp", "--film", "path", "--path", "one.txt", "--seconds", "0.08", "-o", "one/%d.png"),
+                         "widefov-render: warning: one.txt has one pose: the camera stands still")
         frames = self.frames()
         self.film(*path, "--eye", "5,5,5")  # which says nothing
         self.assertEqual([a.tobytes() for a in frames], [b.tobytes() for b in self.frames()])
@@ -176,6 +179,31 @@ class Steps(FilmTest):
         strict = self.run_film("square%d.vtp", *self.TIME, "--strict")
         self.assertEqual(strict.returncode, 1)
         self.assertIn("square1.vtp", strict.stderr)
+
+    def test_empty_steps_are_empty_and_others_grey(self):
+        """The second step has no points, the third another array; each may come first."""
+        self.write("empty.vtp", EMPTY)
+        self.write("other.vtp", SQUARE.format(heat=5).replace('"heat"', '"cold"'))
+        for order, more in (("square0 empty other square2", []), ("square0 empty other square2", ["--range", "0,2"]),
+                            ("empty other square0 square2", ["--color-by", "heat"])):
+            data = [name + ".vtp" for name in order.split()]
+            said = self.film(*data, *self.TIME, "--no-scalar-bar", *more).splitlines()
+            self.assertEqual(len(said), 1, said)
+            self.assertRegex(said[0], "time step [12] has no array 'heat' and is drawn without it")
+            color = dict(zip(order.split(), self.colours()))
+            self.assertEqual(max(color["empty"]), 0)
+            self.assertGreater(min(color["other"]), 0.3)
+            self.assertLess(numpy.ptp(color["other"]), 0.01)
+            self.assertGreater(color["square0"][2], color["square0"][0])
+            self.assertGreater(color["square2"][0], color["square2"][2])
+        still = self.run_film("empty.vtp", "square0.vtp", "--film", "time", "--seconds", "0.08", *FRAMES)
+        self.assertIn("the eye is outside", still.stderr)
+        self.write("all.vtp.series", '{"files": [{"name": "square0.vtp"}, {"name": "empty.vtp"}]}')
+        self.assertIn("time step 1 has no points or cells: the picture is empty",
+                      self.film("all.vtp.series", "--time", "1", "-o", "one.png"))
+        none = self.run_film("empty.vtp", "empty.vtp", *self.TIME)
+        self.assertEqual((none.returncode, none.stderr.count("\n")), (1, 1), none.stderr)
+        self.assertIn("no time step has points or cells", none.stderr)
 
     def test_exodus(self):
         import vtkmodules.all as vtk

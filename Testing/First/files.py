@@ -85,6 +85,42 @@ def legacy(mesh, **arrays):
     return text + "".join(_array(name, values) for name, values in arrays.items())
 
 
+def _xml_array(name, values):
+    values = numpy.asarray(list(values))
+    kind = "UInt8" if values.ndim == 2 else "Float32"
+    return '<DataArray type="%s" Name="%s" NumberOfComponents="%d" format="ascii">%s</DataArray>' % (
+        kind, name, values.shape[1] if values.ndim == 2 else 1, _numbers(values))
+
+
+def xml_surface(mesh, place="PointData", **arrays):
+    """A .vtp file; rows of numbers are bytes."""
+    points, faces = mesh
+    if not points:
+        return '<VTKFile type="PolyData"><PolyData><Piece NumberOfPoints="0"><Points/></Piece></PolyData></VTKFile>'
+    whole = '<DataArray type="Int32" Name="%s" format="ascii">%s</DataArray>'
+    return ('<VTKFile type="PolyData"><PolyData><Piece NumberOfPoints="%d" NumberOfPolys="%d"><%s>%s</%s><Points>'
+            '<DataArray type="Float32" NumberOfComponents="3" format="ascii">%s</DataArray></Points><Polys>%s%s'
+            "</Polys></Piece></PolyData></VTKFile>") % (
+                len(points), len(faces), place, "".join(_xml_array(*item) for item in arrays.items()), place,
+                _numbers(points), whole % ("connectivity", _numbers([i for face in faces for i in face])),
+                whole % ("offsets", _numbers(numpy.cumsum([len(face) for face in faces]))))
+
+
+def blocks(*names):
+    sets = "".join('<DataSet index="%d" file="%s"/>' % item for item in enumerate(names))
+    return ('<VTKFile type="vtkMultiBlockDataSet" version="1.0"><vtkMultiBlockDataSet>%s'
+            "</vtkMultiBlockDataSet></VTKFile>" % sets)
+
+
+def image_of_ball(cells, count=13):
+    """1 inside of a ball, 0 elsewhere, at the points or in the cells of an image."""
+    line = numpy.linspace(-1, 1, count)
+    z, y, x = numpy.meshgrid(line, line, line, indexing="ij")
+    return "# vtk DataFile Version 3.0\nfirst\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS %d %d %d\n" % (
+        3 * (count + cells,)) + "ORIGIN -1 -1 -1\nSPACING 0.2 0.2 0.2\n%s_DATA %d\n" % (
+            "CELL" if cells else "POINT", x.size) + _array("density", (x * x + y * y + z * z < 0.5).ravel())
+
+
 def grid(count=7, kind="STRUCTURED_POINTS", layer=False):
     """A cube of points from -1 to 1: `height`, its y or 1 in a layer in the middle, and `swirl`,
     vectors round that axis."""

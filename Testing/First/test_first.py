@@ -167,6 +167,33 @@ class Look(Case):
         self.assertGreater(len(rows), 2)
         self.assertGreater(rows.min(), 0.7 * len(without))  # it is below
 
+    def test_parts_without_the_array_are_grey(self):
+        arrays = [{"stress": [p[1] for p in files.box((0, 0, 0), (1, 1, 1))[0]]}, {}]
+        for order in (arrays, arrays[::-1]):
+            for i, more in enumerate(order):
+                self.path("block%d.vtp" % i, files.xml_surface(files.box((3 * i, 0, 0), (1, 1, 1)), **more))
+            text = files.blocks("block0.vtp", "block1.vtp")
+            usual = self.draw("blocks.vtm", text, "--no-scalar-bar", "--direction", "0,0,-1")[0]
+            named = self.draw("blocks.vtm", text, "--no-scalar-bar", "--direction", "0,0,-1", "--color-by", "stress")[0]
+            self.assertTrue(numpy.array_equal(usual, named))
+            seen = numpy.nonzero(lit(usual).any(axis=0))[0]
+            middle = (seen[0] + seen[-1]) // 2
+            tint = [numpy.ptp(half, axis=2).max() for half in (usual[:, :middle], usual[:, middle:])]
+            tint = tint if order is arrays else tint[::-1]
+            self.assertGreater(tint[0], 0.3)
+            self.assertLess(tint[1], 0.01)
+
+    def test_bytes_named_as_colours_are_colours(self):
+        mesh = files.box((0, 0, 0), (1, 1, 1))
+        for name, color, place, count in (("RGB", (255, 0, 0), "PointData", 8), ("Colors", (255, 0, 0), "CellData", 6),
+                                          ("RGBA", (255, 0, 0, 255), "PointData", 8)):
+            text = files.xml_surface(mesh, place, **{"heat": range(count), name: count * [color]})
+            picture = self.draw("box.vtp", text)[0]
+            self.assertGreater(picture[:, :, 0].max(), 0.5)
+            self.assertLess(picture[:, :, 1:].max(), 0.01)
+        text = files.xml_surface(mesh, **{"other": 8 * [(255, 0, 0)], "heat": range(8)})
+        self.assertGreater(self.draw("box.vtp", text, "--no-scalar-bar")[0][:, :, 2].max(), 0.3)
+
     def test_normals_are_smooth_but_at_edges(self):
         text = files.legacy(files.sphere())
         smooth, facets = (
@@ -219,6 +246,13 @@ class Volumes(Case):
         around = self.draw("image.vtk", text, "--inside", "--no-scalar-bar")[0]
         self.assertEqual(lit(around[:32]).mean(), 1)
 
+    def test_cells_of_images_and_empty_borders(self):
+        """What is inside is seen, though the surface has one value alone."""
+        for cells in (True, False):
+            picture = self.draw("ball.vtk", files.image_of_ball(cells), "--no-scalar-bar")[0]
+            self.assertGreater(numpy.ptp(picture[28:36, 60:68], axis=2).max(), 0.1)
+            self.assertLess(lit(picture).mean(), 0.5)
+
     def test_a_dry_run_names_them(self):
         words = [self.path("image.vtk", files.grid(count=5)), "--dry-run"]
         self.assertEqual(json.loads(self.run_it(*words, "--json").stdout)["volumes"], [[5, 5, 5]])
@@ -233,6 +267,8 @@ class Volumes(Case):
         image = self.draw("image.vtk", files.grid(), "--no-scalar-bar")[0]
         grid = self.draw("grid.vtk", files.grid(kind="STRUCTURED_GRID"), "--no-scalar-bar", "--volume")[0]
         self.assertLess(numpy.abs(image - grid).mean(), 0.02)
+        done = self.run_it(self.path("grid.vtk"), "--volume", "--dry-run")
+        self.assertIn("is resampled on a grid of 128x128x128 points", done.stderr)
 
     def test_channels_show_surfaces(self):
         done = self.run_it(
@@ -242,6 +278,42 @@ class Volumes(Case):
             ["oiiotool", "--stats", self.path("data.exr")], capture_output=True, text=True, check=True)
         line = [words for words in statistics.stdout.splitlines() if "Stats Max" in words][0]
         self.assertGreater(float(line.split()[2 + 5]), 1)  # cells of six faces
+
+
+class Formats(Case):
+    def test_the_page_lists_what_is_read(self):
+        rows = json.loads(self.run_it("--list-formats", "--json").stdout)
+        page = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Documentation", "formats.md")
+        with open(page, encoding="utf-8") as stream:
+            listed = [line for line in stream.read().splitlines() if line.startswith("| `")]
+        self.assertEqual(listed, ["| `%s` | %s |" % (row["ending"], row["name"]) for row in rows])
+        self.assertIn(".pvtu    VTK, parts of an unstructured grid\n", self.run_it("--list-formats").stdout)
+
+    def tell(self, path):
+        told = json.loads(self.run_it("--info", path, "--json").stdout)["files"][0]
+        return told["points"], {array["name"]: (array["type"], array["components"]) for array in told["arrays"]}
+
+    def test_clouds(self):
+        colors = {"RGB": ("unsigned char", 3)}
+        for name, text, count, arrays in (
+                ("a.xyz", "# a cloud\n0 0 0\n1 2 3\n", 2, {}),
+                ("b.xyz", "0 0 0 255 0 0\n1 2 3 0 1 2\n", 2, colors),
+                ("c.pts", "2\n0 0 0 -5 255 0 0\n1 2 3 8 0 1 2\n", 2, {"column 4": ("double", 1), **colors}),
+                ("d.csv", '"heat","x","y","z"\r\n7,0,0,0\r\n,1,2,3\r\n', 2, {"heat": ("double", 1)}),
+                ("e.csv", "X;Y;Z;Red;Green;Blue\n0;0;0;1;2;3\n", 1, colors)):
+            self.assertEqual(self.tell(self.path(name, text)), (count, arrays), name)
+
+    def test_parts(self):
+        for i in range(2):
+            self.path("part%d.vtp" % i, files.xml_surface(files.box((3 * i, 0, 0), (1, 1, 1)), heat=range(8)))
+        whole = self.path("whole.pvtp", '<VTKFile type="PPolyData"><PPolyData><PPointData><PDataArray type="Float32" '
+                          'Name="heat"/></PPointData><PPoints><PDataArray type="Float32" NumberOfComponents="3"/></PPoints>'
+                          '<Piece Source="part0.vtp"/><Piece Source="part1.vtp"/></PPolyData></VTKFile>')
+        self.assertEqual(self.tell(whole), (16, {"heat": ("float", 1)}))
+
+    def test_images_of_medicine(self):
+        header = "ObjectType = Image\nNDims = 3\nDimSize = 3 3 3\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n"
+        self.assertEqual(self.tell(self.path("a.mha", header + 27 * "a"))[0], 27)
 
 
 class Info(Case):
@@ -261,6 +333,13 @@ class Info(Case):
         text = self.run_it(path, "--info").stdout
         self.assertIn("bounds: x -1 to 1, y -2 to 2, z -3 to 3", text)
         self.assertIn("    v2 (points): float, 3 components, magnitude, 10 to 10\n", text)
+
+    def test_nothing_has_no_bounds(self):
+        path = self.path("empty.vtp", files.xml_surface(([], [])))
+        self.assertIn("points: 0, cells: 0, triangles of the surface: 0\n  bounds: none\n",
+                      self.run_it("--info", path).stdout)
+        told = json.loads(self.run_it("--info", path, "--json").stdout)["files"][0]
+        self.assertEqual((told["points"], told["bounds"]), (0, None))
 
     def test_a_series_tells_its_times_and_its_first_step(self):
         for step in range(3):  # the first is the largest, and named last

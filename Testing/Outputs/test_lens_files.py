@@ -141,6 +141,38 @@ class Lenses(unittest.TestCase):
             *SIZE, fx, fy, cx + 0.5, cy + 0.5, *coefficients))
         self.check(lens, points, places, fx)
 
+    def check_colmap(self, model, numbers, places):
+        """places: of the directions, in COLMAP's pixels divided by the focal lengths."""
+        matrix = numbers[:4]
+        lens = self.path("cameras.txt", "7 %s %d %d %s\n" % (model, *SIZE, " ".join(map(repr, numbers))))
+        self.check(lens, directions(60), places * matrix[:2] + matrix[2:] - 0.5, matrix[0])
+
+    def test_colmap_fov(self):
+        x, y, z = directions(60).T
+        r, w = numpy.hypot(x, y) / z, 0.9
+        factor = numpy.where(r > 0, numpy.arctan(2 * r * numpy.tan(w / 2)) / w / numpy.maximum(r, 1e-9), 1)
+        self.check_colmap("FOV", (605.5, 611.0, 640.5, 470.0, w), numpy.stack([x, y], 1) * (factor / z)[:, None])
+
+    def test_colmap_thin_prism_fisheye(self):
+        k1, k2, p1, p2, k3, k4, sx, sy = prism = (-0.02, 0.004, 0.003, -0.002, 0.001, -0.0005, 0.004, -0.003)
+        x, y, z = directions(60).T
+        theta = numpy.arctan2(numpy.hypot(x, y), z)
+        u, v = (theta * c / numpy.maximum(numpy.hypot(x, y), 1e-9) for c in (x, y))
+        s = theta * theta
+        radial = 1 + s * (k1 + s * (k2 + s * (k3 + s * k4)))
+        places = numpy.stack([u * radial + 2 * p1 * u * v + p2 * (s + 2 * u * u) + sx * s,
+                              v * radial + 2 * p2 * u * v + p1 * (s + 2 * v * v) + sy * s], 1)
+        self.check_colmap("THIN_PRISM_FISHEYE", (605.5, 611.0, 640.5, 470.0, *prism), places)
+
+    def test_kalibr(self):
+        matrix, k = (905.5, 899.1, 611.0, 502.5), (-0.21, 0.09, 0.004, -0.003)
+        lens = self.path("cams.yaml", "cam0:\n  camera_model: pinhole\n  intrinsics: %s\n  distortion_model: radtan\n"
+                         "  distortion_coeffs: %s\n  resolution: %s\n" % (list(matrix), list(k), list(SIZE)))
+        fx, fy, cx, cy = matrix
+        points, zero = directions(50), numpy.zeros(3)
+        eye = numpy.array([[fx, 0, cx], [0, fy, cy], [0, 0, 1]])
+        self.check(lens, points, cv2.projectPoints(points, zero, zero, eye, numpy.array(k))[0][:, 0], fx)
+
     def test_radial(self):
         self.check_opencv((905.5, 899.1, 611.0, 502.5), (-0.21, 0.09, 0, 0, -0.012))
 
