@@ -259,7 +259,7 @@ std::optional<int> ParseOptions(int argc, char** argv, Options& options)
   }
   CompleteFromPreset(app, options, Target::File);
   CompleteFilm(app, options);
-    CompleteWeb(options);
+  CompleteWeb(options);
   CheckTogether(options, fov);
   return std::nullopt;
 }
