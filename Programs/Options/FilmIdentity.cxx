@@ -20,7 +20,7 @@ constexpr char Beginning[] = "Frame of widefov-render ";
 const std::set<std::string> Others{ "--part", "--resume", "--strict", "--quiet", "--verbose",
   "--output", "--stats", "--config", "--audio" };
 
-// Of files without their folders.
+// The value of an option; files are named without their folders.
 std::string ValueOf(const CLI::Option& option, const std::string& value)
 {
   const bool file =

@@ -16,7 +16,7 @@ namespace widefov
 // changes the frames: "--hfov 90". Of files the name without its folder.
 std::string FilmIdentity(const CLI::App& app);
 
-// What differs first: "--hfov is 90, and 180 there". Empty if the films are the same.
+// The first option that differs: "--hfov is 90, and 180 there". Empty if the films are the same.
 std::string FilmDifference(const std::string& here, const std::string& there);
 }
 

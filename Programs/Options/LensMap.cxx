@@ -67,7 +67,8 @@ vec2 Aside(const CalibratedLens& lens, const vec2& q)
   return lens.Kind == UnevenKind::PrismFisheye ? aside + s * vec2(k[6], k[7]) : aside;
 }
 
-// Where the lens shows the direction (p, 1), y down, ahead; pixels divided by the focal lengths.
+// The place at which the lens shows the direction (p, 1), y down, z ahead; pixels divided by the
+// focal lengths.
 vec2 PlaceOf(const CalibratedLens& lens, const vec2& p)
 {
   const double t = glm::length(p);

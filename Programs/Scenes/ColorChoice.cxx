@@ -43,7 +43,7 @@ void LackArray(Scene& scene, const Look& look, const std::string& option, const 
 
 namespace
 {
-// What --color-by names.
+// The array that --color-by names.
 struct ArrayChoice
 {
   std::string Name;
@@ -124,7 +124,7 @@ vtkSmartPointer<vtkScalarsToColors> MapOf(const Look& look, const ValueRange& ra
   return MakeColorMap(look.ColorMap, low, high, component);
 }
 
-// Of what is drawn: the surface, or all that a volume is made of.
+// Adds the range of the data that are drawn: of the surface, or of the whole volume.
 void AddRange(
   const SceneProp& prop, vtkDataArray* shown, const ArrayChoice& choice, ValueRange& range)
 {
@@ -294,7 +294,8 @@ std::string FirstScalars(vtkDataSetAttributes* attributes, const Look& look)
   return "";
 }
 
-// Of the points or the cells of what is drawn: the border of a volume may have one value alone.
+// The first scalars of the data that are drawn. The whole volume is asked, because its border may
+// have one value alone.
 std::string FirstScalars(const SceneProp& prop, bool ofCells, const Look& look)
 {
   vtkDataSet* drawn = prop.Surface;
@@ -306,8 +307,8 @@ std::string FirstScalars(const SceneProp& prop, bool ofCells, const Look& look)
                  : FirstScalars(drawn->GetPointData(), look);
 }
 
-// Of files that nobody wants in any colours: one array gives all props theirs, so that one bar
-// says what they mean. Those that hold colours keep them.
+// Colours all props by one array where no option chose colours, so that one bar explains them.
+// Props whose data hold colours keep these.
 void ColorByFirstScalars(Scene& scene, const Look& look)
 {
   std::string name = look.UsualArray;

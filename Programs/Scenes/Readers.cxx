@@ -26,7 +26,7 @@ namespace widefov
 {
 namespace
 {
-// What the reader read; the times of its steps go along (TimesOf).
+// The data of a reader, with the times of its steps (TimesOf).
 vtkSmartPointer<vtkDataObject> OutputOf(vtkAlgorithm* reader)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;

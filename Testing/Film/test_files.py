@@ -16,7 +16,7 @@ from matplotlib.image import imread
 
 TURN = ["--film", "turn"]
 
-# Of another program: one pixel.
+# One pixel, written by another program.
 PNG = base64.b64decode("iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg==")
 
 
