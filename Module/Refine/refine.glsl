@@ -87,6 +87,10 @@ WFV_FN float wfvTurningOf(WfvEnd a, float length2)
 WFV_FN float wfvShiftingOf(WfvEnd a, WfvEnd b, float length2)
 {
   float range = wfvView.radii.y - wfvView.radii.x;
+  if (min(a.distance, b.distance) >= 0.999 * wfvView.radii.y)
+  {
+    return 0.0; // beyond the far sphere the shift is the same
+  }
   float steep = abs(a.distance - b.distance) / range;
   float angle = sqrt(length2) / min(a.distance, b.distance);
   float bent = length2 / min(a.distance, b.distance) / range;
@@ -224,8 +228,13 @@ WFV_FN float wfvSplitAt(WfvEnd a, WfvEnd b)
   bool unseen = !(a.distance > 0.0 && b.distance > 0.0);
   if (unseen && wfvRefine.circle > 0.0)
   {
+    if (!(a.distance > 0.0 || b.distance > 0.0))
+    {
+      return 0.0; // what the eye does not see is convex
+    }
     // to the rim of what the eye does not see: what is left out there is smaller than a pixel
-    float small_ = min(0.02 * wfvRefine.circle, wfvRefine.unseen * farthest * farthest);
+    float small_ = max(WFV_LEAST_UNSEEN * wfvRefine.circle,
+      min(WFV_MOST_UNSEEN * wfvRefine.circle, wfvRefine.unseen * farthest * farthest));
     return dot(way, way) > small_ * small_ ? 0.5 : 0.0;
   }
   if (!unseen && wfvIsShort(a, b))
