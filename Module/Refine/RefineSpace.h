@@ -49,6 +49,9 @@ public:
   // True where nothing of a triangle can be in the picture, whatever its edges.
   bool IsOutside(const vec3& p, const vec3& q, const vec3& r) const;
 
+  // True where nothing of the box round a triangle can be in the picture. It takes longer to say.
+  bool IsCulled(const vec3& p, const vec3& q, const vec3& r) const;
+
   // True where a triangle of short edges has one picture, without a gap.
   bool IsWhole(const WfvEnd ends[3]) const;
 
@@ -61,8 +64,10 @@ private:
   double wfvLimitOf(const vec3& seen) const { return this->V.Limits->At(seen); }
   double wfvStretchOf(const vec3& seen) const { return this->V.Limits->StretchAt(seen); }
   vec2 wfvPixelOf(const vec3& seen, double distance);
+  bool IsCulled(Box box) const;
   void SetEnd();
   void SetPlanes();
+  void SetMeridianEnds();
   bool SphereMayTear(const vec3& centre, double radius) const;
   double LimitAround(const vec3& centre, double radius, double edge) const;
   double LimitOfCircle(const vec3& centre, double radius, double edge) const;
@@ -72,6 +77,8 @@ private:
   const WfvView wfvView;
   WfvRefine wfvRefine;
   std::vector<vec3> Planes; // normals, outwards
+  std::vector<vec3> Wedge;  // two: what is beyond both is not in the picture
+  double MostSine = 2;      // of the elevation beyond which nothing is in the picture
   double NearReach = 0;     // wfvNearReach(WFV_INSIDE)
   const vec4 wfvPicture; // its size, pixels, is in the last two
 };

@@ -22,6 +22,9 @@ constexpr double AsideSafety = 1.4;
 // Radians beyond the border of the picture.
 constexpr double PlaneMargin = 1e-3;
 
+// Radians beyond the largest angles that were found at places of the border of a picture.
+constexpr double BorderMargin = 0.02;
+
 // Radians: half a field of view of a planar map is taken for no more.
 constexpr double MostPlanarAngle = 1.5707;
 
@@ -215,13 +218,75 @@ void RefineSpace::SetPlanes()
         this->Planes.push_back(vec3(0, side * std::cos(angle.y), std::sin(angle.y)));
       }
       break;
+    case Family::Meridian:
+      this->SetMeridianEnds();
+      break;
     default:
       break;
   }
 }
 
+// The meridians and the elevation beyond which nothing is in the picture. Its border has the
+// largest angles: they have no maximum inside, but at a pole, above which the border is outside of
+// the map.
+void RefineSpace::SetMeridianEnds()
+{
+  if (this->V.Stereo)
+  {
+    return; // the picture is shifted
+  }
+  double azimuth = 0;
+  double sine = 0;
+  constexpr int steps = 64;
+  for (int i = -steps; i <= steps; i++)
+  {
+    const double s = static_cast<double>(i) / steps;
+    for (const vec2& ndc : { vec2(s, -1), vec2(s, 1), vec2(-1, s), vec2(1, s) })
+    {
+      const WfvRay ray = this->V.Map->Unproject(ndc, this->V.View);
+      const vec3& d = ray.direction;
+      if (!ray.inside)
+      {
+        return; // the picture holds the end of the map
+      }
+      azimuth = std::max(azimuth, std::atan2(std::abs(d.x), -d.z));
+      sine = std::max(sine, std::abs(d.y));
+    }
+  }
+  const double elevation = std::asin(std::min(1.0, sine)) + BorderMargin;
+  this->MostSine = elevation < 0.5 * WFV_PI ? std::sin(elevation) : 2;
+  azimuth += BorderMargin;
+  const vec3 right(std::cos(azimuth), 0, std::sin(azimuth));
+  const vec3 left(-right.x, 0, right.z);
+  if (azimuth < 0.5 * WFV_PI)
+  {
+    this->Planes = { right, left };
+  }
+  else if (azimuth < WFV_PI)
+  {
+    this->Wedge = { right, left };
+  }
+}
+
 bool RefineSpace::IsOutside(const vec3& p, const vec3& q, const vec3& r) const
 {
+  const auto all = [&](const auto& outside) { return outside(p) && outside(q) && outside(r); };
+  if (this->MostSine < 1)
+  {
+    // above the elevation, and below its opposite, is a convex cone
+    const double sine = this->MostSine;
+    if (all([sine](const vec3& c) { return c.y > sine * glm::length(c); }) ||
+      all([sine](const vec3& c) { return -c.y > sine * glm::length(c); }))
+    {
+      return true;
+    }
+  }
+  if (!this->Wedge.empty() && all([this](const vec3& c) {
+        return glm::dot(this->Wedge[0], c) > 0 && glm::dot(this->Wedge[1], c) > 0;
+      }))
+  {
+    return true;
+  }
   const bool plane = std::any_of(this->Planes.begin(), this->Planes.end(), [&](const vec3& n) {
     return glm::dot(n, p) > 0 && glm::dot(n, q) > 0 && glm::dot(n, r) > 0;
   });
@@ -320,13 +385,23 @@ double RefineSpace::LimitAround(const vec3& centre, double radius, double edge) 
   return limit * std::max(0.0, 1 - off / this->V.Tolerance);
 }
 
+bool RefineSpace::IsCulled(Box box) const
+{
+  box.Grow(this->V.BaselineRadius);
+  return this->V.Culls &&
+    (this->AllAround ? !IsBetweenClips(this->V.View, box)
+                     : wfv::IsCulled(*this->V.Map, this->V.View, box, this->V.Part));
+}
+
+bool RefineSpace::IsCulled(const vec3& p, const vec3& q, const vec3& r) const
+{
+  return this->IsCulled(
+    Box{ glm::min(p, glm::min(q, r)), glm::max(p, glm::max(q, r)) });
+}
+
 Refiner::Need RefineSpace::OfCluster(const Box& box, double radius, double edge) const
 {
-  Box seen = box;
-  seen.Grow(this->V.BaselineRadius);
-  if (this->V.Culls &&
-    (this->AllAround ? !IsBetweenClips(this->V.View, seen)
-                     : IsCulled(*this->V.Map, this->V.View, seen, this->V.Part)))
+  if (this->IsCulled(box))
   {
     return Refiner::Unseen;
   }

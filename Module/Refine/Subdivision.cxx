@@ -11,6 +11,9 @@ namespace
 // Splits of an edge of a split edge, and so on: an edge past a pole takes some fourteen.
 constexpr int MostDepth = 30;
 
+// Pieces of each so many splits are asked whether they are in the picture.
+constexpr int CullingDepth = 3;
+
 // Asked: no middle.
 constexpr int None = -2;
 }
@@ -50,7 +53,7 @@ void Subdivision::RefineSegment(
 
 void Subdivision::Segment(int a, int b, int depth)
 {
-  if (this->IsOutside(a, b, b))
+  if (this->IsOutside(a, b, b, depth))
   {
     return;
   }
@@ -143,17 +146,20 @@ double Subdivision::Angle2(int a, int b) const
   return glm::dot(way, way) / std::max(1e-300, std::min(glm::dot(p.place, p.place), glm::dot(q.place, q.place)));
 }
 
-bool Subdivision::IsOutside(int a, int b, int c) const
+bool Subdivision::IsOutside(int a, int b, int c, int depth) const
 {
-  return this->Space->IsOutside(
-    this->Nodes[a].End.place, this->Nodes[b].End.place, this->Nodes[c].End.place);
+  const vec3& p = this->Nodes[a].End.place;
+  const vec3& q = this->Nodes[b].End.place;
+  const vec3& r = this->Nodes[c].End.place;
+  return this->Space->IsOutside(p, q, r) ||
+    (depth > 0 && depth % CullingDepth == 0 && this->Space->IsCulled(p, q, r));
 }
 
 // One with two split edges becomes a strip between these, one with one becomes a fan: to make four
 // of every triangle takes many times the pieces where one is thin.
 void Subdivision::Triangle(int a, int b, int c, int depth)
 {
-  if (this->IsOutside(a, b, c))
+  if (this->IsOutside(a, b, c, depth))
   {
     return;
   }
@@ -193,7 +199,8 @@ void Subdivision::Triangle(int a, int b, int c, int depth)
 // Both sides are halved alike, so that the rungs between them stay as short as the ends.
 void Subdivision::Quads(const Strip& s, int depth)
 {
-  if (this->IsOutside(s.Low[0], s.High[0], s.High[1]) && this->IsOutside(s.Low[0], s.Low[1], s.High[1]))
+  if (this->IsOutside(s.Low[0], s.High[0], s.High[1], depth) &&
+    this->IsOutside(s.Low[0], s.Low[1], s.High[1], depth))
   {
     return;
   }

@@ -44,7 +44,7 @@ private:
   void Quads(const Strip& strip, int depth);
   void Piece(int a, int b, int c, int depth);
   double Angle2(int a, int b) const;
-  bool IsOutside(int a, int b, int c) const;
+  bool IsOutside(int a, int b, int c, int depth) const;
 
   // Pieces whose edges are all short.
   void Leaf(int a, int b, int c);

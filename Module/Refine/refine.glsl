@@ -69,17 +69,19 @@ WFV_FN bool wfvIsNearAt(WfvEnd a, WfvEnd b, float share)
 }
 
 // Tolerances by which an edge leaves its chord because each place of it is seen along a ray that
-// begins elsewhere on the circle. length2: of the edge, squared.
-WFV_FN float wfvTurningOf(WfvEnd a, float length2)
+// begins elsewhere on the circle. length2: of the edge as it is seen, squared.
+WFV_FN float wfvTurningOf(WfvEnd a, WfvEnd b, float length2)
 {
+  vec3 way = b.place - a.place;
+  float longest2 = max(length2, dot(way, way)); // beside the circle an edge may be seen shorter
   float height = dot(a.place, wfvUpright(wfvView));
-  float level2 = dot(a.place, a.place) - height * height - length2;
+  float level2 = dot(a.place, a.place) - height * height - longest2;
   float r = wfvRefine.circle;
-  if (!(level2 > 16.0 * length2 && level2 > WFV_CIRCLE_FAR * WFV_CIRCLE_FAR * r * r))
+  if (!(level2 > 16.0 * longest2 && level2 > WFV_CIRCLE_FAR * WFV_CIRCLE_FAR * r * r))
   {
     return WFV_FAR_NDC;
   }
-  return r * length2 / level2 / a.distance * wfvRefine.fade * wfvStretchOf(a.seen) /
+  return r * longest2 / level2 / a.distance * wfvRefine.fade * wfvStretchOf(a.seen) /
     wfvRefine.tolerance;
 }
 
@@ -103,7 +105,7 @@ WFV_FN float wfvShiftingOf(WfvEnd a, WfvEnd b, float length2)
 // Tolerances by which it does for either reason.
 WFV_FN float wfvBendOf(WfvEnd a, WfvEnd b, float length2)
 {
-  float bend = wfvRefine.circle > 0.0 ? wfvTurningOf(a, length2) : 0.0;
+  float bend = wfvRefine.circle > 0.0 ? wfvTurningOf(a, b, length2) : 0.0;
   return bend + (wfvRefine.depthBend > 0.0 ? wfvShiftingOf(a, b, length2) : 0.0);
 }
 
