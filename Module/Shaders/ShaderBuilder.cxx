@@ -320,7 +320,10 @@ void wfv::ShaderBuilder::Finish(
   {
     WrapMain(vertex, "", "  gl_Position = wfvSeenVertex(gl_Position);\n");
     // without a geometry stage the view's own text follows
-    Declare(vertex, (NeedsGeometryStage(r) ? ViewSource(r) : "") + stereo_vertex_glsl);
+    const bool pieces = r.Kind == Primitive::Triangles || r.Kind == Primitive::Lines;
+    Declare(vertex,
+      (NeedsGeometryStage(r) ? ViewSource(r) : "") + Define("WFV_PIECES", pieces) +
+        stereo_vertex_glsl);
   }
   if (wfv::quadric::Draws(r.Kind))
   {
