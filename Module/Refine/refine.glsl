@@ -205,6 +205,56 @@ WFV_FN float wfvNearReach(float factor)
   return wfvHypot(factor * wfvView.radii.x, wfvRefine.nearCircle);
 }
 
+// Horizontal distance from the vertical axis through the middle of the eyes.
+WFV_FN float wfvLevelOf(vec3 p)
+{
+  return length(p - wfvUpright(wfvView) * dot(p, wfvUpright(wfvView)));
+}
+
+// The share of the way from a to b at which it is so far from that axis.
+WFV_FN float wfvShareAtLevel(WfvEnd a, WfvEnd b, float level)
+{
+  vec3 up = wfvUpright(wfvView);
+  vec3 p = a.place - up * dot(a.place, up);
+  vec3 q = b.place - up * dot(b.place, up);
+  float share = wfvShareAtSphere(p, q, level);
+  return share > 0.0 && share < 1.0 ? share : 0.5;
+}
+
+// Where an edge is split at the rim of what the eye does not see, the cylinder round the circle of
+// the eyes; 0: it is not split; below 0: this rim does not matter. What is left out at the rim is
+// smaller than a pixel. A fade leaves no cylinder.
+WFV_FN float wfvSplitAtCircle(WfvEnd a, WfvEnd b, vec3 way)
+{
+  if (!(a.distance > 0.0 || b.distance > 0.0))
+  {
+    return 0.0; // what the eye does not see is convex
+  }
+  float r = wfvRefine.circle;
+  float farthest = max(a.reach, b.reach);
+  float left = max(WFV_LEAST_UNSEEN * r,
+    min(WFV_MOST_UNSEEN * r, wfvRefine.unseen * farthest * farthest));
+  float length2 = dot(way, way);
+  bool unseen = !(a.distance > 0.0 && b.distance > 0.0);
+  if (unseen && length2 <= left * left)
+  {
+    return 0.0;
+  }
+  if (!(wfvRefine.nearCircle > 0.0))
+  {
+    return unseen ? 0.5 : -1.0;
+  }
+  float nearA = wfvLevelOf(a.place) - r;
+  float nearB = wfvLevelOf(b.place) - r;
+  if (unseen)
+  {
+    bool atRim = max(nearA, nearB) <= left;
+    return atRim ? 0.0 : wfvShareAtLevel(a, b, r + 0.5 * left);
+  }
+  // a chord of the rim leaves out what is between it and the rim
+  return max(nearA, nearB) <= left && length2 <= 8.0 * r * left ? 0.0 : -1.0;
+}
+
 // Where an edge is split: a share of the way from a to b between 0 and 1; 0 where a chord stands
 // for it. The bisector of the angle halves the angle that is seen, however near or slanted the
 // edge is. To be called with both ends in one order for all triangles at the edge.
@@ -228,16 +278,13 @@ WFV_FN float wfvSplitAt(WfvEnd a, WfvEnd b)
   }
   vec3 way = b.place - a.place;
   bool unseen = !(a.distance > 0.0 && b.distance > 0.0);
-  if (unseen && wfvRefine.circle > 0.0)
+  if (wfvRefine.circle > 0.0 && (unseen || wfvRefine.nearCircle > 0.0))
   {
-    if (!(a.distance > 0.0 || b.distance > 0.0))
+    float share = wfvSplitAtCircle(a, b, way);
+    if (share >= 0.0)
     {
-      return 0.0; // what the eye does not see is convex
+      return share;
     }
-    // to the rim of what the eye does not see: what is left out there is smaller than a pixel
-    float small_ = max(WFV_LEAST_UNSEEN * wfvRefine.circle,
-      min(WFV_MOST_UNSEEN * wfvRefine.circle, wfvRefine.unseen * farthest * farthest));
-    return dot(way, way) > small_ * small_ ? 0.5 : 0.0;
   }
   if (!unseen && wfvIsShort(a, b))
   {

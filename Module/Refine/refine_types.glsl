@@ -39,9 +39,9 @@ const float WFV_BEYOND = 4.0;
 // little.
 const float WFV_CIRCLE_FAR = 4.0;
 
-// Radii of the circle of the eyes, of an edge into what no ray of the eye meets: the longest that is
-// split nowhere, and the longest that always is. Shorter ones matter nearer than some radii only.
-const float WFV_LEAST_UNSEEN = 0.002;
+// Radii of the circle of the eyes: what is left out between the rim of what an eye does not see and
+// the first piece, at the least and at the most. Beside the eye less is visible, but takes too long.
+const float WFV_LEAST_UNSEEN = 1e-5;
 const float WFV_MOST_UNSEEN = 0.02;
 
 struct WfvRefine
