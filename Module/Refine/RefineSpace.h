@@ -65,6 +65,8 @@ private:
   double wfvStretchOf(const vec3& seen) const { return this->V.Limits->StretchAt(seen); }
   vec2 wfvPixelOf(const vec3& seen, double distance);
   bool IsCulled(Box box) const;
+  bool IsBesidePicture(const vec3& p, const vec3& q, const vec3& r) const;
+  bool IsSteep(const vec3& p, const vec3& q, const vec3& r) const;
   void SetEnd();
   void SetPlanes();
   void SetMeridianEnds();
@@ -78,6 +80,7 @@ private:
   WfvRefine wfvRefine;
   std::vector<vec3> Planes; // normals, outwards
   std::vector<vec3> Wedge;  // two: what is beyond both is not in the picture
+  double MostAzimuth = 4;   // radians: beyond it nothing is in the picture
   double MostSine = 2;      // of the elevation beyond which nothing is in the picture
   double NearReach = 0;     // wfvNearReach(WFV_INSIDE)
   const vec4 wfvPicture; // its size, pixels, is in the last two

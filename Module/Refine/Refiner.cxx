@@ -156,7 +156,7 @@ RefineSpace::RefineSpace(const RefineView& view)
   this->NearReach = this->wfvNearReach(WFV_INSIDE);
   this->wfvRefine.fade = FadeOf(view);
   this->wfvRefine.depthBend = DepthBendOf(view);
-  if (view.EyeRadius == 0)
+  if (view.EyeRadius == 0 || view.Map->Axis == Family::Meridian)
   {
     this->SetPlanes();
   }
@@ -231,7 +231,7 @@ void RefineSpace::SetPlanes()
 // the map.
 void RefineSpace::SetMeridianEnds()
 {
-  if (this->V.Stereo)
+  if (this->V.Stereo && this->V.EyeRadius == 0)
   {
     return; // the picture is shifted
   }
@@ -256,6 +256,11 @@ void RefineSpace::SetMeridianEnds()
   const double elevation = std::asin(std::min(1.0, sine)) + BorderMargin;
   this->MostSine = elevation < 0.5 * WFV_PI ? std::sin(elevation) : 2;
   azimuth += BorderMargin;
+  this->MostAzimuth = azimuth;
+  if (this->V.EyeRadius > 0)
+  {
+    return; // rays look aside of the direction from the middle
+  }
   const vec3 right(std::cos(azimuth), 0, std::sin(azimuth));
   const vec3 left(-right.x, 0, right.z);
   if (azimuth < 0.5 * WFV_PI)
@@ -268,9 +273,74 @@ void RefineSpace::SetMeridianEnds()
   }
 }
 
+// True where an eye on a circle sees all of a triangle too high or too low. The level distance is
+// convex, and the tangent to the circle is shorter.
+bool RefineSpace::IsSteep(const vec3& p, const vec3& q, const vec3& r) const
+{
+  const vec3 up = wfvUpright(this->wfvView);
+  double level2 = 0;
+  double low = 1e300;
+  double high = -1e300;
+  for (const vec3* const c : { &p, &q, &r })
+  {
+    const double height = glm::dot(*c, up);
+    low = std::min(low, height);
+    high = std::max(high, height);
+    const vec3 flat = *c - up * height;
+    level2 = std::max(level2, glm::dot(flat, flat));
+  }
+  const double circle = this->wfvRefine.nearCircle;
+  const double tangent = std::sqrt(std::max(0.0, level2 - circle * circle));
+  const double steep = this->MostSine / std::sqrt(1 - this->MostSine * this->MostSine);
+  return std::max(low, -high) > steep * tangent;
+}
+
+// True where an eye on a circle sees all of a triangle beyond the sides of the picture. It sees a
+// place at the level distance d turned by the arc sine of the circle's radius over d.
+bool RefineSpace::IsBesidePicture(const vec3& p, const vec3& q, const vec3& r) const
+{
+  const vec2 flat[3] = { vec2(p.x, -p.z), vec2(q.x, -q.z), vec2(r.x, -r.z) };
+  const vec2 mean = flat[0] + flat[1] + flat[2];
+  double nearest = 1e300;
+  double farthest = 0;
+  double longest = 0;
+  double low = 0;
+  double high = 0;
+  for (int i = 0; i < 3; i++)
+  {
+    const double level = glm::length(flat[i]);
+    nearest = std::min(nearest, level);
+    farthest = std::max(farthest, level);
+    longest = std::max(longest, glm::length(flat[(i + 1) % 3] - flat[i]));
+    const double turn = std::atan2(
+      flat[i].x * mean.y - flat[i].y * mean.x, glm::dot(flat[i], mean));
+    low = std::min(low, turn);
+    high = std::max(high, turn);
+  }
+  const double circle = this->V.EyeRadius;
+  nearest = std::max(nearest - longest, circle);
+  if (high - low > 0.5 * WFV_PI || !(farthest > circle))
+  {
+    return false;
+  }
+  const double side = wfvToRight(this->wfvView) < 0 ? -1 : 1;
+  const double turns[2] = { side * std::asin(circle / nearest), side * std::asin(circle / farthest) };
+  const double from = std::atan2(mean.x, mean.y) + low - std::max(turns[0], turns[1]);
+  const double to = std::atan2(mean.x, mean.y) + high - std::min(turns[0], turns[1]);
+  // behind is 0
+  const double middle = std::remainder(0.5 * (from + to) - WFV_PI, 2 * WFV_PI);
+  return std::abs(middle) + 0.5 * (to - from) < WFV_PI - this->MostAzimuth;
+}
+
 bool RefineSpace::IsOutside(const vec3& p, const vec3& q, const vec3& r) const
 {
   const auto all = [&](const auto& outside) { return outside(p) && outside(q) && outside(r); };
+  if (this->V.EyeRadius > 0 && this->V.Map->Axis == Family::Meridian)
+  {
+    return this->V.View.tilt.x == 1 &&
+      ((this->MostSine < 1 && this->IsSteep(p, q, r)) ||
+        (this->MostAzimuth < WFV_PI && this->IsBesidePicture(p, q, r)));
+  }
   if (this->MostSine < 1)
   {
     // above the elevation, and below its opposite, is a convex cone
