@@ -110,6 +110,21 @@ void SetPolygonOffset(vtkShaderProgram* program, vtkMapper* mapper, vtkProperty*
 }
 }
 
+// Radians: TinyPixels of the refinement, eight times, and the factor that half of the tolerance is.
+void vtkWideFoVStage::SetRimUniform(vtkShaderProgram* program)
+{
+  if (!program->IsUniformUsed("wfvRim"))
+  {
+    return;
+  }
+  const bool whole = this->View.maxAngle > wfv::WFV_PI - 1e-4;
+  const double pixel = 2 * std::max(this->View.halfFov.x, this->View.halfFov.y) /
+    std::max(1.0, std::max(this->Pixels.Full.x, this->Pixels.Full.y));
+  const float rim[2] = { whole ? static_cast<float>(0.25 * this->Tolerance * pixel) : 0.0f,
+    static_cast<float>(1 + 0.5 * this->Tolerance * pixel / wfv::WFV_PI) };
+  program->SetUniform2f("wfvRim", rim);
+}
+
 // Whatever frames before had: what is drawn depends on it, to the last digits.
 void vtkWideFoVStage::TakeSamples()
 {
@@ -139,6 +154,7 @@ void vtkWideFoVStage::SetFrameParameters(vtkShaderProgram* program, const int vi
     const wfv::vec2 stretch = wfv::Stretch(*this->Seen.Projection, this->View);
     program->SetUniformf("wfvStretch", static_cast<float>(std::max(stretch.x, stretch.y)));
   }
+  this->SetRimUniform(program);
   wfv::SetTileUniforms(
     program, this->Pixels, this->Tile, viewport, this->View.scale, this->View.center);
 }

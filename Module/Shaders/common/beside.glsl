@@ -25,11 +25,30 @@ vec3 wfvBeside(vec3 p, float rho)
 #endif
 }
 
+#if WFV_ROUND
+// Round maps that show the antipode: the sine of the angle from it within which vertices are moved
+// outwards, and the factor. Triangles that hold the antipode are left out, and chords of the rim
+// lie inside of it: moved by half of the tolerance, the others reach the rim.
+uniform vec2 wfvRim;
+
+vec2 wfvAtRim(vec2 ndc, vec3 p, float rho)
+{
+  bool near_ = p.z > 0.0 && length(p.xy) < wfvRim.x * rho;
+  return near_ ? ndc * wfvRim.y : ndc;
+}
+#else
+vec2 wfvAtRim(vec2 ndc, vec3 p, float rho)
+{
+  return ndc;
+}
+#endif
+
 // View coordinates, as the stock vertex stage leaves them, to clip coordinates.
 vec4 wfvProjectBeside(vec3 p)
 {
   vec3 q = wfvTilt(p, wfvView);
   float rho = wfvLength(q);
+  vec2 ndc = wfvAtRim(wfvProject(wfvBeside(q, rho), wfvView), q, rho);
   // the eye itself has no place in the map: in front of the near sphere, clipped
-  return rho > 0.0 ? wfvClip(wfvProject(wfvBeside(q, rho), wfvView), rho) : vec4(0.0, 0.0, -2.0, 1.0);
+  return rho > 0.0 ? wfvClip(ndc, rho) : vec4(0.0, 0.0, -2.0, 1.0);
 }
