@@ -110,7 +110,7 @@ void SetPolygonOffset(vtkShaderProgram* program, vtkMapper* mapper, vtkProperty*
 }
 }
 
-// Radians: TinyPixels of the refinement, eight times, and the factor that half of the tolerance is.
+// Vertices within half a tolerance of the antipode are moved outwards by half a tolerance.
 void vtkWideFoVStage::SetRimUniform(vtkShaderProgram* program)
 {
   if (!program->IsUniformUsed("wfvRim"))
@@ -120,7 +120,7 @@ void vtkWideFoVStage::SetRimUniform(vtkShaderProgram* program)
   const bool whole = this->View.maxAngle > wfv::WFV_PI - 1e-4;
   const double pixel = 2 * std::max(this->View.halfFov.x, this->View.halfFov.y) /
     std::max(1.0, std::max(this->Pixels.Full.x, this->Pixels.Full.y));
-  const float rim[2] = { whole ? static_cast<float>(0.25 * this->Tolerance * pixel) : 0.0f,
+  const float rim[2] = { whole ? static_cast<float>(0.5 * this->Tolerance * pixel) : 0.0f,
     static_cast<float>(1 + 0.5 * this->Tolerance * pixel / wfv::WFV_PI) };
   program->SetUniform2f("wfvRim", rim);
 }

@@ -145,11 +145,11 @@ RefineSpace::RefineSpace(const RefineView& view)
     std::max(view.Pixels.x, view.Pixels.y);
   this->wfvRefine.tears = TearsOf(view.Map->Axis);
   this->wfvRefine.tolerance = view.Tolerance;
-  this->SetEnd();
   // a point so near the circle, at a distance h, is seen this part of a pixel from the pole
   this->wfvRefine.unseen =
     view.EyeRadius > 0 ? 0.5 * std::pow(UnseenPixels * pixel, 2) / view.EyeRadius : 0;
   this->wfvRefine.tinyAngle2 = std::pow(TinyPixels * view.Tolerance * pixel, 2);
+  this->SetEnd();
   this->wfvRefine.circle = view.EyeRadius;
   this->wfvRefine.nearCircle =
     view.Stereo && view.Stereo->Fades(view.View) ? 0 : view.EyeRadius;
@@ -182,6 +182,14 @@ void RefineSpace::SetEnd()
   this->wfvRefine.rimChord = folds
     ? 0.5 * std::sqrt(this->V.Tolerance * std::sin(v.maxAngle) / pixels)
     : 0;
+  if (this->V.Map->Axis == Family::Azimuthal && v.maxAngle >= WFV_PI - 1e-4)
+  {
+    // nearer to the antipode an edge that is never split would turn too far along the rim
+    const double tiny = std::sqrt(this->wfvRefine.tinyAngle2);
+    const double turn = std::sqrt(8 * this->V.Tolerance / (pixels * WFV_PI));
+    this->wfvRefine.rimCosine = -std::cos(tiny / turn);
+    this->wfvRefine.rimChord = tiny;
+  }
   this->wfvRefine.beyondCosine = planar ? 0.5 * std::cos(corner) : std::cos(round);
   this->wfvRefine.endChord =
     std::min(WFV_LONGEST_CHORD, 0.5 * (std::acos(0.5 * std::cos(corner)) - corner));
@@ -540,8 +548,8 @@ bool RefineSpace::IsWhole(const WfvEnd e[3]) const
       return IsOnOneFace(e[0].seen, e[1].seen, e[2].seen, 2 * beside);
     default:
     {
-      const double least = 4 * std::sqrt(this->wfvRefine.tinyAngle2);
-      const double cosine = std::cos(std::min(this->V.View.maxAngle, WFV_PI - least));
+      const double cosine =
+        this->wfvRefine.rimChord > 0 ? this->wfvRefine.rimCosine : std::cos(this->V.View.maxAngle);
       return std::all_of(
         e, e + 3, [cosine](const WfvEnd& a) { return -a.seen.z > cosine * a.distance; });
     }

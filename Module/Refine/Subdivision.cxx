@@ -297,13 +297,6 @@ void Subdivision::Cut(std::vector<int>& polygon, const Measure& measure)
   polygon.swap(this->Clipped);
 }
 
-bool Subdivision::IsTinyPole(const int n[3]) const
-{
-  const double tiny2 = this->Space->GetNumbers().tinyAngle2;
-  return std::max({ this->Angle2(n[0], n[1]), this->Angle2(n[1], n[2]), this->Angle2(n[2], n[0]) }) <=
-    4 * tiny2;
-}
-
 // On each side of the half plane behind the eye, a part of it. What is before and behind holds the
 // pole, and is too small to be seen.
 void Subdivision::AtMeridian(const int nodes[3])
@@ -346,20 +339,17 @@ void Subdivision::AtMeridian(const int nodes[3])
   }
 }
 
-// Beyond the rim of a round map there is nothing, and what holds the antipode is too small to be
-// seen.
+// Beyond the rim of a round map there is nothing. Where no triangles are cut there, the fragment
+// stage leaves out what is beyond.
 void Subdivision::AtRim(const int nodes[3])
 {
-  const double most = this->Space->GetView().View.maxAngle;
-  if (!(this->Space->GetNumbers().rimChord > 0))
+  const WfvRefine& numbers = this->Space->GetNumbers();
+  if (!(numbers.rimChord > 0))
   {
-    if (most < WFV_PI - 1e-4 || !this->IsTinyPole(nodes))
-    {
-      this->AddPiece(nodes[0], nodes[1], nodes[2], 0);
-    }
+    this->AddPiece(nodes[0], nodes[1], nodes[2], 0);
     return;
   }
-  const double cosine = std::cos(most);
+  const double cosine = numbers.rimCosine;
   this->Polygon.assign(nodes, nodes + 3);
   this->Cut(this->Polygon,
     [cosine](const WfvEnd& e) { return -e.seen.z / e.distance - cosine; });

@@ -51,7 +51,6 @@ private:
   void AtMeridian(const int nodes[3]);
   void AtRim(const int nodes[3]);
   void AtFaces(const int nodes[3]);
-  bool IsTinyPole(const int nodes[3]) const;
   template <typename Measure>
   void Cut(std::vector<int>& polygon, const Measure& measure);
   void AddPolygon(const std::vector<int>& polygon, double aside);

@@ -133,11 +133,23 @@ WFV_FN bool wfvLeavesPlane(WfvEnd a, WfvEnd b)
   return wfvRefine.tears == WFV_TEARS_PLANAR && wfvIsOutside(a) != wfvIsOutside(b);
 }
 
+WFV_FN bool wfvIsWithinRim(WfvEnd e)
+{
+  return -e.seen.z > wfvRefine.rimCosine * e.distance;
+}
+
 // True where an edge crosses the rim of a round map, where triangles are cut along chords of it.
 WFV_FN bool wfvCrossesRim(WfvEnd a, WfvEnd b)
 {
-  bool within = -a.seen.z > wfvRefine.rimCosine * a.distance;
-  return wfvRefine.rimChord > 0.0 && within != (-b.seen.z > wfvRefine.rimCosine * b.distance);
+  bool within = wfvIsWithinRim(a);
+  return wfvRefine.rimChord > 0.0 && within != wfvIsWithinRim(b);
+}
+
+// True where both ends of an edge lie beyond a rim of more than 90 degrees, beyond which all is convex.
+WFV_FN bool wfvIsBeyondRim(WfvEnd a, WfvEnd b)
+{
+  return wfvRefine.rimChord > 0.0 && wfvRefine.rimCosine < 0.0 && !wfvIsWithinRim(a) &&
+    !wfvIsWithinRim(b);
 }
 
 // True where a chord stands for an edge, both of whose ends the eye sees.
@@ -152,6 +164,10 @@ WFV_FN bool wfvIsShort(WfvEnd a, WfvEnd b)
   }
   if (wfvIsOutside(a) && wfvIsOutside(b) &&
     length2 <= WFV_OUTSIDE_CHORD * WFV_OUTSIDE_CHORD * nearest * nearest)
+  {
+    return true;
+  }
+  if (wfvIsBeyondRim(a, b))
   {
     return true;
   }
