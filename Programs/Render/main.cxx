@@ -57,7 +57,7 @@ void CheckOutputs(const Options& options)
   }
   if (!options.Web.empty())
   {
-    PrepareWebPage(options);
+    CheckWebPage(options);
   }
   if (!options.DumpShaders.empty())
   {
@@ -147,7 +147,7 @@ bool DoOtherWork(Options& options)
   {
     if (!options.Web.empty())
     {
-      PrepareWebPage(options);
+      CheckWebPage(options);
     }
     const Scene scene = MakeFilm(options);
     if (!options.Web.empty())

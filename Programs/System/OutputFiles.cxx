@@ -163,8 +163,8 @@ void CheckMakeable(const std::string& path)
   else if (!std::filesystem::is_directory(folder, error) ||
     access(folder.c_str(), W_OK | X_OK) != 0)
   {
-    Fail(
-      "the folder of " + path + " cannot be made in " + folder.string() + "; choose another place");
+    Fail("the folder " + std::filesystem::path(path).parent_path().string() +
+      " cannot be made in " + folder.string() + "; choose another place");
   }
 }
 

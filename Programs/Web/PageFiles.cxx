@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PageFiles.h"
 
+#include "System/InputFiles.h"
 #include "Text/Messages.h"
 
 #include <OpenImageIO/strutil.h>
@@ -82,19 +83,18 @@ std::string ViewerFolder()
     "; in a checkout make it by Utilities/fetch-viewer.sh");
 }
 
-void PreparePageFolder(const std::string& folder)
+void CheckPageFolder(const std::string& folder)
 {
   std::error_code error;
   if (fs::exists(folder, error) && !fs::is_directory(folder, error))
   {
     Fail(folder + " is no folder; give --web another name");
   }
-  fs::create_directories(folder, error);
-  if (error)
+  CheckMakeable(folder + "/index.html");
+  if (!fs::exists(folder, error))
   {
-    Fail(folder + " cannot be made: " + error.message() + "; choose another folder");
+    return;
   }
-  CheckFolder(folder);
   for (const std::string& name : NamesIn(folder))
   {
     if (!std::regex_match(name, PageFile))
@@ -102,6 +102,7 @@ void PreparePageFolder(const std::string& folder)
       Fail(folder + " has other things than a web page in it, such as " + name +
         "; give --web a new or empty folder");
     }
+    CheckNoInput((fs::path(folder) / name).string()); // files of an older page are removed
   }
 }
 

@@ -14,9 +14,9 @@ namespace widefov
 // The folder of the viewer of web pages. Throws a Failure with ExitFailed if it is not there.
 std::string ViewerFolder();
 
-// Makes the folder of a page. Throws a Failure with ExitFailed if that is impossible, or if the
-// folder has anything else than files of an earlier page.
-void PreparePageFolder(const std::string& folder);
+// Throws a Failure with ExitFailed if the folder of a page cannot be made, or has anything else
+// than files of an earlier page, or one of these is an input.
+void CheckPageFolder(const std::string& folder);
 
 // The files of one page, which appear together.
 class PageFiles

@@ -125,10 +125,10 @@ std::string NameOfEye(std::size_t eye)
 }
 }
 
-void PrepareWebPage(const Options& o)
+void CheckWebPage(const Options& o)
 {
   ViewerFolder();
-  PreparePageFolder(o.Web);
+  CheckPageFolder(o.Web);
 }
 
 void WritePicturePage(const Options& o, const Scene& scene, const std::vector<Picture>& eyes)

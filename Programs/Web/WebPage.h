@@ -11,8 +11,8 @@
 
 namespace widefov
 {
-// Before drawing: makes the folder. Throws a Failure with ExitFailed if there can be no page.
-void PrepareWebPage(const Options& options);
+// Before drawing: throws a Failure with ExitFailed if there can be no page in the folder.
+void CheckWebPage(const Options& options);
 
 // Writes a page of the picture of each eye. Throws a Failure with ExitFailed.
 void WritePicturePage(const Options& options, const Scene& scene, const std::vector<Picture>& eyes);

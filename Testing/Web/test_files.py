@@ -86,10 +86,13 @@ class Files(PageTest):
         self.refuse(1, "file is no folder", "--web", "file", *SMALL)
         self.refuse(1, "file/page cannot be made", "--web", "file/page", *SMALL)
         self.assertEqual(sorted(os.listdir(self.path("other"))), ["notes.txt", "tiles"])
+        self.page("page", *SMALL)
+        self.refuse(1, "is an input file", "--web", "page", *SMALL, "--sky", self.path("page/panorama.jpg"))
 
     def test_without(self):
         """Without ffmpeg, and without the viewer: a copy of the program has no data beside it."""
         self.refuse(1, "ffmpeg", "--web", "new", *SMALL, *TURN, env={**self.environment, "PATH": self.folder})
+        self.assertFalse(os.path.exists(self.path("new")))
         os.makedirs(self.path("bin"))
         copy = shutil.copy(pages.RENDER, self.path("bin"))
         libraries = os.path.join(os.path.dirname(os.path.dirname(pages.RENDER)), "lib")
