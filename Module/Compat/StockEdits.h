@@ -40,6 +40,8 @@ enum class Edit
   FlatNormal,
   LineNormal,
   LineFacing,
+  // of the geometry stage
+  StripVertex,
   // GLSL's own variables
   FrontFacing,
   FragmentDepth,
@@ -58,6 +60,7 @@ enum class Edit
   ImpostorMeeting,
   DataNormal,
   DepthOffset,
+  DepthOffsetValue,
   // volumes
   VolumeRay,
   VolumePlace,

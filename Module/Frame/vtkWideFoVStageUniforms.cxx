@@ -9,7 +9,6 @@
 #include "Frame/DirectionTextures.h"
 #include "Frame/Eye.h"
 #include "Frame/Stages.h"
-#include "Frame/Tessellation.h"
 #include "Projections/Bounds/Curvature.h"
 #include "Shaders/Limits.h"
 
@@ -88,9 +87,42 @@ wfv::ProgramUses FindUses(vtkShaderProgram* program)
   uses.FrontCulled = program->IsUniformUsed("wfvFrontCulled");
   uses.PointSize = program->IsUniformUsed("wfvPointSize");
   uses.Pixels = program->IsUniformUsed("wfvPixels");
+  uses.PolygonOffset = program->IsUniformUsed("wfvPolygonOffset");
   uses.FineDepth = program->IsUniformUsed("wfvNearestKnown");
   return uses;
 }
+}
+
+namespace
+{
+// Factor and units of the polygon offset, as stock VTK chooses them.
+void SetPolygonOffset(vtkShaderProgram* program, vtkMapper* mapper, vtkProperty* property)
+{
+  const bool edges =
+    property->GetEdgeVisibility() && property->GetRepresentation() == VTK_SURFACE;
+  double offset[2] = { 0, 0 };
+  if (mapper && (edges || vtkMapper::GetResolveCoincidentTopology() == VTK_RESOLVE_POLYGON_OFFSET))
+  {
+    mapper->GetCoincidentTopologyPolygonOffsetParameters(offset[0], offset[1]);
+  }
+  const float values[2] = { static_cast<float>(offset[0]), static_cast<float>(offset[1]) };
+  program->SetUniform2f("wfvPolygonOffset", values);
+}
+}
+
+// Vertices within half a tolerance of the antipode are moved outwards by half a tolerance.
+void vtkWideFoVStage::SetRimUniform(vtkShaderProgram* program)
+{
+  if (!program->IsUniformUsed("wfvRim"))
+  {
+    return;
+  }
+  const bool whole = this->View.maxAngle > wfv::WFV_PI - 1e-4;
+  const double pixel = 2 * std::max(this->View.halfFov.x, this->View.halfFov.y) /
+    std::max(1.0, std::max(this->Pixels.Full.x, this->Pixels.Full.y));
+  const float rim[2] = { whole ? static_cast<float>(0.5 * this->Tolerance * pixel) : 0.0f,
+    static_cast<float>(1 + 0.5 * this->Tolerance * pixel / wfv::WFV_PI) };
+  program->SetUniform2f("wfvRim", rim);
 }
 
 // Whatever frames before had: what is drawn depends on it, to the last digits.
@@ -122,6 +154,7 @@ void vtkWideFoVStage::SetFrameParameters(vtkShaderProgram* program, const int vi
     const wfv::vec2 stretch = wfv::Stretch(*this->Seen.Projection, this->View);
     program->SetUniformf("wfvStretch", static_cast<float>(std::max(stretch.x, stretch.y)));
   }
+  this->SetRimUniform(program);
   wfv::SetTileUniforms(
     program, this->Pixels, this->Tile, viewport, this->View.scale, this->View.center);
 }
@@ -159,8 +192,8 @@ bool vtkWideFoVStage::SetShaderParameters(
   this->SetSkyParameters(program, prop);
   this->SetPropParameters(program, mapper, prop, known.Uses);
   this->NumberOfDraws++;
-  const bool tessellates = this->Variant == wfv::ShaderBuilder::Variant::Tessellate;
-  this->NumberOfTessellateDraws += tessellates && wfv::Tessellation::IsIn(program);
+  const bool may = this->Unrefined != this->Variant && vtkActor::SafeDownCast(prop);
+  this->NumberOfUnrefinedDraws += may && this->MakeRequest(mapper, prop).Stage != this->Variant;
   this->Stages->Glyphs.Draw(this->Renderer, mapper, prop, this);
   return true;
 }
@@ -202,6 +235,10 @@ void vtkWideFoVStage::SetPropParameters(vtkShaderProgram* program, vtkAbstractMa
   {
     const bool front = property->GetFrontfaceCulling() && !property->GetBackfaceCulling();
     program->SetUniformi("wfvFrontCulled", front);
+  }
+  if (uses.PolygonOffset)
+  {
+    SetPolygonOffset(program, actor->GetMapper(), property);
   }
   if (uses.PointSize)
   {

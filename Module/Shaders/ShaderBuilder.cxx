@@ -19,12 +19,11 @@ using stock::Found;
 
 namespace
 {
-// True where an eye whose rays begin in several places is served by moving the vertices: those of
-// what is cut are moved behind the cut.
+// True if an eye whose rays begin in several places is served by moving the vertices.
 bool MovesVertices(const Request& r)
 {
   return r.View.Stereo && !r.View.Stereo->Traits.OneCenter && !wfv::triangle::Covers(r) &&
-    !wfv::triangle::Cuts(r) && !wfv::quadric::Draws(r.Kind) && !wfv::line::Draws(r) &&
+    !wfv::quadric::Draws(r.Kind) && !wfv::line::Draws(r) &&
     !wfv::line::DrawsChords(r);
 }
 
@@ -57,8 +56,8 @@ std::string PrimitiveSource(const Request& r, const std::vector<Varying>& varyin
   return wfv::triangle::GeometrySource(r, varyings);
 }
 
-// Corners that a vertex stage projects and those that a geometry stage does are of one mesh: they
-// come out alike, or pixels between them were left out.
+// The two draws of a refined mesh give a vertex the same place, or pixels between them were left
+// out.
 const char* const SamePlaces = "invariant gl_Position;\n";
 
 // toView: the name of the matrix from the vertex buffer to view coordinates; empty where the
@@ -69,14 +68,9 @@ std::string GeometrySource(
   const bool runs = wfv::triangle::Covers(r) || wfv::line::DrawsChords(r);
   std::string source = std::string("//VTK::System::Dec\n") +
     (wfv::triangle::Covers(r) ? Doubles : "") + (runs ? Invocations : "") +
-    Define("WFV_MODEL", !toView.empty()) + (wfv::triangle::Cuts(r) ? SamePlaces : "") +
-    "#define WFV_TO_VIEW " + toView + "\n" + ViewSource(r) +
-    (r.Kind == Primitive::Points || wfv::triangle::Cuts(r) ? "" : EdgeSource()) +
+    Define("WFV_MODEL", !toView.empty()) + "#define WFV_TO_VIEW " + toView + "\n" + ViewSource(r) +
+    (r.Kind == Primitive::Points ? "" : EdgeSource()) +
     (r.DebugView ? debug_kinds_glsl : "") + PrimitiveSource(r, varyings);
-  if (r.Stage == wfv::ShaderBuilder::Variant::Tessellate)
-  {
-    ReplaceAll(source, "gl_PrimitiveIDIn", "wfvPrimitive[0]");
-  }
   return source;
 }
 
@@ -84,9 +78,7 @@ std::string GeometrySource(
 void FinishVertices(const Request& r, const std::vector<Varying>& varyings, std::string& vertex,
   std::string& geometry)
 {
-  // the pieces of a tessellation have no place in the buffer
-  const bool keepModel =
-    wfv::triangle::Covers(r) && r.Stage != wfv::ShaderBuilder::Variant::Tessellate;
+  const bool keepModel = wfv::triangle::Covers(r);
   const std::string toView = TakeFromEye(r, vertex, keepModel);
   if (wfv::ShaderBuilder::NeedsGeometryStage(r))
   {
@@ -94,9 +86,11 @@ void FinishVertices(const Request& r, const std::vector<Varying>& varyings, std:
   }
   else
   {
+    const bool beside = r.Kind == Primitive::Triangles || r.Kind == Primitive::Lines;
+    const std::string project = beside ? "wfvProjectBeside" : "wfvProjectVertex";
     wfv::ShaderBuilder::WrapMain(
-      vertex, "", "  gl_Position = wfvProjectVertex(gl_Position.xyz);\n");
-    wfv::ShaderBuilder::Declare(vertex, ViewSource(r));
+      vertex, "", "  gl_Position = " + project + "(gl_Position.xyz);\n");
+    wfv::ShaderBuilder::Declare(vertex, ViewSource(r) + (beside ? beside_glsl : ""));
   }
   // not of what asks for extensions itself, as volumes do: nothing may be declared before those
   if (r.Kind == Primitive::Triangles && vertex.find("#extension") == std::string::npos)
@@ -161,7 +155,9 @@ std::string BorderSource(const Request& r)
 // True where depth is not what the rasterizer interpolates: places are, on the surface.
 bool WritesDepth(const Request& r)
 {
-  return r.View.DepthMapping != wfv::WFV_DEPTH_LINEAR || wfv::line::DrawsChords(r);
+  return r.View.DepthMapping != wfv::WFV_DEPTH_LINEAR || wfv::line::DrawsChords(r) ||
+    (r.Stage == wfv::ShaderBuilder::Variant::Projected &&
+      (r.Kind == Primitive::Triangles || r.Kind == Primitive::Lines));
 }
 
 // What the fragment stage has as its place in view coordinates: the stock position, which light
@@ -182,6 +178,16 @@ bool KeepsPlace(const Request& r, const std::string& fragment)
 {
   const bool writesData = MovesVertices(r) && fragment.find("wfvData(") != std::string::npos;
   return !Covers(r) && (WritesDepth(r) || writesData) && PlaceOf(r, fragment) == OwnPlace;
+}
+
+// VTK's own geometry stage takes the output along.
+void TakePlaceAlong(const Request& r, std::string& geometry)
+{
+  const std::string behind = "wfvPlaceGSOutput"; // VTK renames the input of the fragment stage so
+  stock::Replace(geometry, Edit::StripVertex,
+    behind + " = " + OwnPlace + "[i];\n      $&", r.Stock.If(r.Kind == Primitive::Lines));
+  wfv::ShaderBuilder::Declare(
+    geometry, "in vec3 " + OwnPlace + "[];\nout vec3 " + behind + ";\n");
 }
 
 // What is needed for that.
@@ -217,7 +223,19 @@ void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std:
     declarations += depth_fragment_glsl;
     before = "  wfvPrepareDepth(" + PlaceOf(r, fragment) + ".xyz);\n" + RewriteDepth(r, fragment);
   }
-  declarations += wfv::line::DrawsChords(r) ? wfv::line::ChordFragment(r, varyings, fragment) : "";
+  else
+  {
+    RewriteOffset(fragment);
+  }
+  if (wfv::line::DrawsChords(r))
+  {
+    declarations += wfv::line::ChordFragment(r, varyings, fragment);
+  }
+  else if (r.Kind == Primitive::Lines && !covers)
+  {
+    declarations += wfv::line::StockFragment(r, fragment);
+  }
+  declarations += depth_offset_glsl;
   const std::string border = BorderSource(r);
   declarations += border;
   after += border.empty() ? "" : "  if (wfvOutsideDomain()) { discard; }\n";
@@ -302,7 +320,10 @@ void wfv::ShaderBuilder::Finish(
   {
     WrapMain(vertex, "", "  gl_Position = wfvSeenVertex(gl_Position);\n");
     // without a geometry stage the view's own text follows
-    Declare(vertex, (NeedsGeometryStage(r) ? ViewSource(r) : "") + stereo_vertex_glsl);
+    const bool pieces = r.Kind == Primitive::Triangles || r.Kind == Primitive::Lines;
+    Declare(vertex,
+      (NeedsGeometryStage(r) ? ViewSource(r) : "") + Define("WFV_PIECES", pieces) +
+        stereo_vertex_glsl);
   }
   if (wfv::quadric::Draws(r.Kind))
   {
@@ -316,13 +337,10 @@ void wfv::ShaderBuilder::Finish(
   {
     WrapMain(vertex, "", "  " + OwnPlace + " = gl_Position.xyz;\n");
     Declare(vertex, "out vec3 " + OwnPlace + ";\n");
-  }
-  if (r.Stage == Variant::Tessellate)
-  {
-    // drivers disagree on gl_PrimitiveIDIn behind a tessellation: a number of our own,
-    // which the evaluation stage sets
-    Declare(vertex, "flat out int wfvPrimitive;\n");
-    WrapMain(vertex, "", "  wfvPrimitive = 0;\n");
+    if (!geometry.empty() && !NeedsGeometryStage(r))
+    {
+      TakePlaceAlong(r, geometry);
+    }
   }
   const std::vector<Varying> varyings = FindVaryings(vertex);
   FinishVertices(r, varyings, vertex, geometry);

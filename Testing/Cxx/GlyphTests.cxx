@@ -23,7 +23,7 @@ namespace
 constexpr int GlyphPicture[2] = { 480, 240 };
 
 // Of the pixels: what `auto` may show that a ray does not see, beside silhouettes and of what is
-// thinner than a pixel (Documentation/design/clusters.md).
+// thinner than a pixel (Documentation/design/refine.md).
 constexpr double Beside = 2e-4;
 constexpr int MostBeside = static_cast<int>(Beside * GlyphPicture[0] * GlyphPicture[1]);
 

@@ -54,9 +54,11 @@ bool Has(const std::string& text, const std::string& part)
 TEST(ShaderBuilder, PlainProjectsInTheVertexStageAlone)
 {
   const Sources s = Build("hammer", Builder::Variant::Projected, Builder::Primitive::Triangles);
-  EXPECT_TRUE(Has(s.VertexStage, "wfvProjectVertex(gl_Position.xyz)"));
+  EXPECT_TRUE(Has(s.VertexStage, "wfvProjectBeside(gl_Position.xyz)"));
   EXPECT_TRUE(s.GeometryStage.empty());
-  EXPECT_EQ(s.FragmentStage, Fragment); // nothing to do there: early depth tests stay
+  // the place of a fragment has its depth
+  EXPECT_TRUE(Has(s.FragmentStage, "wfvPrepareDepth(wfvPlaceVSOutput.xyz);"));
+  EXPECT_FALSE(Has(s.FragmentStage, "float z = gl_FragCoord.z"));
 }
 
 TEST(ShaderBuilder, PreClipCarriesEveryOutputByThreeCorners)
@@ -83,8 +85,7 @@ TEST(ShaderBuilder, TrianglesKeepAllDigitsOfTheirCorners)
 {
   Builder::Request request;
   request.View.Projection = wfv::FindProjection("hammer");
-  for (auto variant :
-    { Builder::Variant::Exact, Builder::Variant::Tessellate, Builder::Variant::Projected })
+  for (auto variant : { Builder::Variant::Exact, Builder::Variant::Projected })
   {
     request.Stage = variant;
     Sources s;

@@ -371,7 +371,6 @@ std::vector<Scene> Surfaces()
     { "unlit", [](Window& t) { Look(t, Ball())->LightingOff(); } },
     { "by vertices", [](Window& t) { t.Pass()->SetTechniqueToVertex(), Add(t, Ball(false)); } },
     { "exact", [](Window& t) { t.Pass()->SetTechniqueToExact(), Add(t, Ball(false)); } },
-    { "tessellated", [](Window& t) { t.Pass()->SetTechniqueToTessellate(), Add(t, Ball()); } },
     { "debug view", [](Window& t) { t.Pass()->DebugViewOn(), FillTexture(t); } },
     { "edges", [](Window& t) { Look(t, Ball())->EdgeVisibilityOn(); } },
     { "texture", FillTexture },

@@ -36,7 +36,7 @@ MODULE = (
     ("Module/Projections",),
     ("Module/Stereo", "Module/Compat", "Module/Presets"),
     ("Module/Drawables/Kinds",),
-    ("Module/Camera", "Module/Clusters"),
+    ("Module/Camera", "Module/Refine"),
     ("Module/Shaders",),
     ("Module/Drawables",),
     ("Module/Frame",),

@@ -237,9 +237,9 @@ class Shown(ViewerTest):
             stdout=subprocess.PIPE, check=True).stdout.decode().split()
         self.assertEqual(seen, set(listed) - {"direction-map"})
         self.assertEqual(viewer.state()["projection"], "equirectangular")
-        seen = [viewer.key("t")["technique"] for _ in range(6)]
+        seen = [viewer.key("t")["technique"] for _ in range(5)]
         self.assertEqual(
-            seen, ["exact", "tessellate", "preclip", "vertex", "cubemap", "auto"])
+            seen, ["exact", "preclip", "vertex", "cubemap", "auto"])
 
     def test_wheel_changes_the_field_of_view(self):
         viewer = self.start()
