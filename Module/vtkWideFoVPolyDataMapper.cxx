@@ -33,7 +33,7 @@ struct vtkWideFoVPolyDataMapper::Internals
   wfv::PropKeys Keys; // of the actor that is drawn, where no pass draws it
   wfv::MeshDraw Polygons{ false };
   wfv::MeshDraw Strips{ true };
-  wfv::LineDraw Lines[PrimitiveEnd]; // of each kind of primitives that is drawn as lines
+  wfv::LineDraw Lines[PrimitiveEnd];       // of each kind of primitives that is drawn as lines
   vtkOpenGLRenderWindow* Window = nullptr; // that is drawn to
   vtkWideFoVStage* Stage = nullptr;        // that is attached to the actor that is drawn
 

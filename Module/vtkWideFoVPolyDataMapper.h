@@ -5,8 +5,8 @@
  *
  * Once this library is loaded VTK makes one for whoever asks for a vtkPolyDataMapper.
  * Where there is no render pass it brings what vtkWideFoVPass adds to stock mappers. Under
- * a vtkWideFoVPass it leaves the work to the pass, but refines its triangles. With any other camera, or with the
- * projection "perspective", it is vtkOpenGLPolyDataMapper, to the pixel.
+ * a vtkWideFoVPass it leaves the work to the pass, but refines its triangles. With any other
+ * camera, or with the projection "perspective", it is vtkOpenGLPolyDataMapper, to the pixel.
  */
 
 #ifndef vtkWideFoVPolyDataMapper_h

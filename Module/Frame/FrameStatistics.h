@@ -38,7 +38,8 @@ struct FrameStatistics
   int ChosenProps = 0;
   int ClassifiedMeshes = 0;
 
-  // Seconds that the refinement of meshes, lines and copies took in this frame; 0 if nothing changed.
+  // Seconds that the refinement of meshes, lines and copies took in this frame; 0 if nothing
+  // changed.
   double RefineTime = 0;
 
   // Of all frames so far: shader programs that were made, the seconds that it took to write their

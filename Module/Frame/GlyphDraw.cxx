@@ -367,8 +367,8 @@ void GlyphDraw::ArrayBuffers::AddAttributes(
   vtkOpenGLVertexArrayObject* vao, vtkShaderProgram* program, int divisor) const
 {
   constexpr int size = sizeof(float);
-  vao->AddAttributeMatrixWithDivisor(program, this->Matrices, "GCMCMatrix", 0, 16 * size, VTK_FLOAT,
-    4, false, divisor, 4 * size);
+  vao->AddAttributeMatrixWithDivisor(
+    program, this->Matrices, "GCMCMatrix", 0, 16 * size, VTK_FLOAT, 4, false, divisor, 4 * size);
   if (this->HasNormals && program->IsAttributeUsed("glyphNormalMatrix"))
   {
     vao->AddAttributeMatrixWithDivisor(program, this->Normals, "glyphNormalMatrix", 0, 9 * size,
@@ -428,9 +428,10 @@ void GlyphDraw::DrawPieces()
     this->Numbers.Activate(program, "wfvNumbers");
     program->SetUniformi("wfvFirstNumber", 0);
   }
-  this->Buffers.Draw(program, GL_TRIANGLES, [this](vtkOpenGLVertexArrayObject* vao, vtkShaderProgram* drawn) {
-    this->PieceArrays.AddAttributes(vao, drawn, 0);
-  });
+  this->Buffers.Draw(
+    program, GL_TRIANGLES, [this](vtkOpenGLVertexArrayObject* vao, vtkShaderProgram* drawn) {
+      this->PieceArrays.AddAttributes(vao, drawn, 0);
+    });
   this->Numbers.Deactivate();
 }
 

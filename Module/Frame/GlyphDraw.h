@@ -75,7 +75,8 @@ private:
     bool HasNormals = false;
 
     void Upload(const GlyphArrays& arrays);
-    void AddAttributes(vtkOpenGLVertexArrayObject* vao, vtkShaderProgram* program, int divisor) const;
+    void AddAttributes(
+      vtkOpenGLVertexArrayObject* vao, vtkShaderProgram* program, int divisor) const;
     void ReleaseGraphicsResources();
   };
 
@@ -92,7 +93,8 @@ private:
   bool Prepare(); // false if the stage draws all copies as they are
   void Download();
   void Refine(vtkPolyData* source);
-  void RefineCopy(const Refiner& refiner, vtkPolyData* source, std::size_t copy, Found& found) const;
+  void RefineCopy(
+    const Refiner& refiner, vtkPolyData* source, std::size_t copy, Found& found) const;
   void Gather(const std::vector<Found>& found);
   void SetOwnNumbers(vtkShaderProgram* program);
   void DrawFine();

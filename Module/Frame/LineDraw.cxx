@@ -23,8 +23,8 @@ constexpr std::size_t LeastSegments = 1024;
 
 // The values of a buffer from one place on, in OpenGL's own bytes.
 template <typename Value>
-std::vector<Value> ReadBuffer(vtkOpenGLBufferObject* buffer, unsigned int target,
-  std::size_t first, std::size_t count)
+std::vector<Value> ReadBuffer(
+  vtkOpenGLBufferObject* buffer, unsigned int target, std::size_t first, std::size_t count)
 {
   std::vector<Value> values(count);
   buffer->Bind();
@@ -50,11 +50,10 @@ void LineDraw::Read(const DrawnPart& part)
     index -= part.FirstVertex;
   }
   this->Ends.Take(this->Copy);
-  vtkOpenGLVertexBufferObject* const vertices =
-    VertexBufferAccess::Of(part.Buffers).at("vertexMC");
+  vtkOpenGLVertexBufferObject* const vertices = VertexBufferAccess::Of(part.Buffers).at("vertexMC");
   const std::size_t stride = vertices->GetStride() / sizeof(float);
-  const std::vector<float> all = ReadBuffer<float>(
-    vertices, GL_ARRAY_BUFFER, stride * part.FirstVertex, stride * part.Vertices);
+  const std::vector<float> all =
+    ReadBuffer<float>(vertices, GL_ARRAY_BUFFER, stride * part.FirstVertex, stride * part.Vertices);
   const bool moved = vertices->GetCoordShiftAndScaleEnabled();
   this->Places.resize(3 * static_cast<std::size_t>(part.Vertices));
   for (std::size_t i = 0; i < this->Places.size(); i++)
@@ -76,10 +75,10 @@ bool LineDraw::Prepare(
   }
   double toMap[16];
   stages->GetToMap(actor, toMap);
-  const bool read = this->Time == time && this->FirstIndex == part.FirstIndex &&
-    this->Indices == part.Indices;
-  const bool still = this->Known && read && std::equal(toMap, toMap + 16, this->ToMap) &&
-    this->View == view;
+  const bool read =
+    this->Time == time && this->FirstIndex == part.FirstIndex && this->Indices == part.Indices;
+  const bool still =
+    this->Known && read && std::equal(toMap, toMap + 16, this->ToMap) && this->View == view;
   if (!still)
   {
     this->Known = true;

@@ -17,8 +17,7 @@ class LineDraw
 public:
   // Refines the segments of a part for this actor and frame where anything has changed. time: when
   // the mapper's buffers were built. False if the stage draws all segments as they are.
-  bool Prepare(
-    const DrawnPart& part, vtkMTimeType time, vtkActor* actor, vtkWideFoVStage* stage);
+  bool Prepare(const DrawnPart& part, vtkMTimeType time, vtkActor* actor, vtkWideFoVStage* stage);
 
   // Draws what was prepared.
   void Draw(const DrawnPart& part, vtkOpenGLRenderWindow* window)

@@ -23,8 +23,8 @@ public:
   {
   }
 
-  // Refines a mesh for this actor and frame where anything has changed. False if the stage draws all
-  // triangles as they are.
+  // Refines a mesh for this actor and frame where anything has changed. False if the stage draws
+  // all triangles as they are.
   bool Prepare(vtkPolyData* data, vtkActor* actor, vtkWideFoVStage* stage);
 
   // Draws what was prepared.

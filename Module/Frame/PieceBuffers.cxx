@@ -45,7 +45,8 @@ void Mix(const Value* from, const Corners& corners, const Pieces& pieces, std::s
           : w[1] == 0                  ? w[0] * a[k] + w[2] * c[k]
           : w[0] == 0                  ? w[1] * b[k] + w[2] * c[k]
                                        : w[0] * a[k] + w[1] * b[k] + w[2] * c[k];
-        to[components * i + k] = static_cast<Value>(std::is_integral<Value>::value ? mixed + 0.5 : mixed);
+        to[components * i + k] =
+          static_cast<Value>(std::is_integral<Value>::value ? mixed + 0.5 : mixed);
       }
     }
   });
@@ -67,7 +68,8 @@ void PieceBuffers::LoadAttribute(Attribute& attribute, vtkOpenGLVertexBufferObje
     glMapBufferRange(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(size), GL_MAP_READ_BIT);
   if (data && attribute.Type == VTK_UNSIGNED_CHAR)
   {
-    Mix(static_cast<const unsigned char*>(data), corners, pieces, firstVertex, stride, mixed.data());
+    Mix(
+      static_cast<const unsigned char*>(data), corners, pieces, firstVertex, stride, mixed.data());
   }
   else if (data)
   {
@@ -149,8 +151,7 @@ void PieceBuffers::Draw(
     }
   }
   this->Indices->Bind();
-  glDrawElements(
-    mode, static_cast<GLsizei>(this->Indices->IndexCount), GL_UNSIGNED_INT, nullptr);
+  glDrawElements(mode, static_cast<GLsizei>(this->Indices->IndexCount), GL_UNSIGNED_INT, nullptr);
   this->Indices->Release();
   this->Array->Release();
 }

@@ -27,19 +27,18 @@ namespace wfv
 class PieceBuffers
 {
 public:
-  // Fills the buffers unless they hold these pieces of these vertices already. corners: of the mesh;
-  // firstVertex: of the mesh in the mapper's buffers.
+  // Fills the buffers unless they hold these pieces of these vertices already. corners: of the
+  // mesh; firstVertex: of the mesh in the mapper's buffers.
   void Load(const Pieces& pieces, const Corners& corners, vtkOpenGLVertexBufferObjectGroup* source,
     unsigned int firstVertex);
 
   // The pieces are other ones from now on.
   void Forget() { this->Loaded = false; }
 
-  // Draws the pieces with a program that is bound. mode: GL_TRIANGLES or GL_LINES. addOthers: adds attributes that the mapper's
-  // buffers do not have. The caller binds its own vertex array again.
+  // Draws the pieces with a program that is bound. mode: GL_TRIANGLES or GL_LINES. addOthers: adds
+  // attributes that the mapper's buffers do not have. The caller binds its own vertex array again.
   using AddAttributes = std::function<void(vtkOpenGLVertexArrayObject*, vtkShaderProgram*)>;
-  void Draw(
-    vtkShaderProgram* program, unsigned int mode, const AddAttributes& addOthers = nullptr);
+  void Draw(vtkShaderProgram* program, unsigned int mode, const AddAttributes& addOthers = nullptr);
 
   void ReleaseGraphicsResources();
 

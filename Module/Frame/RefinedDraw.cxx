@@ -166,8 +166,7 @@ void RefinedDraw::DrawFine(
 {
   const bool asked = part.Helper->Program->IsUniformUsed("wfvNumbers");
   // should the mapper have other primitives than the mesh, its indices do not serve
-  const bool same =
-    part.Indices == static_cast<std::size_t>(this->NumberOfCorners * this->Total);
+  const bool same = part.Indices == static_cast<std::size_t>(this->NumberOfCorners * this->Total);
   const bool numbered = asked || !same;
   this->LoadFine(corners, numbered);
   if (asked)
@@ -204,8 +203,7 @@ void RefinedDraw::DrawPieces(
   part.Helper->VAO->Bind();
 }
 
-void RefinedDraw::Draw(
-  const DrawnPart& part, const Corners& corners, vtkOpenGLRenderWindow* window)
+void RefinedDraw::Draw(const DrawnPart& part, const Corners& corners, vtkOpenGLRenderWindow* window)
 {
   if (!part.Helper->Program)
   {

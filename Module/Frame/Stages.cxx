@@ -205,8 +205,7 @@ vtkWideFoVStage* wfv::Stages::Choose(vtkProp* prop, const double* bounds, wfv::P
   return this->ChooseByBounds(bounds, traits);
 }
 
-vtkWideFoVStage* wfv::Stages::ChooseByBounds(
-  const double bounds[6], const wfv::PropTraits& traits)
+vtkWideFoVStage* wfv::Stages::ChooseByBounds(const double bounds[6], const wfv::PropTraits& traits)
 {
   const bool discontinuous = vtkWideFoVNeedsPreClip(
     *this->Projection, this->View, bounds, this->WorldToView, this->GetPointFootprint(traits));

@@ -180,8 +180,8 @@ private:
   const wfv::Projection* Projection = nullptr;
   bool ByPixels = false; // the rays of an eye begin in several places, or are curved
   const wfv::StereoModel* Stereo = nullptr;
-  bool IsExact() const;  // every triangle is ray-tested
-  bool Refines() const;  // meshes are refined, where their mapper can
+  bool IsExact() const; // every triangle is ray-tested
+  bool Refines() const; // meshes are refined, where their mapper can
   bool IsFat(vtkProp* prop, const double* bounds, const wfv::PropTraits& traits) const;
   bool IsCoarse(const double* bounds, const wfv::PropTraits& traits) const;
   wfv::WfvView View;

@@ -67,8 +67,7 @@ vtkIdType CountFew(vtkActor* actor)
   vtkMapper* const mapper = actor->GetMapper();
   auto* const mesh = mapper ? vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0)) : nullptr;
   const bool surface = actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
-  const bool few = mesh && surface &&
-    mesh->GetPolys()->GetNumberOfConnectivityIds() < FewCorners &&
+  const bool few = mesh && surface && mesh->GetPolys()->GetNumberOfConnectivityIds() < FewCorners &&
     mesh->GetStrips()->GetNumberOfConnectivityIds() < FewCorners;
   return few ? mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() : 0;
 }

@@ -41,8 +41,7 @@ private:
   void operator=(const vtkWideFoVCompositeHelper&) = delete;
 
   // Draws one kind of primitives refined. False if the superclass is to draw it.
-  bool DrawRefined(
-    int primitive, vtkRenderer* renderer, vtkActor* actor, vtkWideFoVStage* stage);
+  bool DrawRefined(int primitive, vtkRenderer* renderer, vtkActor* actor, vtkWideFoVStage* stage);
   bool Refine(int primitive, bool lines, vtkActor* actor, vtkWideFoVStage* stage);
   void DrawBlocks(int primitive, bool lines, vtkRenderer* renderer, vtkActor* actor);
   wfv::DrawnPart PartOf(const BlockOfMapper& block, int primitive);

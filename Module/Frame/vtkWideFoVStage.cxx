@@ -103,15 +103,27 @@ private:
 
 }
 
+namespace
+{
+// True where the picture shows the end of a map whose seam is curved: a corner lies outside of it.
+bool ShowsCurvedSeam(const wfv::View& view)
+{
+  const wfv::Projection& map = view.GetProjection();
+  return map.Axis == wfv::Family::Meridian && !map.StraightSeam &&
+    !map.Unproject(wfv::vec2(1, 1), view.GetParameters()).inside;
+}
+}
+
 //------------------------------------------------------------------------------
-// What of a view is text of the shaders.
+// Notes the parts of a view that are text of the shaders.
 void vtkWideFoVStage::NoteView(const wfv::View& view)
 {
   const bool tilts = !this->Seen.Tilted && view.GetParameters().tilt != wfv::vec2(1, 0);
   const bool bends = !this->Seen.Lensed && view.GetParameters().lens.x != 0;
   const wfv::StereoModel* const stereo = view.GetStereoModel();
   const bool fades = !this->Seen.Fades && stereo && stereo->Fades(view.GetParameters());
-  if (&view.GetProjection() != this->Seen.Projection || tilts || bends || fades ||
+  const bool ends = !this->Seen.Seam && ShowsCurvedSeam(view);
+  if (&view.GetProjection() != this->Seen.Projection || tilts || bends || fades || ends ||
     stereo != this->Seen.Stereo || view.GetParameters().depthMapping != this->Seen.DepthMapping)
   {
     this->Seen.Projection = &view.GetProjection();
@@ -120,6 +132,7 @@ void vtkWideFoVStage::NoteView(const wfv::View& view)
     this->Seen.Tilted = this->Seen.Tilted || tilts;
     this->Seen.Lensed = this->Seen.Lensed || bends;
     this->Seen.Fades = this->Seen.Fades || fades;
+    this->Seen.Seam = this->Seen.Seam || ends;
     this->SourceTime.Modified();
   }
 }
@@ -240,8 +253,7 @@ bool Refines(vtkAbstractMapper* mapper, vtkProp* prop)
 namespace
 {
 // True if the mapper draws these primitives refined. Copies of glyphs have refined triangles only.
-bool IsRefined(
-  const wfv::ShaderBuilder::Request& request, vtkAbstractMapper* mapper, vtkProp* prop)
+bool IsRefined(const wfv::ShaderBuilder::Request& request, vtkAbstractMapper* mapper, vtkProp* prop)
 {
   using Primitive = wfv::ShaderBuilder::Primitive;
   const bool triangles = request.Kind == Primitive::Triangles && !request.Triangles.Edges;
@@ -268,8 +280,7 @@ wfv::ShaderBuilder::Request vtkWideFoVStage::MakeRequest(
   {
     MapperAccess::Describe(polydata, this->Renderer, actor, request);
   }
-  if (request.Stage == Variant::Projected && !this->Clipless &&
-    !IsRefined(request, mapper, prop))
+  if (request.Stage == Variant::Projected && !this->Clipless && !IsRefined(request, mapper, prop))
   {
     request.Stage = this->Unrefined;
   }

@@ -183,7 +183,7 @@ private:
 
   // What is the same for all props of a frame.
   void SetFrameParameters(vtkShaderProgram* program, const int viewport[4]);
-  void SetRimUniform(vtkShaderProgram* program);
+  void SetSkirtUniform(vtkShaderProgram* program);
 
   // Says that a draw follows, which therefore may have the camera's matrices.
   void Announce() const;

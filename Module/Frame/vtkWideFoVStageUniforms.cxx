@@ -98,8 +98,7 @@ namespace
 // Factor and units of the polygon offset, as stock VTK chooses them.
 void SetPolygonOffset(vtkShaderProgram* program, vtkMapper* mapper, vtkProperty* property)
 {
-  const bool edges =
-    property->GetEdgeVisibility() && property->GetRepresentation() == VTK_SURFACE;
+  const bool edges = property->GetEdgeVisibility() && property->GetRepresentation() == VTK_SURFACE;
   double offset[2] = { 0, 0 };
   if (mapper && (edges || vtkMapper::GetResolveCoincidentTopology() == VTK_RESOLVE_POLYGON_OFFSET))
   {
@@ -110,19 +109,23 @@ void SetPolygonOffset(vtkShaderProgram* program, vtkMapper* mapper, vtkProperty*
 }
 }
 
-// Vertices within half a tolerance of the antipode are moved outwards by half a tolerance.
-void vtkWideFoVStage::SetRimUniform(vtkShaderProgram* program)
+// The factor that moves the outer vertices of a skirt by two tolerances at least.
+void vtkWideFoVStage::SetSkirtUniform(vtkShaderProgram* program)
 {
-  if (!program->IsUniformUsed("wfvRim"))
+  if (!program->IsUniformUsed("wfvSkirt"))
   {
     return;
   }
-  const bool whole = this->View.maxAngle > wfv::WFV_PI - 1e-4;
-  const double pixel = 2 * std::max(this->View.halfFov.x, this->View.halfFov.y) /
-    std::max(1.0, std::max(this->Pixels.Full.x, this->Pixels.Full.y));
-  const float rim[2] = { whole ? static_cast<float>(0.5 * this->Tolerance * pixel) : 0.0f,
-    static_cast<float>(1 + 0.5 * this->Tolerance * pixel / wfv::WFV_PI) };
-  program->SetUniform2f("wfvRim", rim);
+  const wfv::vec2 half = 0.5 * wfv::vec2(this->Pixels.Full.x, this->Pixels.Full.y);
+  double radius = std::min(half.x, half.y);
+  if (this->Seen.Projection->Axis == wfv::Family::Azimuthal)
+  {
+    const double angle = this->View.maxAngle;
+    const wfv::vec3 rim(std::sin(angle), 0, -std::cos(angle));
+    radius = half.x * std::abs(this->Seen.Projection->Project(rim, this->View).x);
+  }
+  const double factor = 1 + 2 * this->Tolerance / std::max(1.0, radius);
+  program->SetUniformf("wfvSkirt", static_cast<float>(factor));
 }
 
 // Whatever frames before had: what is drawn depends on it, to the last digits.
@@ -154,7 +157,7 @@ void vtkWideFoVStage::SetFrameParameters(vtkShaderProgram* program, const int vi
     const wfv::vec2 stretch = wfv::Stretch(*this->Seen.Projection, this->View);
     program->SetUniformf("wfvStretch", static_cast<float>(std::max(stretch.x, stretch.y)));
   }
-  this->SetRimUniform(program);
+  this->SetSkirtUniform(program);
   wfv::SetTileUniforms(
     program, this->Pixels, this->Tile, viewport, this->View.scale, this->View.center);
 }

@@ -61,8 +61,14 @@ public:
 
 private:
   WfvEnd wfvSeeEnd(const vec3& place) const;
-  double wfvLimitOf(const vec3& seen) const { return this->V.Limits->At(seen); }
-  double wfvStretchOf(const vec3& seen) const { return this->V.Limits->StretchAt(seen); }
+  double wfvLimitOf(const vec3& seen) const
+  {
+    return this->V.Limits->At(seen);
+  }
+  double wfvStretchOf(const vec3& seen) const
+  {
+    return this->V.Limits->StretchAt(seen);
+  }
   vec2 wfvPixelOf(const vec3& seen, double distance);
   bool IsCulled(Box box) const;
   bool IsBesidePicture(const vec3& p, const vec3& q, const vec3& r) const;
@@ -83,7 +89,7 @@ private:
   double MostAzimuth = 4;   // radians: beyond it nothing is in the picture
   double MostSine = 2;      // of the elevation beyond which nothing is in the picture
   double NearReach = 0;     // wfvNearReach(WFV_INSIDE)
-  const vec4 wfvPicture; // its size, pixels, is in the last two
+  const vec4 wfvPicture;    // its size, pixels, is in the last two
 };
 
 // True where three places are on one face of the cube round the eye, so far from its borders.

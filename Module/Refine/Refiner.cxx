@@ -12,7 +12,8 @@ namespace wfv
 {
 namespace
 {
-// Of a pixel: an edge that is shorter is never split. What holds a pole or an antipode ends so small.
+// Of a pixel: an edge that is shorter is never split. What holds a pole or an antipode ends so
+// small.
 constexpr double TinyPixels = 1.0 / 32;
 
 // Over the sine of the angle between a point's direction and that of the ray that meets it: what
@@ -141,8 +142,8 @@ RefineSpace::RefineSpace(const RefineView& view)
   , wfvView(view.View)
   , wfvPicture(0, 0, view.Pixels.x, view.Pixels.y)
 {
-  const double pixel = 2 * std::max(view.View.halfFov.x, view.View.halfFov.y) /
-    std::max(view.Pixels.x, view.Pixels.y);
+  const double pixel =
+    2 * std::max(view.View.halfFov.x, view.View.halfFov.y) / std::max(view.Pixels.x, view.Pixels.y);
   this->wfvRefine.tears = TearsOf(view.Map->Axis);
   this->wfvRefine.tolerance = view.Tolerance;
   // a point so near the circle, at a distance h, is seen this part of a pixel from the pole
@@ -151,8 +152,7 @@ RefineSpace::RefineSpace(const RefineView& view)
   this->wfvRefine.tinyAngle2 = std::pow(TinyPixels * view.Tolerance * pixel, 2);
   this->SetEnd();
   this->wfvRefine.circle = view.EyeRadius;
-  this->wfvRefine.nearCircle =
-    view.Stereo && view.Stereo->Fades(view.View) ? 0 : view.EyeRadius;
+  this->wfvRefine.nearCircle = view.Stereo && view.Stereo->Fades(view.View) ? 0 : view.EyeRadius;
   this->NearReach = this->wfvNearReach(WFV_INSIDE);
   this->wfvRefine.fade = FadeOf(view);
   this->wfvRefine.depthBend = DepthBendOf(view);
@@ -168,20 +168,20 @@ void RefineSpace::SetEnd()
 {
   const WfvView& v = this->V.View;
   const double round = std::min(WFV_PI, v.maxAngle + WFV_OUTSIDE_CHORD);
-  const double moved = 1 + std::max(std::abs(v.center.x), std::abs(v.center.y)) +
-    (this->V.Stereo ? MostEyeShift : 0);
-  const double corner =
-    std::atan(moved * std::hypot(std::tan(std::min(v.halfFov.x, MostPlanarAngle)),
-                std::tan(std::min(v.halfFov.y, MostPlanarAngle))));
+  const double moved =
+    1 + std::max(std::abs(v.center.x), std::abs(v.center.y)) + (this->V.Stereo ? MostEyeShift : 0);
+  const double corner = std::atan(moved *
+    std::hypot(std::tan(std::min(v.halfFov.x, MostPlanarAngle)),
+      std::tan(std::min(v.halfFov.y, MostPlanarAngle))));
   const bool planar = this->V.Map->Axis == Family::Planar;
   // beyond these rims a map folds back, so triangles are cut; others are left to the fragment stage
   const bool folds = this->V.Map->Axis == Family::Azimuthal &&
     (this->V.Map->FlatRim || v.lens.x != 0) && v.maxAngle < WFV_PI - 1e-4;
-  const double pixels = 0.5 * std::max(this->V.Pixels.x, this->V.Pixels.y) / std::max(0.1, v.maxAngle);
+  const double pixels =
+    0.5 * std::max(this->V.Pixels.x, this->V.Pixels.y) / std::max(0.1, v.maxAngle);
   this->wfvRefine.rimCosine = std::cos(v.maxAngle);
-  this->wfvRefine.rimChord = folds
-    ? 0.5 * std::sqrt(this->V.Tolerance * std::sin(v.maxAngle) / pixels)
-    : 0;
+  this->wfvRefine.rimChord =
+    folds ? 0.5 * std::sqrt(this->V.Tolerance * std::sin(v.maxAngle) / pixels) : 0;
   if (this->V.Map->Axis == Family::Azimuthal && v.maxAngle >= WFV_PI - 1e-4)
   {
     // nearer to the antipode an edge that is never split would turn too far along the rim
@@ -320,8 +320,8 @@ bool RefineSpace::IsBesidePicture(const vec3& p, const vec3& q, const vec3& r) c
     nearest = std::min(nearest, level);
     farthest = std::max(farthest, level);
     longest = std::max(longest, glm::length(flat[(i + 1) % 3] - flat[i]));
-    const double turn = std::atan2(
-      flat[i].x * mean.y - flat[i].y * mean.x, glm::dot(flat[i], mean));
+    const double turn =
+      std::atan2(flat[i].x * mean.y - flat[i].y * mean.x, glm::dot(flat[i], mean));
     low = std::min(low, turn);
     high = std::max(high, turn);
   }
@@ -332,7 +332,8 @@ bool RefineSpace::IsBesidePicture(const vec3& p, const vec3& q, const vec3& r) c
     return false;
   }
   const double side = wfvToRight(this->wfvView) < 0 ? -1 : 1;
-  const double turns[2] = { side * std::asin(circle / nearest), side * std::asin(circle / farthest) };
+  const double turns[2] = { side * std::asin(circle / nearest),
+    side * std::asin(circle / farthest) };
   const double from = std::atan2(mean.x, mean.y) + low - std::max(turns[0], turns[1]);
   const double to = std::atan2(mean.x, mean.y) + high - std::min(turns[0], turns[1]);
   // behind is 0
@@ -365,9 +366,8 @@ bool RefineSpace::IsOutside(const vec3& p, const vec3& q, const vec3& r) const
   {
     return true;
   }
-  const bool plane = std::any_of(this->Planes.begin(), this->Planes.end(), [&](const vec3& n) {
-    return glm::dot(n, p) > 0 && glm::dot(n, q) > 0 && glm::dot(n, r) > 0;
-  });
+  const bool plane = std::any_of(this->Planes.begin(), this->Planes.end(),
+    [&](const vec3& n) { return glm::dot(n, p) > 0 && glm::dot(n, q) > 0 && glm::dot(n, r) > 0; });
   if (plane || this->V.Map->Axis != Family::Azimuthal || this->V.View.maxAngle < 0.5 * WFV_PI)
   {
     return plane;
@@ -473,8 +473,7 @@ bool RefineSpace::IsCulled(Box box) const
 
 bool RefineSpace::IsCulled(const vec3& p, const vec3& q, const vec3& r) const
 {
-  return this->IsCulled(
-    Box{ glm::min(p, glm::min(q, r)), glm::max(p, glm::max(q, r)) });
+  return this->IsCulled(Box{ glm::min(p, glm::min(q, r)), glm::max(p, glm::max(q, r)) });
 }
 
 Refiner::Need RefineSpace::OfCluster(const Box& box, double radius, double edge) const
@@ -540,10 +539,9 @@ bool RefineSpace::IsWhole(const WfvEnd e[3]) const
         std::max({ e[0].seen.x, e[1].seen.x, e[2].seen.x }) < -beside ||
         std::max({ e[0].seen.z, e[1].seen.z, e[2].seen.z }) < -beside;
     case WFV_TEARS_PLANAR:
-      return std::all_of(
-        e, e + 3, [end = this->wfvRefine.beyondCosine](const WfvEnd& a) {
-          return -a.seen.z > end * a.distance;
-        });
+      return std::all_of(e, e + 3, [end = this->wfvRefine.beyondCosine](const WfvEnd& a) {
+        return -a.seen.z > end * a.distance;
+      });
     case WFV_TEARS_FACES:
       return IsOnOneFace(e[0].seen, e[1].seen, e[2].seen, 2 * beside);
     default:

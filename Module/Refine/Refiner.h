@@ -35,7 +35,7 @@ struct RefineView
 struct PieceVertex
 {
   std::array<double, 3> Weights; // of the corners; of a segment the third is 0
-  float Aside = 0;               // the side of a discontinuity that it is on (beside_*.glsl); 0: none
+  float Aside = 0; // the side of a discontinuity that it is on (beside_*.glsl); 0: none
 };
 
 // Pieces of triangles, or of segments.
@@ -43,9 +43,9 @@ struct Pieces
 {
   int Corners = 3; // of a primitive: 3 or 2
   std::vector<PieceVertex> Vertices;
-  std::vector<unsigned int> Sources;     // of each vertex, the number of its primitive in the mesh
-  std::vector<unsigned int> Indices;     // of vertices: as many a piece as it has corners
-  std::vector<unsigned int> Numbers;     // of each piece, the number of its primitive in the mesh
+  std::vector<unsigned int> Sources; // of each vertex, the number of its primitive in the mesh
+  std::vector<unsigned int> Indices; // of vertices: as many a piece as it has corners
+  std::vector<unsigned int> Numbers; // of each piece, the number of its primitive in the mesh
 
   void Clear();
   void Append(const Pieces& other);
@@ -75,9 +75,10 @@ public:
   // True where a triangle is drawn as it is. Corners are in the map's own frame.
   bool IsFine(const vec3& a, const vec3& b, const vec3& c) const;
 
-  // Adds the pieces of a triangle that is not fine; none where nothing of it can be seen. number: of
-  // the triangle in its mesh.
-  void Refine(const vec3& a, const vec3& b, const vec3& c, unsigned int number, Pieces& pieces) const;
+  // Adds the pieces of a triangle that is not fine; none where nothing of it can be seen. number:
+  // of the triangle in its mesh.
+  void Refine(
+    const vec3& a, const vec3& b, const vec3& c, unsigned int number, Pieces& pieces) const;
 
   // The same of a segment.
   bool IsFine(const vec3& a, const vec3& b) const;

@@ -91,7 +91,8 @@ int* Subdivision::FindMiddle(int a, int b)
     }
   }
   const std::size_t mask = this->Middles.size() - 1;
-  std::size_t at = (static_cast<std::size_t>(a) * 73856093u ^ static_cast<std::size_t>(b) * 19349663u) & mask;
+  std::size_t at =
+    (static_cast<std::size_t>(a) * 73856093u ^ static_cast<std::size_t>(b) * 19349663u) & mask;
   while (this->Middles[at].A >= 0 && (this->Middles[at].A != a || this->Middles[at].B != b))
   {
     at = (at + 1) & mask;
@@ -143,7 +144,8 @@ double Subdivision::Angle2(int a, int b) const
   const WfvEnd& p = this->Nodes[a].End;
   const WfvEnd& q = this->Nodes[b].End;
   const vec3 way = q.place - p.place;
-  return glm::dot(way, way) / std::max(1e-300, std::min(glm::dot(p.place, p.place), glm::dot(q.place, q.place)));
+  return glm::dot(way, way) /
+    std::max(1e-300, std::min(glm::dot(p.place, p.place), glm::dot(q.place, q.place)));
 }
 
 bool Subdivision::IsOutside(int a, int b, int c, int depth) const
@@ -165,8 +167,7 @@ void Subdivision::Triangle(int a, int b, int c, int depth)
   }
   const int middles[3] = { this->Split(b, c), this->Split(c, a), this->Split(a, b) };
   const int nodes[3] = { a, b, c };
-  const int split =
-    (middles[0] != None) + (middles[1] != None) + (middles[2] != None);
+  const int split = (middles[0] != None) + (middles[1] != None) + (middles[2] != None);
   if (split == 0 || depth >= MostDepth)
   {
     this->Leaf(a, b, c);
@@ -208,8 +209,7 @@ void Subdivision::Quads(const Strip& s, int depth)
   if ((middles[0] == None && middles[1] == None) || depth >= MostDepth)
   {
     // the shorter diagonal; rungs that are too long after all are split as well
-    const bool first =
-      this->Angle2(s.Low[0], s.High[1]) <= this->Angle2(s.High[0], s.Low[1]);
+    const bool first = this->Angle2(s.Low[0], s.High[1]) <= this->Angle2(s.High[0], s.Low[1]);
     this->Piece(s.Low[0], s.High[0], first ? s.High[1] : s.Low[1], depth + 1);
     this->Piece(first ? s.Low[0] : s.High[0], s.High[1], s.Low[1], depth + 1);
     return;
@@ -218,8 +218,8 @@ void Subdivision::Quads(const Strip& s, int depth)
   for (int i = 0; i < 2; i++)
   {
     const int other = middles[1 - i];
-    const bool low = middles[i] == None &&
-      this->Angle2(other, s.Low[i]) <= this->Angle2(other, s.High[i]);
+    const bool low =
+      middles[i] == None && this->Angle2(other, s.Low[i]) <= this->Angle2(other, s.High[i]);
     at[i] = middles[i] != None ? middles[i] : low ? s.Low[i] : s.High[i];
   }
   this->Quads(Strip{ { s.Low[0], s.Low[1] }, { at[0], at[1] } }, depth + 1);
@@ -329,12 +329,43 @@ void Subdivision::AtMeridian(const int nodes[3])
       const double x = side * e.seen.x;
       return std::abs(x) <= RefineSpace::Beside * e.distance ? 0 : x;
     };
-    const bool any = std::any_of(nodes, nodes + 3,
-      [&](int node) { return measure(this->Nodes[node].End) > 0; });
+    const bool any =
+      std::any_of(nodes, nodes + 3, [&](int node) { return measure(this->Nodes[node].End) > 0; });
     if (any)
     {
       this->Cut(this->Polygon, measure);
       this->AddPolygon(this->Polygon, side);
+      if (!this->Space->GetView().Map->StraightSeam)
+      {
+        this->AddSkirt(this->Polygon, side, 2 * side, [&](int node) {
+          const WfvEnd& e = this->Nodes[node].End;
+          return measure(e) == 0 && e.seen.z > 0;
+        });
+      }
+    }
+  }
+}
+
+// Two triangles reach from each chord of a curved border across it. atBorder: whether a node is there.
+template <typename AtBorder>
+void Subdivision::AddSkirt(
+  const std::vector<int>& polygon, double side, double outside, const AtBorder& atBorder)
+{
+  if (this->Out->Corners == 2 || this->Space->GetNumbers().depthBend > 0)
+  {
+    return; // the border of a picture that is shifted by depth is elsewhere at each depth
+  }
+  for (std::size_t i = 0; i < polygon.size(); i++)
+  {
+    const int a = polygon[i];
+    const int b = polygon[(i + 1) % polygon.size()];
+    if (atBorder(a) && atBorder(b))
+    {
+      const unsigned int inner[2] = { this->VertexOf(a, side), this->VertexOf(b, side) };
+      const unsigned int outer[2] = { this->VertexOf(a, outside), this->VertexOf(b, outside) };
+      this->Out->Indices.insert(
+        this->Out->Indices.end(), { inner[0], outer[0], outer[1], inner[0], outer[1], inner[1] });
+      this->Out->Numbers.insert(this->Out->Numbers.end(), 2, this->Number);
     }
   }
 }
@@ -351,9 +382,10 @@ void Subdivision::AtRim(const int nodes[3])
   }
   const double cosine = numbers.rimCosine;
   this->Polygon.assign(nodes, nodes + 3);
-  this->Cut(this->Polygon,
-    [cosine](const WfvEnd& e) { return -e.seen.z / e.distance - cosine; });
+  const auto known = static_cast<int>(this->Nodes.size());
+  this->Cut(this->Polygon, [cosine](const WfvEnd& e) { return -e.seen.z / e.distance - cosine; });
   this->AddPolygon(this->Polygon, 0);
+  this->AddSkirt(this->Polygon, 0, 2, [known](int node) { return node >= known; });
 }
 
 void Subdivision::AtFaces(const int nodes[3])

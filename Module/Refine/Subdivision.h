@@ -20,14 +20,14 @@ public:
     RefineSpace& space, const vec3& a, const vec3& b, unsigned int number, Pieces& pieces);
 
 private:
-  void Begin(RefineSpace& space, const vec3* corners, int count, unsigned int number,
-    Pieces& pieces);
+  void Begin(
+    RefineSpace& space, const vec3* corners, int count, unsigned int number, Pieces& pieces);
   void Segment(int a, int b, int depth);
   void SegmentLeaf(int a, int b);
   struct Node
   {
     WfvEnd End;
-    vec3 Weights;     // of the corners of the triangle
+    vec3 Weights;      // of the corners of the triangle
     int InPieces = -1; // its vertex among the pieces, once it has one
   };
 
@@ -54,6 +54,9 @@ private:
   template <typename Measure>
   void Cut(std::vector<int>& polygon, const Measure& measure);
   void AddPolygon(const std::vector<int>& polygon, double aside);
+  template <typename AtBorder>
+  void AddSkirt(
+    const std::vector<int>& polygon, double side, double outside, const AtBorder& atBorder);
   void AddSegment(const std::vector<int>& polygon, double aside);
   void AddPiece(int a, int b, int c, double aside);
   unsigned int VertexOf(int node, double aside);

@@ -23,8 +23,7 @@ namespace
 bool MovesVertices(const Request& r)
 {
   return r.View.Stereo && !r.View.Stereo->Traits.OneCenter && !wfv::triangle::Covers(r) &&
-    !wfv::quadric::Draws(r.Kind) && !wfv::line::Draws(r) &&
-    !wfv::line::DrawsChords(r);
+    !wfv::quadric::Draws(r.Kind) && !wfv::line::Draws(r) && !wfv::line::DrawsChords(r);
 }
 
 // For the few planes that float32 is too coarse for; without it they are as good as it is.
@@ -69,8 +68,8 @@ std::string GeometrySource(
   std::string source = std::string("//VTK::System::Dec\n") +
     (wfv::triangle::Covers(r) ? Doubles : "") + (runs ? Invocations : "") +
     Define("WFV_MODEL", !toView.empty()) + "#define WFV_TO_VIEW " + toView + "\n" + ViewSource(r) +
-    (r.Kind == Primitive::Points ? "" : EdgeSource()) +
-    (r.DebugView ? debug_kinds_glsl : "") + PrimitiveSource(r, varyings);
+    (r.Kind == Primitive::Points ? "" : EdgeSource()) + (r.DebugView ? debug_kinds_glsl : "") +
+    PrimitiveSource(r, varyings);
   return source;
 }
 
@@ -88,8 +87,7 @@ void FinishVertices(const Request& r, const std::vector<Varying>& varyings, std:
   {
     const bool beside = r.Kind == Primitive::Triangles || r.Kind == Primitive::Lines;
     const std::string project = beside ? "wfvProjectBeside" : "wfvProjectVertex";
-    wfv::ShaderBuilder::WrapMain(
-      vertex, "", "  gl_Position = " + project + "(gl_Position.xyz);\n");
+    wfv::ShaderBuilder::WrapMain(vertex, "", "  gl_Position = " + project + "(gl_Position.xyz);\n");
     wfv::ShaderBuilder::Declare(vertex, ViewSource(r) + (beside ? beside_glsl : ""));
   }
   // not of what asks for extensions itself, as volumes do: nothing may be declared before those
@@ -133,11 +131,10 @@ std::string DebugSource(const Request& r)
     debug_fragment_glsl;
 }
 
-// True where points reach across the curved seam of a map.
+// True where what is drawn reaches across the curved seam of a map.
 bool EndsAtSeam(const Request& r)
 {
-  return r.Kind == Primitive::Points && r.View.Projection->Axis == wfv::Family::Meridian &&
-    !r.View.Projection->StraightSeam;
+  return r.View.Seam && (r.Kind == Primitive::Points || r.Kind == Primitive::Triangles);
 }
 
 // Where the map ends; empty where nothing reaches across. Of curved rays the border is
@@ -184,10 +181,9 @@ bool KeepsPlace(const Request& r, const std::string& fragment)
 void TakePlaceAlong(const Request& r, std::string& geometry)
 {
   const std::string behind = "wfvPlaceGSOutput"; // VTK renames the input of the fragment stage so
-  stock::Replace(geometry, Edit::StripVertex,
-    behind + " = " + OwnPlace + "[i];\n      $&", r.Stock.If(r.Kind == Primitive::Lines));
-  wfv::ShaderBuilder::Declare(
-    geometry, "in vec3 " + OwnPlace + "[];\nout vec3 " + behind + ";\n");
+  stock::Replace(geometry, Edit::StripVertex, behind + " = " + OwnPlace + "[i];\n      $&",
+    r.Stock.If(r.Kind == Primitive::Lines));
+  wfv::ShaderBuilder::Declare(geometry, "in vec3 " + OwnPlace + "[];\nout vec3 " + behind + ";\n");
 }
 
 // What is needed for that.

@@ -17,10 +17,10 @@ class WFV_EXPORT ShaderBuilder
 public:
   enum class Variant
   {
-    Projected,  // the vertex stage projects
-    PreClip,    // a geometry stage clips, then projects
-    Exact,      // the same, every triangle by the ray of each pixel, lines as exact strips
-    Sky         // no primitives: the ray of each pixel (sky/SkyShaders.h)
+    Projected, // the vertex stage projects
+    PreClip,   // a geometry stage clips, then projects
+    Exact,     // the same, every triangle by the ray of each pixel, lines as exact strips
+    Sky        // no primitives: the ray of each pixel (sky/SkyShaders.h)
   };
 
   enum class Primitive
@@ -56,6 +56,7 @@ public:
     bool Tilted = false;      // the view may have a tilt
     bool Lensed = false;      // and a lens
     bool Fades = false;       // the eyes' circle may have a fade
+    bool Seam = false;        // the picture may show a seam that is curved
   };
 
   struct PointTraits

@@ -110,8 +110,8 @@ std::string ViewSource(const Request& r)
     Define("WFV_ROUND", r.View.Projection->Axis == wfv::Family::Azimuthal) +
     Define("WFV_STRAIGHT_SEAM", r.View.Projection->StraightSeam) +
     Define("WFV_FLAT_RIM", r.View.Projection->FlatRim) + Define("WFV_EXACT", IsExact(r)) +
-    Define("WFV_BY_RAYS", r.Triangles.ByRays) +
-    Define("WFV_FP64", r.Triangles.Fp64) + Define("WFV_DEPTH_MAPPING(v)", r.View.DepthMapping) +
+    Define("WFV_BY_RAYS", r.Triangles.ByRays) + Define("WFV_FP64", r.Triangles.Fp64) +
+    Define("WFV_DEPTH_MAPPING(v)", r.View.DepthMapping) +
     Define("WFV_MULTISAMPLE", r.View.Multisample) + Define("WFV_WIDE_LINES", r.Lines.Wide) +
     Define("WFV_EDGES", r.Triangles.Edges || r.DebugView) +
     Define("WFV_EDGE_FLAGS", r.Triangles.EdgeFlags) + Define("WFV_DEBUG_VIEW", r.DebugView) +

@@ -375,6 +375,7 @@ std::vector<Scene> Surfaces()
     { "edges", [](Window& t) { Look(t, Ball())->EdgeVisibilityOn(); } },
     { "texture", FillTexture },
     { "clipped", FillClipped },
+    { "clipped, exact", [](Window& t) { t.Pass()->SetTechniqueToExact(), FillClipped(t); } },
     { "cell colors", FillCellColors },
     { "strips", FillStrips },
   };

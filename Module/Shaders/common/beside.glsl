@@ -2,8 +2,9 @@
 // Projects the vertices of triangles. A piece of a triangle that ends at a discontinuity of the map
 // says on which side of it the vertex is: rounding must not take the vertex to the other side.
 
-// Meridian maps: -1 or 1, the sign of x behind the eye. Maps of faces: 1 to 6, a face of the cube,
-// in the order of wfvFaceOf. 0: the vertex is away from every discontinuity.
+// Meridian maps: -1 or 1, the sign of x behind the eye; -2 or 2: the vertex is moved outwards, across
+// a curved seam. Round maps: 2, the same across the rim. Maps of faces: 1 to 6, a face of the cube, in
+// the order of wfvFaceOf. 0: the vertex is away from every discontinuity.
 in float wfvAside;
 
 // Of the distance: so far beside a discontinuity a vertex is put.
@@ -12,7 +13,8 @@ const float WFV_ASIDE = 1e-6;
 vec3 wfvBeside(vec3 p, float rho)
 {
 #if WFV_MERIDIAN
-  float x = wfvAside * max(wfvAside * p.x, WFV_ASIDE * rho);
+  float side = clamp(wfvAside, -1.0, 1.0);
+  float x = side * max(side * p.x, WFV_ASIDE * rho);
   return wfvAside != 0.0 ? vec3(x, p.y, p.z) : p;
 #elif WFV_FACES
   int axis = (int(wfvAside) - 1) / 2;
@@ -25,19 +27,17 @@ vec3 wfvBeside(vec3 p, float rho)
 #endif
 }
 
-#if WFV_ROUND
-// Round maps that show the antipode: the sine of the angle from it within which vertices are moved
-// outwards, and the factor. Triangles that hold the antipode are left out, and chords of the rim
-// lie inside of it: moved by half of the tolerance, the others reach the rim.
-uniform vec2 wfvRim;
+#if WFV_ROUND || (WFV_MERIDIAN && !WFV_STRAIGHT_SEAM)
+// Maps with a curved border: chords of the border lie inside of it, so a skirt reaches from them
+// across the border, where the fragment stage ends it. The factor moves its outer vertices.
+uniform float wfvSkirt;
 
-vec2 wfvAtRim(vec2 ndc, vec3 p, float rho)
+vec2 wfvAcrossBorder(vec2 ndc)
 {
-  bool near_ = p.z > 0.0 && length(p.xy) < wfvRim.x * rho;
-  return near_ ? ndc * wfvRim.y : ndc;
+  return abs(wfvAside) > 1.5 ? ndc * wfvSkirt : ndc;
 }
 #else
-vec2 wfvAtRim(vec2 ndc, vec3 p, float rho)
+vec2 wfvAcrossBorder(vec2 ndc)
 {
   return ndc;
 }
@@ -48,7 +48,7 @@ vec4 wfvProjectBeside(vec3 p)
 {
   vec3 q = wfvTilt(p, wfvView);
   float rho = wfvLength(q);
-  vec2 ndc = wfvAtRim(wfvProject(wfvBeside(q, rho), wfvView), q, rho);
+  vec2 ndc = wfvAcrossBorder(wfvProject(wfvBeside(q, rho), wfvView));
   // the eye itself has no place in the map: in front of the near sphere, clipped
   return rho > 0.0 ? wfvClip(ndc, rho) : vec4(0.0, 0.0, -2.0, 1.0);
 }

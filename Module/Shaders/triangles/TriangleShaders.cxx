@@ -79,9 +79,8 @@ std::string GeometrySource(const Request& r, const std::vector<Varying>& varying
   // copies of every vertex output at the three corners, which the fragment stage weighs:
   // exact wherever the geometry stage cuts
   return InvocationsSource(r, varyings, KnownOf(r)) + CornerOutputs(varyings, 3, KnownOf(r)) +
-    cover_precision_glsl + OutputsSource(r) +
-    preclip_write_glsl + preclip_emit_glsl + PlaneSource(r) +
-    (NonCentral(r) ? std::string(non_central_glsl) + non_central_edges_glsl : "") +
+    cover_precision_glsl + OutputsSource(r) + preclip_write_glsl + preclip_emit_glsl +
+    PlaneSource(r) + (NonCentral(r) ? std::string(non_central_glsl) + non_central_edges_glsl : "") +
     (CurvedRays(r) ? curved_cover_glsl : "") + preclip_cover_glsl + preclip_narrow_glsl +
     CoverSource(*r.View.Projection) + (r.DebugView ? preclip_kinds_glsl : "") + preclip_seen_glsl +
     (NonCentral(r) ? "" : preclip_grazes_glsl) + preclip_easy_glsl + preclip_measure_glsl +

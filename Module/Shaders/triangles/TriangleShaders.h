@@ -10,7 +10,8 @@ namespace wfv
 {
 namespace triangle
 {
-// True if a geometry stage covers the pictures of triangles, and the fragment stage decides by the ray of each pixel.
+// True if a geometry stage covers the pictures of triangles, and the fragment stage decides by the
+// ray of each pixel.
 bool Covers(const shader::Request& request);
 
 // The geometry stage, behind the mathematics of the view and of edges.

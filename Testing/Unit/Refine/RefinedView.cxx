@@ -28,7 +28,8 @@ vec3 Beside(const vec3& p, Family family, float aside)
   }
   if (family == Family::Meridian)
   {
-    return vec3(aside * std::max(aside * p.x, AsideOfDistance * rho), p.y, p.z);
+    const double side = std::clamp(aside, -1.0f, 1.0f);
+    return vec3(side * std::max(side * p.x, AsideOfDistance * rho), p.y, p.z);
   }
   const int axis = (static_cast<int>(aside) - 1) / 2;
   const double most = (1 - AsideOfDistance) * std::abs(p[axis]);
