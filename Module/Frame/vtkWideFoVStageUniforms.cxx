@@ -109,7 +109,7 @@ void SetPolygonOffset(vtkShaderProgram* program, vtkMapper* mapper, vtkProperty*
 }
 }
 
-// The factor that moves the outer vertices of a skirt by two tolerances at least.
+// The factor that moves the outer vertices of a skirt by two tolerances and a pixel at least.
 void vtkWideFoVStage::SetSkirtUniform(vtkShaderProgram* program)
 {
   if (!program->IsUniformUsed("wfvSkirt"))
@@ -124,7 +124,7 @@ void vtkWideFoVStage::SetSkirtUniform(vtkShaderProgram* program)
     const wfv::vec3 rim(std::sin(angle), 0, -std::cos(angle));
     radius = half.x * std::abs(this->Seen.Projection->Project(rim, this->View).x);
   }
-  const double factor = 1 + 2 * this->Tolerance / std::max(1.0, radius);
+  const double factor = 1 + (2 * this->Tolerance + 1) / std::max(1.0, radius);
   program->SetUniformf("wfvSkirt", static_cast<float>(factor));
 }
 

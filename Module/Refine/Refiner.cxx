@@ -184,9 +184,10 @@ void RefineSpace::SetEnd()
     folds ? 0.5 * std::sqrt(this->V.Tolerance * std::sin(v.maxAngle) / pixels) : 0;
   if (this->V.Map->Axis == Family::Azimuthal && v.maxAngle >= WFV_PI - 1e-4)
   {
-    // nearer to the antipode an edge that is never split would turn too far along the rim
+    // nearer to the antipode an edge that is never split would turn too far along the rim, and a
+    // chord of the rim between two such edges may be twice as long
     const double tiny = std::sqrt(this->wfvRefine.tinyAngle2);
-    const double turn = std::sqrt(8 * this->V.Tolerance / (pixels * WFV_PI));
+    const double turn = 0.5 * std::sqrt(8 * this->V.Tolerance / (pixels * WFV_PI));
     this->wfvRefine.rimCosine = -std::cos(tiny / turn);
     this->wfvRefine.rimChord = tiny;
   }
