@@ -394,28 +394,31 @@ void GlyphDraw::SetOwnNumbers(vtkShaderProgram* program)
     program, static_cast<vtkOpenGLRenderWindow*>(this->Renderer->GetRenderWindow()));
 }
 
-void GlyphDraw::DrawFine()
+// Sets all uniforms of the program; the mapper, which is about to do that, has set a part of them.
+bool GlyphDraw::MakeReady()
 {
   vtkOpenGLHelper& own = HelperAccess::Triangles(this->Helper);
   this->FineHelper.IBO->IndexCount = own.IBO->IndexCount; // which has no indices of its own
   HelperAccess::MakeReady(this->Helper, this->FineHelper, this->Renderer, this->Actor);
-  if (this->FineHelper.Program)
-  {
-    this->SetOwnNumbers(this->FineHelper.Program);
-    this->FineHelper.VAO->Bind();
-    this->FineBuffers.AddAttributes(this->FineHelper.VAO, this->FineHelper.Program, 1);
-    own.IBO->Bind();
-    glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(own.IBO->IndexCount),
-      GL_UNSIGNED_INT, nullptr, static_cast<GLsizei>(this->Fine.Count()));
-    own.IBO->Release();
-  }
+  return this->FineHelper.Program != nullptr;
+}
+
+void GlyphDraw::DrawFine()
+{
+  vtkOpenGLHelper& own = HelperAccess::Triangles(this->Helper);
+  this->SetOwnNumbers(this->FineHelper.Program);
+  this->FineHelper.VAO->Bind();
+  this->FineBuffers.AddAttributes(this->FineHelper.VAO, this->FineHelper.Program, 1);
+  own.IBO->Bind();
+  glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(own.IBO->IndexCount), GL_UNSIGNED_INT,
+    nullptr, static_cast<GLsizei>(this->Fine.Count()));
+  own.IBO->Release();
 }
 
 void GlyphDraw::DrawPieces()
 {
-  vtkShaderProgram* const program = HelperAccess::Triangles(this->Helper).Program;
+  vtkShaderProgram* const program = this->FineHelper.Program;
   auto* const window = static_cast<vtkOpenGLRenderWindow*>(this->Renderer->GetRenderWindow());
-  window->GetShaderCache()->ReadyShaderProgram(program);
   this->Buffers.Load(
     this->Refined, this->Source.GetCorners(), HelperAccess::Buffers(this->Helper), 0);
   if (program->IsUniformUsed("wfvNumbers"))
@@ -448,11 +451,12 @@ void GlyphDraw::Draw(vtkRenderer* renderer, vtkActor* actor, vtkWideFoVStage* st
   this->SetOwnNumbers(own.Program);
   if (this->Prepare())
   {
-    if (this->Fine.Count() > 0)
+    const bool ready = this->MakeReady();
+    if (ready && this->Fine.Count() > 0)
     {
       this->DrawFine();
     }
-    if (!this->Refined.Numbers.empty())
+    if (ready && !this->Refined.Numbers.empty())
     {
       this->DrawPieces();
     }

@@ -97,6 +97,7 @@ private:
     const Refiner& refiner, vtkPolyData* source, std::size_t copy, Found& found) const;
   void Gather(const std::vector<Found>& found);
   void SetOwnNumbers(vtkShaderProgram* program);
+  bool MakeReady();
   void DrawFine();
   void DrawPieces();
 

@@ -388,6 +388,12 @@ std::vector<Scene> Others()
     { "wireframe, flat", [](Window& t) { Look(t, Ball(false))->SetRepresentationToWireframe(); } },
     { "lines", [](Window& t) { Add(t, Line()); } },
     { "wide lines", [](Window& t) { Look(t, Line())->SetLineWidth(9); } },
+    { "lines wider than OpenGL draws", [](Window& t) { Look(t, Line())->SetLineWidth(300); } },
+    { "coincident lines",
+      [](Window& t) {
+        vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
+        Add(t, Line());
+      } },
     { "tubes",
       [](Window& t) {
         Look(t, Line())->SetLineWidth(9);

@@ -103,5 +103,5 @@ TEST(WideLines, AreWhereRaysSeeThem)
 {
   const TestPixels drawn = DrawProps(25, vtkWideFoVPass::AUTO);
   const int covered = CountOther(drawn, LineWindow().Draw());
-  EXPECT_LT(CountOther(drawn, DrawProps(25, vtkWideFoVPass::EXACT)), covered / 20);
+  EXPECT_LT(CountOther(drawn, DrawProps(25, vtkWideFoVPass::EXACT)), covered / 15);
 }
