@@ -42,6 +42,16 @@ struct vtkWideFoVPolyDataMapper::Internals
     return primitive == vtkOpenGLPolyDataMapper::PrimitiveTriStrips ? this->Strips : this->Polygons;
   }
 
+  static wfv::DrawnPart PartOf(vtkOpenGLHelper& helper, vtkOpenGLVertexBufferObjectGroup* buffers)
+  {
+    wfv::DrawnPart part;
+    part.Helper = &helper;
+    part.Buffers = buffers;
+    part.Vertices = static_cast<unsigned int>(buffers->GetNumberOfTuples("vertexMC"));
+    part.Indices = helper.IBO->IndexCount;
+    return part;
+  }
+
   void Finish()
   {
     this->Polygons.Finish();
@@ -157,12 +167,7 @@ bool vtkWideFoVPolyDataMapper::DrawRefined(int primitive, vtkRenderer* renderer,
   {
     return false;
   }
-  vtkOpenGLHelper& helper = this->Primitives[primitive];
-  wfv::DrawnPart part;
-  part.Helper = &helper;
-  part.Buffers = this->VBOs;
-  part.Vertices = static_cast<unsigned int>(this->VBOs->GetNumberOfTuples("vertexMC"));
-  part.Indices = helper.IBO->IndexCount;
+  const wfv::DrawnPart part = Internals::PartOf(this->Primitives[primitive], this->VBOs);
   const bool refined = lines
     ? in.Lines[primitive].Prepare(part, this->VBOBuildTime.GetMTime(), actor, in.Stage)
     : in.Of(primitive).Prepare(this->CurrentInput, actor, in.Stage);
@@ -172,7 +177,7 @@ bool vtkWideFoVPolyDataMapper::DrawRefined(int primitive, vtkRenderer* renderer,
   }
   this->DrawingVertices = this->DrawingSelection = false;
   this->PrimitiveIDOffset = this->CellCellMap->GetPrimitiveOffsets()[primitive];
-  this->UpdateShaders(helper, renderer, actor);
+  this->UpdateShaders(*part.Helper, renderer, actor);
   if (lines)
   {
     if (!this->HaveWideLines(renderer, actor))

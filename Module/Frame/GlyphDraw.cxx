@@ -239,56 +239,49 @@ bool GlyphDraw::Prepare()
 void GlyphDraw::RefineCopy(
   const Refiner& refiner, vtkPolyData* source, std::size_t copy, Found& found) const
 {
-  double b[6];
-  source->GetPoints()->GetBounds(b); // computed before
+  double bounds[6];
+  source->GetPoints()->GetBounds(bounds); // computed before
   const Affine toMap = OfCopy(this->ToMap, this->All.Matrices.data() + 16 * copy);
-  Box box;
-  for (int k = 0; k < 8; k++)
+  switch (refiner.OfCluster(toMap, bounds, this->LongestEdge))
   {
-    box.Add(toMap.Of(b[k & 1], b[2 + ((k >> 1) & 1)], b[4 + ((k >> 2) & 1)]));
+    case Refiner::Unseen:
+      found.CulledTriangles += this->Source.GetNumberOfTriangles();
+      break;
+    case Refiner::Nothing:
+      found.Fine.push_back(copy);
+      break;
+    default:
+      this->RefineTriangles(refiner, source, toMap, copy, found);
+      break;
   }
-  const double scale = toMap.GetScale();
-  const double radius = 0.5 * scale * std::hypot(b[1] - b[0], b[3] - b[2], b[5] - b[4]);
-  const auto triangles = static_cast<unsigned int>(this->Source.GetNumberOfTriangles());
-  const Refiner::Need need = refiner.OfCluster(box, radius, scale * this->LongestEdge);
-  if (need == Refiner::Unseen)
-  {
-    found.CulledTriangles += triangles;
-    return;
-  }
-  if (need == Refiner::Nothing)
-  {
-    found.Fine.push_back(copy);
-    return;
-  }
+}
+
+void GlyphDraw::RefineTriangles(const Refiner& refiner, vtkPolyData* source, const Affine& toMap,
+  std::size_t copy, Found& found) const
+{
   const Corners& corners = this->Source.GetCorners();
   const auto place = [&](unsigned int corner) {
     double p[3];
     source->GetPoint(corners[corner], p);
     return toMap.Of(p[0], p[1], p[2]);
   };
-  std::vector<bool> fine(triangles);
-  unsigned int count = 0;
+  const auto triangles = static_cast<unsigned int>(this->Source.GetNumberOfTriangles());
+  std::vector<unsigned int> fine;
   for (unsigned int i = 0; i < triangles; i++)
   {
-    fine[i] = refiner.IsFine(place(3 * i), place(3 * i + 1), place(3 * i + 2));
-    count += fine[i];
+    if (refiner.Take(place(3 * i), place(3 * i + 1), place(3 * i + 2), i, found.Refined))
+    {
+      fine.push_back(i);
+    }
   }
-  if (count == triangles)
+  if (fine.size() == triangles)
   {
     found.Fine.push_back(copy);
     return;
   }
-  for (unsigned int i = 0; i < triangles; i++)
+  for (const unsigned int i : fine)
   {
-    if (fine[i])
-    {
-      found.Refined.AddWhole(i);
-    }
-    else
-    {
-      refiner.Refine(place(3 * i), place(3 * i + 1), place(3 * i + 2), i, found.Refined);
-    }
+    found.Refined.AddWhole(i);
   }
   found.Copies.resize(found.Refined.Vertices.size(), copy);
 }

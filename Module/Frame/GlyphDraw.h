@@ -95,6 +95,8 @@ private:
   void Refine(vtkPolyData* source);
   void RefineCopy(
     const Refiner& refiner, vtkPolyData* source, std::size_t copy, Found& found) const;
+  void RefineTriangles(const Refiner& refiner, vtkPolyData* source, const Affine& toMap,
+    std::size_t copy, Found& found) const;
   void Gather(const std::vector<Found>& found);
   void SetOwnNumbers(vtkShaderProgram* program);
   bool MakeReady();

@@ -114,15 +114,10 @@ void LineDraw::Refine()
     {
       for (std::size_t i = part * segments / parts; i < (part + 1) * segments / parts; i++)
       {
-        const vec3 a = place(2 * i);
-        const vec3 b = place(2 * i + 1);
-        if (refiner.IsFine(a, b))
+        const auto number = static_cast<unsigned int>(i);
+        if (refiner.Take(place(2 * i), place(2 * i + 1), number, found[part].Refined))
         {
           found[part].AddRun(static_cast<vtkIdType>(i), 1);
-        }
-        else
-        {
-          refiner.Refine(a, b, static_cast<unsigned int>(i), found[part].Refined);
         }
       }
     }

@@ -82,21 +82,13 @@ void MeshDraw::Refine(vtkPolyData* data)
 
 // One cluster: culled, drawn as it is, or asked triangle by triangle.
 template <typename Place>
-void MeshDraw::RefineCluster(
-  const Refiner& refiner, const Place& place, int cluster, Refinement& found) const
+void MeshDraw::RefineCluster(const Refiner& refiner, const Affine& toMap, const Place& place,
+  int cluster, Refinement& found) const
 {
   const vtkIdType first = this->Mesh.GetFirst(cluster);
   const vtkIdType end = this->Mesh.GetEnd(cluster);
-  const std::array<double, 6>& b = this->Mesh.GetBounds(cluster);
-  const Affine toMap(this->ToMap);
-  const double scale = toMap.GetScale();
-  Box box;
-  for (int i = 0; i < 8; i++)
-  {
-    box.Add(toMap.Of(b[i & 1], b[2 + ((i >> 1) & 1)], b[4 + ((i >> 2) & 1)]));
-  }
-  const double radius = 0.5 * scale * std::hypot(b[1] - b[0], b[3] - b[2], b[5] - b[4]);
-  switch (refiner.OfCluster(box, radius, scale * this->Mesh.GetLongestEdge(cluster)))
+  switch (refiner.OfCluster(
+    toMap, this->Mesh.GetBounds(cluster).data(), this->Mesh.GetLongestEdge(cluster)))
   {
     case Refiner::Unseen:
       found.CulledClusters++;
@@ -113,13 +105,10 @@ void MeshDraw::RefineCluster(
   for (vtkIdType i = first; i < end; i++)
   {
     const vec3 p[3] = { place(3 * i), place(3 * i + 1), place(3 * i + 2) };
-    if (refiner.IsFine(p[0], p[1], p[2]))
+    const auto number = static_cast<unsigned int>(i);
+    if (refiner.Take(p[0], p[1], p[2], number, found.Refined))
     {
-      singles.push_back(static_cast<unsigned int>(i));
-    }
-    else
-    {
-      refiner.Refine(p[0], p[1], p[2], static_cast<unsigned int>(i), found.Refined);
+      singles.push_back(number);
     }
   }
   if (static_cast<vtkIdType>(singles.size() - before) == end - first)
@@ -148,7 +137,7 @@ void MeshDraw::RefinePoints(const Real* points)
       const auto end = static_cast<int>((part + 1) * clusters / parts);
       for (auto c = static_cast<int>(part * clusters / parts); c < end; c++)
       {
-        this->RefineCluster(refiner, place, c, found[part]);
+        this->RefineCluster(refiner, toMap, place, c, found[part]);
       }
     }
   });

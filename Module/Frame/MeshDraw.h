@@ -14,6 +14,8 @@ VTK_ABI_NAMESPACE_END
 
 namespace wfv
 {
+struct Affine;
+
 class MeshDraw
 {
 public:
@@ -46,8 +48,8 @@ private:
   template <typename Real>
   void RefinePoints(const Real* points);
   template <typename Place>
-  void RefineCluster(
-    const Refiner& refiner, const Place& place, int cluster, Refinement& found) const;
+  void RefineCluster(const Refiner& refiner, const Affine& toMap, const Place& place, int cluster,
+    Refinement& found) const;
 
   Clusters Mesh;
   RefinedDraw Drawn{ 3 };

@@ -217,7 +217,6 @@ void vtkWideFoVStage::SetPropParameters(vtkShaderProgram* program, vtkAbstractMa
   vtkProp* prop, const wfv::ProgramUses& uses) const
 {
   this->Stages->DrawnKeys.push_back(prop->GetPropertyKeys());
-  using Primitive = wfv::ShaderBuilder::Primitive;
   this->NoteProgram(program, mapper, prop);
   auto* polydata = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
   auto* actor = vtkActor::SafeDownCast(prop);
@@ -236,8 +235,8 @@ void vtkWideFoVStage::SetPropParameters(vtkShaderProgram* program, vtkAbstractMa
   }
   if (uses.FrontCulled)
   {
-    const bool front = property->GetFrontfaceCulling() && !property->GetBackfaceCulling();
-    program->SetUniformi("wfvFrontCulled", front);
+    program->SetUniformi(
+      "wfvFrontCulled", property->GetFrontfaceCulling() && !property->GetBackfaceCulling());
   }
   if (uses.PolygonOffset)
   {
@@ -249,7 +248,7 @@ void vtkWideFoVStage::SetPropParameters(vtkShaderProgram* program, vtkAbstractMa
   }
   if (uses.Pixels)
   {
-    const bool tubes = this->MakeRequest(mapper, prop).Kind == Primitive::Tubes;
+    const bool tubes = this->MakeRequest(mapper, prop).Kind == wfv::ShaderBuilder::Primitive::Tubes;
     program->SetUniformf("wfvPixels", tubes ? property->GetLineWidth() : property->GetPointSize());
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// refine.glsl as C++: the questions that edges and triangles ask of a view.
+// refine_chord.glsl and refine.glsl as C++: the questions that edges and triangles ask of a view.
 #ifndef WideFoVRefineSpace_h
 #define WideFoVRefineSpace_h
 
@@ -56,6 +56,7 @@ public:
   bool IsWhole(const WfvEnd ends[3]) const;
 
 #define float double
+#include "Refine/refine_chord.glsl"
 #include "Refine/refine.glsl"
 #undef float
 

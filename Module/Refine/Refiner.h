@@ -52,6 +52,7 @@ struct Pieces
   void AddWhole(unsigned int number); // a triangle as it is
 };
 
+struct Affine;
 class RefineSpace; // refine.glsl, compiled for a view
 
 class WFV_EXPORT Refiner
@@ -72,17 +73,15 @@ public:
   // that holds it; edge: the longest of its triangles.
   Need OfCluster(const Box& box, double radius, double edge) const;
 
-  // True where a triangle is drawn as it is. Corners are in the map's own frame.
-  bool IsFine(const vec3& a, const vec3& b, const vec3& c) const;
+  // The same of bounds (x min, x max, ...) and an edge in the frame of a mesh.
+  Need OfCluster(const Affine& toMap, const double bounds[6], double edge) const;
 
-  // Adds the pieces of a triangle that is not fine; none where nothing of it can be seen. number:
-  // of the triangle in its mesh.
-  void Refine(
-    const vec3& a, const vec3& b, const vec3& c, unsigned int number, Pieces& pieces) const;
+  // True where a triangle is drawn as it is. Else its pieces are added, none where nothing of it
+  // can be seen. Corners are in the map's own frame. number: of the triangle in its mesh.
+  bool Take(const vec3& a, const vec3& b, const vec3& c, unsigned int number, Pieces& pieces) const;
 
   // The same of a segment.
-  bool IsFine(const vec3& a, const vec3& b) const;
-  void Refine(const vec3& a, const vec3& b, unsigned int number, Pieces& pieces) const;
+  bool Take(const vec3& a, const vec3& b, unsigned int number, Pieces& pieces) const;
 
 private:
   std::unique_ptr<RefineSpace> Space;

@@ -19,7 +19,7 @@ constexpr int None = -2;
 }
 
 void Subdivision::Begin(
-  RefineSpace& space, const vec3* corners, int count, unsigned int number, Pieces& pieces)
+  RefineSpace& space, const WfvEnd* corners, int count, unsigned int number, Pieces& pieces)
 {
   this->Space = &space;
   this->Out = &pieces;
@@ -30,23 +30,22 @@ void Subdivision::Begin(
   for (int i = 0; i < count; i++)
   {
     Node node;
-    node.End = space.wfvEndAt(corners[i]);
+    node.End = corners[i];
     node.Weights = vec3(i == 0, i == 1, i == 2);
     this->Nodes.push_back(node);
   }
 }
 
 void Subdivision::Refine(
-  RefineSpace& space, const vec3 corners[3], unsigned int number, Pieces& pieces)
+  RefineSpace& space, const WfvEnd corners[3], unsigned int number, Pieces& pieces)
 {
   this->Begin(space, corners, 3, number, pieces);
   this->Triangle(0, 1, 2, 0);
 }
 
 void Subdivision::RefineSegment(
-  RefineSpace& space, const vec3& a, const vec3& b, unsigned int number, Pieces& pieces)
+  RefineSpace& space, const WfvEnd ends[2], unsigned int number, Pieces& pieces)
 {
-  const vec3 ends[2] = { a, b };
   this->Begin(space, ends, 2, number, pieces);
   this->Segment(0, 1, 0);
 }
@@ -297,12 +296,10 @@ void Subdivision::Cut(std::vector<int>& polygon, const Measure& measure)
   polygon.swap(this->Clipped);
 }
 
-// On each side of the half plane behind the eye, a part of it. What is before and behind holds the
-// pole, and is too small to be seen.
-void Subdivision::AtMeridian(const int nodes[3])
+// How often the border of a triangle crosses the half plane behind the eye, and that before it.
+Subdivision::Crossings Subdivision::CountCrossings(const int nodes[3]) const
 {
-  int ahead = 0;
-  int behind = 0;
+  Crossings count;
   for (int i = 0; i < 3; i++)
   {
     const vec3& p = this->Nodes[nodes[i]].End.seen;
@@ -310,43 +307,52 @@ void Subdivision::AtMeridian(const int nodes[3])
     if ((p.x < 0) != (q.x < 0))
     {
       const bool back = p.z + (q.z - p.z) * (p.x / (p.x - q.x)) > 0;
-      (back ? behind : ahead)++;
+      (back ? count.Behind : count.Ahead)++;
     }
   }
-  if (behind == 1)
+  return count;
+}
+
+// Cuts a triangle at the half plane behind the eye. A triangle that is before and behind holds the
+// pole, and is too small to be seen.
+void Subdivision::AtMeridian(const int nodes[3])
+{
+  const Crossings count = this->CountCrossings(nodes);
+  if (count.Behind == 1)
   {
-    return; // with the pole inside: smaller than can be seen
+    return;
   }
-  if (behind == 0 && ahead > 0)
+  if (count.Behind == 0 && count.Ahead > 0)
   {
     this->AddPiece(nodes[0], nodes[1], nodes[2], 0);
     return;
   }
   for (const double side : { -1.0, 1.0 })
   {
-    this->Polygon.assign(nodes, nodes + 3);
     const auto measure = [side](const WfvEnd& e) {
       const double x = side * e.seen.x;
       return std::abs(x) <= RefineSpace::Beside * e.distance ? 0 : x;
     };
-    const bool any =
-      std::any_of(nodes, nodes + 3, [&](int node) { return measure(this->Nodes[node].End) > 0; });
-    if (any)
+    this->Polygon.assign(nodes, nodes + 3);
+    if (std::all_of(
+          nodes, nodes + 3, [&](int node) { return measure(this->Nodes[node].End) <= 0; }))
     {
-      this->Cut(this->Polygon, measure);
-      this->AddPolygon(this->Polygon, side);
-      if (!this->Space->GetView().Map->StraightSeam)
-      {
-        this->AddSkirt(this->Polygon, side, 2 * side, [&](int node) {
-          const WfvEnd& e = this->Nodes[node].End;
-          return measure(e) == 0 && e.seen.z > 0;
-        });
-      }
+      continue;
+    }
+    this->Cut(this->Polygon, measure);
+    this->AddPolygon(this->Polygon, side);
+    if (!this->Space->GetView().Map->StraightSeam)
+    {
+      this->AddSkirt(this->Polygon, side, 2 * side, [&](int node) {
+        const WfvEnd& e = this->Nodes[node].End;
+        return measure(e) == 0 && e.seen.z > 0;
+      });
     }
   }
 }
 
-// Two triangles reach from each chord of a curved border across it. atBorder: whether a node is there.
+// Two triangles reach from each chord of a curved border across it. atBorder: whether a node is
+// there.
 template <typename AtBorder>
 void Subdivision::AddSkirt(
   const std::vector<int>& polygon, double side, double outside, const AtBorder& atBorder)

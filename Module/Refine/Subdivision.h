@@ -12,16 +12,15 @@ namespace wfv
 class Subdivision
 {
 public:
-  // Adds the pieces of a triangle, whose corners are in the map's own frame.
-  void Refine(RefineSpace& space, const vec3 corners[3], unsigned int number, Pieces& pieces);
+  // Adds the pieces of a triangle.
+  void Refine(RefineSpace& space, const WfvEnd corners[3], unsigned int number, Pieces& pieces);
 
   // The same of a segment.
-  void RefineSegment(
-    RefineSpace& space, const vec3& a, const vec3& b, unsigned int number, Pieces& pieces);
+  void RefineSegment(RefineSpace& space, const WfvEnd ends[2], unsigned int number, Pieces& pieces);
 
 private:
   void Begin(
-    RefineSpace& space, const vec3* corners, int count, unsigned int number, Pieces& pieces);
+    RefineSpace& space, const WfvEnd* corners, int count, unsigned int number, Pieces& pieces);
   void Segment(int a, int b, int depth);
   void SegmentLeaf(int a, int b);
   struct Node
@@ -48,6 +47,12 @@ private:
 
   // Pieces whose edges are all short.
   void Leaf(int a, int b, int c);
+  struct Crossings
+  {
+    int Ahead = 0;
+    int Behind = 0;
+  };
+  Crossings CountCrossings(const int nodes[3]) const;
   void AtMeridian(const int nodes[3]);
   void AtRim(const int nodes[3]);
   void AtFaces(const int nodes[3]);

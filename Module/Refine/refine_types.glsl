@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The numbers of refine.glsl. Compiled as C++ as well.
+// The numbers of refine_chord.glsl and refine.glsl. Compiled as C++ as well.
 
 // Families of projections, by where they are discontinuous.
 const int WFV_TEARS_MERIDIAN = 0;  // the half plane behind the eye, through the vertical axis

@@ -200,24 +200,33 @@ std::string Extensions(const Request& r)
   return Covers(r) ? std::string(SampleMasks) + (r.Triangles.Fp64 ? Doubles : "") : "";
 }
 
-void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
+// Text that the fragment stage gets: before and after its stock main function, and declarations.
+struct FragmentParts
 {
-  const bool covers = Covers(r);
-  std::string declarations = PlaceSource(r, fragment);
-  std::string before, after;
-  if (covers)
+  std::string Declarations;
+  std::string Before;
+  std::string After;
+};
+
+// Finds the primitive that the pixel sees, or writes the depth of the one that the rasterizer
+// found.
+void AddSurface(const Request& r, const std::vector<Varying>& varyings, std::string& fragment,
+  FragmentParts& parts)
+{
+  if (Covers(r))
   {
     RemoveInputs(r, fragment, varyings);
-    declarations = CoverFragment(r, varyings, fragment);
-    before = "  wfvPrepare();\n";
-    after = "  if (wfvHide) { discard; }\n";
+    parts.Declarations = CoverFragment(r, varyings, fragment);
+    parts.Before = "  wfvPrepare();\n";
+    parts.After = "  if (wfvHide) { discard; }\n";
     stock::Replace(fragment, Edit::FrontFacing, "wfvFront", stock::Found::May);
-    before += RewriteDepth(r, fragment);
+    parts.Before += RewriteDepth(r, fragment);
   }
   else if (WritesDepth(r))
   {
-    declarations += depth_fragment_glsl;
-    before = "  wfvPrepareDepth(" + PlaceOf(r, fragment) + ".xyz);\n" + RewriteDepth(r, fragment);
+    parts.Declarations += depth_fragment_glsl;
+    parts.Before =
+      "  wfvPrepareDepth(" + PlaceOf(r, fragment) + ".xyz);\n" + RewriteDepth(r, fragment);
   }
   else
   {
@@ -225,28 +234,31 @@ void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std:
   }
   if (wfv::line::DrawsChords(r))
   {
-    declarations += wfv::line::ChordFragment(r, varyings, fragment);
+    parts.Declarations += wfv::line::ChordFragment(r, varyings, fragment);
   }
-  else if (r.Kind == Primitive::Lines && !covers)
+  else if (r.Kind == Primitive::Lines && !Covers(r))
   {
-    declarations += wfv::line::StockFragment(r, fragment);
+    parts.Declarations += wfv::line::StockFragment(r, fragment);
   }
-  declarations += depth_offset_glsl;
+}
+
+void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
+{
+  FragmentParts parts;
+  parts.Declarations = PlaceSource(r, fragment);
+  AddSurface(r, varyings, fragment, parts);
   const std::string border = BorderSource(r);
-  declarations += border;
-  after += border.empty() ? "" : "  if (wfvOutsideDomain()) { discard; }\n";
-  after += covers && r.Triangles.Fp64 ? "  if (wfvIsBehind(gl_FragDepth)) { discard; }\n" : "";
-  declarations += DebugSource(r);
+  parts.Declarations += depth_offset_glsl + border + DebugSource(r);
+  parts.After += border.empty() ? "" : "  if (wfvOutsideDomain()) { discard; }\n";
+  parts.After +=
+    Covers(r) && r.Triangles.Fp64 ? "  if (wfvIsBehind(gl_FragDepth)) { discard; }\n" : "";
   FoldMaterial(r.Surface, fragment);
   RewriteLights(r, fragment);
-  if (!before.empty() || !after.empty())
+  if (!parts.Before.empty() || !parts.After.empty())
   {
-    wfv::ShaderBuilder::WrapMain(fragment, before, after);
+    wfv::ShaderBuilder::WrapMain(fragment, parts.Before, parts.After);
   }
-  if (!declarations.empty())
-  {
-    wfv::ShaderBuilder::Declare(fragment, Extensions(r) + ViewSource(r) + declarations);
-  }
+  wfv::ShaderBuilder::Declare(fragment, Extensions(r) + ViewSource(r) + parts.Declarations);
 }
 }
 

@@ -381,7 +381,7 @@ std::vector<Scene> Surfaces()
   };
 }
 
-std::vector<Scene> Others()
+std::vector<Scene> Lines()
 {
   return {
     { "wireframe", [](Window& t) { Look(t, Ball())->SetRepresentationToWireframe(); } },
@@ -399,6 +399,12 @@ std::vector<Scene> Others()
         Look(t, Line())->SetLineWidth(9);
         t.Renderer->GetActors()->GetLastActor()->GetProperty()->RenderLinesAsTubesOn();
       } },
+  };
+}
+
+std::vector<Scene> Others()
+{
+  return {
     { "points", [](Window& t) { Look(t, Points())->SetPointSize(8); } },
     { "points of a user's", FillUsersPoints },
     { "coincident", FillShifted },
@@ -430,10 +436,10 @@ const std::vector<Scene>& All()
 {
   static const std::vector<Scene> scenes = [] {
     std::vector<Scene> all = Surfaces();
-    const std::vector<Scene> others = Others();
-    all.insert(all.end(), others.begin(), others.end());
-    const std::vector<Scene> volumes = VolumesByRays();
-    all.insert(all.end(), volumes.begin(), volumes.end());
+    for (const std::vector<Scene>& more : { Lines(), Others(), VolumesByRays() })
+    {
+      all.insert(all.end(), more.begin(), more.end());
+    }
     return all;
   }();
   return scenes;

@@ -138,10 +138,30 @@ double RefinedView::GetTornPixels() const
   return rim ? this->V.Tolerance : this->V.Tolerance / 4;
 }
 
+namespace
+{
+// Skirts reach across a curved border: they are no part of a triangle.
+void RemoveSkirts(Pieces& pieces)
+{
+  std::vector<unsigned int> kept;
+  for (std::size_t i = 0; i < pieces.Indices.size(); i += 3)
+  {
+    const auto first = pieces.Indices.begin() + static_cast<std::ptrdiff_t>(i);
+    if (std::none_of(first, first + 3,
+          [&](unsigned int v) { return std::abs(pieces.Vertices[v].Aside) == 2; }))
+    {
+      kept.insert(kept.end(), first, first + 3);
+    }
+  }
+  pieces.Numbers.resize(kept.size() / 3);
+  pieces.Indices.swap(kept);
+}
+}
+
 Pieces RefinedView::Refine(const Triangle& t) const
 {
   Pieces pieces;
-  if (this->R->IsFine(t[0], t[1], t[2]))
+  if (this->R->Take(t[0], t[1], t[2], 0, pieces))
   {
     for (int i = 0; i < 3; i++)
     {
@@ -152,10 +172,18 @@ Pieces RefinedView::Refine(const Triangle& t) const
     }
     pieces.Sources.assign(3, 0);
     pieces.Numbers.assign(1, 0);
-    return pieces;
   }
-  this->R->Refine(t[0], t[1], t[2], 0, pieces);
+  if (this->V.Map->Axis != Family::Faces)
+  {
+    RemoveSkirts(pieces);
+  }
   return pieces;
+}
+
+bool RefinedView::IsFine(const Triangle& t) const
+{
+  Pieces pieces;
+  return this->R->Take(t[0], t[1], t[2], 0, pieces);
 }
 
 vec3 PlaceOf(const Triangle& t, const PieceVertex& vertex)
@@ -271,6 +299,26 @@ std::vector<std::unique_ptr<RefinedView>> StereoViews(const Projection& p)
     views.emplace_back(new RefinedView(p, o, 0.25));
   }
   return views;
+}
+
+std::vector<std::string> NamesOfFamilies()
+{
+  return { "equirectangular", "hammer", "azimuthal-equidistant", "equi-angular-cubemap",
+    "perspective" };
+}
+
+std::vector<std::string> NamesOfOthers()
+{
+  const std::vector<std::string> families = NamesOfFamilies();
+  std::vector<std::string> names;
+  for (const Projection& p : Projections())
+  {
+    if (std::find(families.begin(), families.end(), p.Name) == families.end())
+    {
+      names.push_back(p.Name);
+    }
+  }
+  return names;
 }
 
 std::string NameOfProjection(const std::string& name)

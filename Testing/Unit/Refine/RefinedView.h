@@ -49,6 +49,9 @@ public:
   // The pieces of a triangle, as MeshDraw takes them: itself where it is fine.
   Pieces Refine(const Triangle& t) const;
 
+  // True where the triangle is drawn as it is.
+  bool IsFine(const Triangle& t) const;
+
 private:
   std::string Name;
   View TheView;
@@ -93,6 +96,10 @@ private:
 // and wide ones of each eye of the stereo models.
 std::vector<std::unique_ptr<RefinedView>> MonoViews(const Projection& projection);
 std::vector<std::unique_ptr<RefinedView>> StereoViews(const Projection& projection);
+
+// Names of projections: those that have a shape of discontinuity of their own, and all others.
+std::vector<std::string> NamesOfFamilies();
+std::vector<std::string> NamesOfOthers();
 
 // A name that GoogleTest takes for a parameter.
 std::string NameOfProjection(const std::string& name);

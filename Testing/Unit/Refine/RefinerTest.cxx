@@ -126,7 +126,7 @@ void Measure(const RefinedView& v, const Triangle& t, Shapes& shapes, Errors& er
 {
   const Pieces pieces = v.Refine(t);
   errors.Pieces += static_cast<long>(pieces.Numbers.size());
-  errors.Fine += v.GetRefiner().IsFine(t[0], t[1], t[2]);
+  errors.Fine += v.IsFine(t);
   for (std::size_t i = 0; i < pieces.Indices.size(); i += 3)
   {
     const Corner c[3] = { CornerOf(t, pieces, i), CornerOf(t, pieces, i + 1),
@@ -259,16 +259,6 @@ void InAllViews(const std::string& projection, const Calls& calls)
     }
   }
 }
-
-std::vector<std::string> Names()
-{
-  std::vector<std::string> names;
-  for (const Projection& p : Projections())
-  {
-    names.push_back(p.Name);
-  }
-  return names;
-}
 }
 
 class Refined : public testing::TestWithParam<std::string>
@@ -329,8 +319,7 @@ TEST_P(Refined, TwoTrianglesHaveTheSameChordsAtTheirEdge)
       const Chords mine = ChordsOfEdge(v, t, 2);
       const Chords others = ChordsOfEdge(v, u, i % 2 ? 0 : 2);
       chords += static_cast<long>(mine.size());
-      besideFine +=
-        v.GetRefiner().IsFine(t[0], t[1], t[2]) != v.GetRefiner().IsFine(u[0], u[1], u[2]);
+      besideFine += v.IsFine(t) != v.IsFine(u);
       alone.Take(CountAlone(v, mine, others) + CountAlone(v, others, mine), t);
     }
     EXPECT_EQ(alone.Value, 0) << v.GetName() << "\n  " << alone.Where;
@@ -373,7 +362,7 @@ TEST_P(Refined, ClustersSayWhatTheirTrianglesDo)
       for (const Triangle& t : cluster)
       {
         const vec3 w = shapes.Weights();
-        coarse += need == Refiner::Nothing && !v.GetRefiner().IsFine(t[0], t[1], t[2]);
+        coarse += need == Refiner::Nothing && !v.IsFine(t);
         seen += need == Refiner::Unseen && v.IsSeen(t[0] * w.x + t[1] * w.y + t[2] * w.z);
       }
     }
@@ -385,5 +374,8 @@ TEST_P(Refined, ClustersSayWhatTheirTrianglesDo)
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Refined, testing::ValuesIn(Names()),
+// Of each family; the others take long.
+INSTANTIATE_TEST_SUITE_P(All, Refined, testing::ValuesIn(NamesOfFamilies()),
+  [](const auto& info) { return NameOfProjection(info.param); });
+INSTANTIATE_TEST_SUITE_P(Other, Refined, testing::ValuesIn(NamesOfOthers()),
   [](const auto& info) { return NameOfProjection(info.param); });
