@@ -122,9 +122,10 @@ void vtkWideFoVStage::NoteView(const wfv::View& view)
   const bool bends = !this->Seen.Lensed && view.GetParameters().lens.x != 0;
   const wfv::StereoModel* const stereo = view.GetStereoModel();
   const bool fades = !this->Seen.Fades && stereo && stereo->Fades(view.GetParameters());
-  const bool ends = !this->Seen.Seam && ShowsCurvedSeam(view);
-  if (&view.GetProjection() != this->Seen.Projection || tilts || bends || fades || ends ||
-    stereo != this->Seen.Stereo || view.GetParameters().depthMapping != this->Seen.DepthMapping)
+  const bool another = &view.GetProjection() != this->Seen.Projection;
+  const bool ends = (another || !this->Seen.Seam) && ShowsCurvedSeam(view);
+  if (another || tilts || bends || fades || ends || stereo != this->Seen.Stereo ||
+    view.GetParameters().depthMapping != this->Seen.DepthMapping)
   {
     this->Seen.Projection = &view.GetProjection();
     this->Seen.Stereo = stereo;
@@ -132,7 +133,7 @@ void vtkWideFoVStage::NoteView(const wfv::View& view)
     this->Seen.Tilted = this->Seen.Tilted || tilts;
     this->Seen.Lensed = this->Seen.Lensed || bends;
     this->Seen.Fades = this->Seen.Fades || fades;
-    this->Seen.Seam = this->Seen.Seam || ends;
+    this->Seen.Seam = ends || (this->Seen.Seam && !another);
     this->SourceTime.Modified();
   }
 }

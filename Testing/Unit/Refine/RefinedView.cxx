@@ -105,7 +105,12 @@ bool RefinedView::IsSeen(const vec3& place) const
 
 double RefinedView::PixelsFromTear(const vec3& place) const
 {
-  const vec3 d = glm::normalize(this->See(place));
+  const vec3 seen = this->See(place);
+  if (glm::length(seen) == 0)
+  {
+    return 0; // no ray of the eye meets it
+  }
+  const vec3 d = glm::normalize(seen);
   const double fromAxis = std::acos(std::clamp(-d.z, -1.0, 1.0));
   const vec3 a = glm::abs(d);
   const double most = std::max({ a.x, a.y, a.z });
@@ -134,8 +139,12 @@ double RefinedView::PixelsFromTear(const vec3& place) const
 
 double RefinedView::GetTornPixels() const
 {
-  const bool rim = this->V.Map->Axis == Family::Azimuthal && this->V.View.maxAngle < WFV_PI;
-  return rim ? this->V.Tolerance : this->V.Tolerance / 4;
+  if (this->V.Map->Axis == Family::Azimuthal)
+  {
+    return 1.25 * this->V.Tolerance; // the rim or the antipode is cut along chords
+  }
+  // pieces end beside the circle of the eyes, nearer to the pole than the middle of any pixel
+  return std::max(this->V.Tolerance / 4, this->V.EyeRadius > 0 ? 0.5 : 0);
 }
 
 namespace

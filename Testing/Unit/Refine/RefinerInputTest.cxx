@@ -22,7 +22,7 @@ namespace
 // Pieces of one triangle at the most. A triangle that fills 1024 x 512 pixels and whose edges are
 // split as in the middle of a picture takes some 3,000; one beside a pole or round the circle of
 // the eyes a hundred times as many, where the map stretches without end.
-constexpr std::size_t MostPieces = 500000;
+constexpr std::size_t MostPieces = 1000000;
 
 struct Named
 {
