@@ -98,6 +98,13 @@ vec2 RefinedView::At(const vec3& place, float aside) const
   return 0.5 * Pixels * ndc;
 }
 
+double RefinedView::TurnOf(const vec2& pixel, const vec3& place) const
+{
+  const vec3 shown = this->V.Map->Unproject(2.0 * pixel / Pixels, this->V.View).direction;
+  const double cosine = glm::dot(shown, glm::normalize(this->See(place)));
+  return std::acos(std::clamp(cosine, -1.0, 1.0)) * Pixels.x / (2 * this->V.View.halfFov.x);
+}
+
 bool RefinedView::IsSeen(const vec3& place) const
 {
   return this->TheView.Forward(place).Inside;

@@ -49,6 +49,10 @@ public:
   // The pieces of a triangle, as MeshDraw takes them: itself where it is fine.
   Pieces Refine(const Triangle& t) const;
 
+  // Between what is seen at a place of the picture, pixels, and a place of the scene: the angle, in
+  // pixels of the middle of the picture.
+  double TurnOf(const vec2& pixel, const vec3& place) const;
+
   // True where the triangle is drawn as it is.
   bool IsFine(const Triangle& t) const;
 
