@@ -17,7 +17,7 @@ using namespace wfv::test;
 
 namespace
 {
-constexpr int TrianglesOfView = 150;
+constexpr int TrianglesOfView = 60;
 constexpr int PlacesOfEdge = 7; // of a chord, between its ends
 constexpr int PlacesInside = 8; // a triangle
 constexpr int ClustersOfView = 1500;
