@@ -26,6 +26,13 @@ constexpr double BorderMargin = 0.02;
 // Radians: half a field of view of a planar map is taken for no more.
 constexpr double MostPlanarAngle = 1.5707;
 
+// Relative to the distance: rounding leaves ends in the plane of the seam so near it.
+constexpr double OnSeam = 1e-9;
+
+// Six times the volume between the eye and a triangle, over the product of the corners' distances:
+// a triangle with less is seen edge-on.
+constexpr double EdgeOn = 1e-14;
+
 // Half widths of the picture by which an eye's picture may be moved.
 constexpr double MostEyeShift = 0.5;
 
@@ -293,6 +300,14 @@ bool RefineSpace::IsBesidePicture(const vec3& p, const vec3& q, const vec3& r) c
   return std::abs(middle) + 0.5 * (to - from) < WFV_PI - this->MostAzimuth;
 }
 
+bool RefineSpace::IsEdgeOn(const vec3& p, const vec3& q, const vec3& r) const
+{
+  const bool central = this->V.EyeRadius == 0 && !(this->wfvRefine.depthBend > 0);
+  return central &&
+    std::abs(glm::dot(p, glm::cross(q, r))) <=
+    EdgeOn * glm::length(p) * glm::length(q) * glm::length(r);
+}
+
 bool RefineSpace::IsOutside(const vec3& p, const vec3& q, const vec3& r) const
 {
   const auto all = [&](const auto& outside) { return outside(p) && outside(q) && outside(r); };
@@ -463,6 +478,10 @@ WfvEnd RefineSpace::wfvSeeEnd(const vec3& place) const
     return e;
   }
   e.distance = e.reach;
+  if (this->wfvRefine.tears == WFV_TEARS_MERIDIAN && std::abs(place.x) < OnSeam * e.reach)
+  {
+    e.seen.x = 0; // all ends in the plane of the seam are on the same side of it
+  }
   return e;
 }
 

@@ -46,6 +46,9 @@ public:
       !(this->wfvSplitAt(ordered ? a : b, ordered ? b : a) > 0);
   }
 
+  // True where the eye lies in the plane of a triangle: nothing of it can be seen.
+  bool IsEdgeOn(const vec3& p, const vec3& q, const vec3& r) const;
+
   // True where nothing of a triangle can be in the picture, whatever its edges.
   bool IsOutside(const vec3& p, const vec3& q, const vec3& r) const;
 

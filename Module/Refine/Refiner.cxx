@@ -95,7 +95,7 @@ bool Refiner::Take(
   const double lengths2[3] = { glm::dot(b - a, b - a), glm::dot(c - b, c - b),
     glm::dot(a - c, a - c) };
   const bool finite = std::isfinite(lengths2[0] + lengths2[1] + lengths2[2] + glm::dot(a, a));
-  if (finite && lengths2[0] > 0 && lengths2[1] > 0 && lengths2[2] > 0)
+  if (finite && lengths2[0] > 0 && lengths2[1] > 0 && lengths2[2] > 0 && !space.IsEdgeOn(a, b, c))
   {
     thread_local Subdivision subdivision;
     subdivision.Refine(space, ends, number, pieces);

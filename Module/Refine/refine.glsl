@@ -67,8 +67,10 @@ WFV_FN float wfvSplitAtCircle(WfvEnd a, WfvEnd b, vec3 way)
     bool atRim = max(nearA, nearB) <= left;
     return atRim ? 0.0 : wfvShareAtLevel(a, b, r + 0.5 * left);
   }
-  // a chord of the rim leaves out what is between it and the rim
-  return max(nearA, nearB) <= left && length2 <= 8.0 * r * left ? 0.0 : -1.0;
+  // a chord round the rim leaves out what is between it and the rim, one along the axis nothing
+  float along = dot(way, wfvUpright(wfvView));
+  bool short_ = length2 - along * along <= 8.0 * r * left && farthest <= 2.0 * min(a.reach, b.reach);
+  return max(nearA, nearB) <= left && short_ ? 0.0 : -1.0;
 }
 
 // The share at which an edge is split at a sphere beyond which float32, or depth, ends; 0: it is not.

@@ -45,7 +45,8 @@ WFV_FN bool wfvMayTear(WfvEnd a, WfvEnd b)
 {
   if (wfvRefine.tears == WFV_TEARS_MERIDIAN)
   {
-    return a.seen.x * b.seen.x <= 0.0 && max(a.seen.z, b.seen.z) >= 0.0;
+    bool along = a.seen.x == 0.0 && b.seen.x == 0.0; // in the plane of the seam
+    return !along && a.seen.x * b.seen.x <= 0.0 && max(a.seen.z, b.seen.z) >= 0.0;
   }
   return wfvRefine.tears == WFV_TEARS_FACES && wfvFaceOf(a.seen) != wfvFaceOf(b.seen);
 }

@@ -33,13 +33,37 @@ struct Named
 const double None = std::numeric_limits<double>::quiet_NaN();
 const double Infinite = std::numeric_limits<double>::infinity();
 
-std::vector<Named> BadTriangles()
+// The corners of a triangle that is nowhere near an axis.
+const vec3 Corners[] = { vec3(1, 0.2, -0.3), vec3(-0.4, 1, 0.2), vec3(0.3, -0.8, 1.1) };
+
+// Triangles of this size.
+void AddBadTriangles(double size, std::vector<Named>& all)
 {
-  const vec3 p(1, 0.2, -0.3);
-  const vec3 q(-0.4, 1, 0.2);
-  const vec3 r(0.3, -0.8, 1.1);
+  const vec3& p = Corners[0];
+  const vec3& q = Corners[1];
+  const vec3& r = Corners[2];
   const vec3 middle = (p + q + r) / 3.0;
   const vec3 normal = glm::normalize(glm::cross(q - p, r - p));
+  const vec3 away = size * (1e-6 * normal - middle);
+  all.push_back({ "1e-6 of its size from the eye, size " + std::to_string(size),
+    { size * p + away, size * q + away, size * r + away } });
+  all.push_back({ "round the vertical axis, size " + std::to_string(size),
+    { size * vec3(1, 0.1, 0), size * vec3(-1, 0.1, 1), size * vec3(-1, 0.1, -1) } });
+  all.push_back({ "in the half plane behind, size " + std::to_string(size),
+    { size * vec3(0, 1, 1), size * vec3(0, -1, 1), size * vec3(0, 0, 3) } });
+  for (const double rounding : { 0.0, 1e-17 })
+  {
+    all.push_back({ "round a pole, in the plane of the seam, size " + std::to_string(size),
+      { size * vec3(rounding, 0, -0.4), size * vec3(-rounding, 0, 0.6), size * vec3(0, 1, 0.6) } });
+  }
+}
+
+std::vector<Named> BadTriangles()
+{
+  const vec3& p = Corners[0];
+  const vec3& q = Corners[1];
+  const vec3& r = Corners[2];
+  const vec3 middle = (p + q + r) / 3.0;
   std::vector<Named> all{ { "a corner that is no number", { p, q, vec3(None, 0, 0) } },
     { "an infinite corner", { p, q, vec3(0, Infinite, 0) } },
     { "nothing but infinite corners", { vec3(Infinite), vec3(-Infinite), vec3(None) } },
@@ -60,13 +84,7 @@ std::vector<Named> BadTriangles()
     { "from 1e-3 to 1e9, a needle", { 1e-3 * p, 1e9 * p, 1e9 * (p + 1e-6 * q) } } };
   for (const double size : { 1e-3, 1.0, 1e3, 1e9 })
   {
-    const vec3 away = size * (1e-6 * normal - middle);
-    all.push_back({ "1e-6 of its size from the eye, size " + std::to_string(size),
-      { size * p + away, size * q + away, size * r + away } });
-    all.push_back({ "round the vertical axis, size " + std::to_string(size),
-      { size * vec3(1, 0.1, 0), size * vec3(-1, 0.1, 1), size * vec3(-1, 0.1, -1) } });
-    all.push_back({ "in the half plane behind, size " + std::to_string(size),
-      { size * vec3(0, 1, 1), size * vec3(0, -1, 1), size * vec3(0, 0, 3) } });
+    AddBadTriangles(size, all);
   }
   return all;
 }
