@@ -2,10 +2,12 @@
 #include "Frame/RefinedDraw.h"
 
 #include "Compat/Gl.h"
+#include "Compat/Reports.h"
 #include "Compat/StockEdits.h"
 #include "Shaders/ShaderBuilder.h"
 #include "WideFoVGlsl.h"
 
+#include "vtkObject.h"
 #include "vtkOpenGLHelper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
@@ -64,6 +66,12 @@ void RefinedDraw::Take(const std::vector<Refinement>& parts, vtkIdType total)
   for (const Refinement& part : parts)
   {
     this->What.Append(part);
+  }
+  if (this->What.Refined.Limited && IsNews("pieces of a triangle"))
+  {
+    vtkGenericWarningMacro(
+      "A triangle that passes the eye would need more than a million pieces: it "
+      "is drawn coarser than the tolerance.");
   }
   this->Loaded = this->FineNumbers.Loaded = this->PieceNumbers.Loaded = false;
   this->Buffers.Forget();

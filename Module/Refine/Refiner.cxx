@@ -29,6 +29,7 @@ void Pieces::Clear()
   this->Sources.clear();
   this->Indices.clear();
   this->Numbers.clear();
+  this->Limited = false;
 }
 
 void Pieces::AddWhole(unsigned int number)
@@ -48,6 +49,7 @@ void Pieces::Append(const Pieces& o)
 {
   const auto first = static_cast<unsigned int>(this->Vertices.size());
   this->Corners = o.Corners;
+  this->Limited = this->Limited || o.Limited;
   this->Vertices.insert(this->Vertices.end(), o.Vertices.begin(), o.Vertices.end());
   this->Sources.insert(this->Sources.end(), o.Sources.begin(), o.Sources.end());
   this->Numbers.insert(this->Numbers.end(), o.Numbers.begin(), o.Numbers.end());

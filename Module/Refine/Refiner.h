@@ -41,7 +41,8 @@ struct PieceVertex
 // Pieces of triangles, or of segments.
 struct Pieces
 {
-  int Corners = 3; // of a primitive: 3 or 2
+  bool Limited = false; // a triangle would have had too many pieces
+  int Corners = 3;      // of a primitive: 3 or 2
   std::vector<PieceVertex> Vertices;
   std::vector<unsigned int> Sources; // of each vertex, the number of its primitive in the mesh
   std::vector<unsigned int> Indices; // of vertices: as many a piece as it has corners

@@ -14,6 +14,9 @@ constexpr int MostDepth = 30;
 // Pieces of each so many splits are asked whether they are in the picture.
 constexpr int CullingDepth = 3;
 
+// Corners of the pieces of one triangle: after so many, none is split any more.
+constexpr std::size_t MostNodes = 1000000;
+
 // Asked: no middle.
 constexpr int None = -2;
 }
@@ -119,8 +122,9 @@ int Subdivision::Mix(int a, int b, double share)
 
 int Subdivision::Split(int a, int b)
 {
-  if (a == b)
+  if (a == b || this->Nodes.size() >= MostNodes)
   {
+    this->Out->Limited = this->Out->Limited || a != b;
     return None;
   }
   const bool ordered = RefineSpace::ComesFirst(this->Nodes[a].End, this->Nodes[b].End);

@@ -153,13 +153,22 @@ WFV_FN bool wfvIsBeyondRim(WfvEnd a, WfvEnd b)
     !wfvIsWithinRim(b);
 }
 
+// True where both ends of an edge are seen so near to one another that it is never split.
+WFV_FN bool wfvIsTiny(WfvEnd a, WfvEnd b)
+{
+  vec3 across = cross(a.seen, b.seen);
+  float product = a.distance * b.distance;
+  return dot(a.seen, b.seen) > 0.0 &&
+    dot(across, across) <= wfvRefine.tinyAngle2 * product * product;
+}
+
 // True where an edge is short for another reason than its picture: it is smaller than can be seen,
 // or lies where nothing is drawn.
 WFV_FN bool wfvNeedsNoPicture(WfvEnd a, WfvEnd b, float length2, float nearest2)
 {
   bool outside = wfvIsOutside(a) && wfvIsOutside(b);
-  float longest = outside ? WFV_OUTSIDE_CHORD * WFV_OUTSIDE_CHORD : 0.0;
-  return length2 <= max(longest, wfvRefine.tinyAngle2) * nearest2 || wfvIsBeyondRim(a, b);
+  return wfvIsTiny(a, b) || wfvIsBeyondRim(a, b) ||
+    (outside && length2 <= WFV_OUTSIDE_CHORD * WFV_OUTSIDE_CHORD * nearest2);
 }
 
 // True where the middle of an edge that keeps no bound is worth to be projected.
