@@ -157,11 +157,26 @@ bool vtkWideFoVPass::IsExact()
   return IsExactTechnique(this->Technique, this->Tolerance);
 }
 
+void vtkWideFoVPass::SetTechnique(int technique)
+{
+  const int number = wfv::TechniqueOf(technique);
+  if (this->Technique != number)
+  {
+    this->Technique = number;
+    this->Modified();
+  }
+}
+
 const char* vtkWideFoVPass::GetTechniqueAsString(int technique)
 {
+  if (technique == TESSELLATE)
+  {
+    return "tessellate";
+  }
   const std::vector<wfv::TechniqueEntry>& all = wfv::Techniques();
-  const bool known = technique >= 0 && technique < static_cast<int>(all.size());
-  return known ? all[static_cast<std::size_t>(technique)].Name.c_str() : nullptr;
+  const auto found = std::find_if(
+    all.begin(), all.end(), [technique](const auto& known) { return known.Number == technique; });
+  return found != all.end() ? found->Name.c_str() : nullptr;
 }
 
 bool vtkWideFoVPass::IsExactTechnique(int technique, double tolerance)
@@ -315,12 +330,9 @@ void vtkWideFoVPass::TakeCounts()
   wfv::FrameStatistics now = stages.Counts;
   now.DrawnProps = this->Figures.DrawnProps;
   now.CulledProps = this->Figures.CulledProps;
-  now.ProjectedDraws = stages.Projected->GetNumberOfDraws() + stages.Cut->GetNumberOfDraws();
-  // of the tessellate stage too, what cannot be tessellated is drawn by the pre-clip
-  const int patches = stages.Tessellate->GetNumberOfTessellateDraws();
-  now.PreClipDraws = stages.PreClip->GetNumberOfDraws() + stages.PreClipOfFew->GetNumberOfDraws() +
-    stages.PreClipAtChords->GetNumberOfDraws() + stages.Tessellate->GetNumberOfDraws() - patches;
-  now.TessellateDraws = patches;
+  const int unrefined = stages.Projected->GetNumberOfUnrefinedDraws();
+  now.ProjectedDraws = stages.Projected->GetNumberOfDraws() - unrefined;
+  now.PreClipDraws = stages.PreClip->GetNumberOfDraws() + unrefined;
   now.ExactDraws = stages.Exact->GetNumberOfDraws() + stages.ExactInSingle->GetNumberOfDraws();
   now.MadePrograms = stages.Shaders.GetNumberOfPrograms();
   now.ShaderTime = stages.Shaders.GetSeconds();

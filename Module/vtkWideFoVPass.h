@@ -50,21 +50,19 @@ public:
    */
   enum Techniques
   {
-    AUTO = 0,   ///< per prop, cluster or triangle the cheapest that keeps the tolerance: projected
-                ///< by its chords, cut into smaller ones before, or by the ray of each pixel
+    AUTO = 0,   ///< triangles are split until their edges keep the tolerance, then projected; the
+                ///< rest in the cheapest way that keeps it
     EXACT,      ///< every triangle by the ray of each pixel; the tolerance has no part in it
-    TESSELLATE, ///< triangles of a vtkWideFoVPolyDataMapper are tessellated to the tolerance,
-                ///< the pieces by rays; of other mappers, triangles by rays and the rest as
-                ///< PRECLIP. An OpenGL without tessellation shaders: a warning, and AUTO
+    TESSELLATE, ///< AUTO by its old name, with one warning; goes with the next release
     PRECLIP,    ///< clipped at the discontinuities, projected per vertex
     VERTEX      ///< projected per vertex, not clipped: for comparison only
   };
 
   ///@{
   /**
-   * The technique (default AUTO).
+   * The technique (default AUTO), clamped to the numbers above.
    */
-  vtkSetClampMacro(Technique, int, AUTO, VERTEX);
+  virtual void SetTechnique(int technique);
   vtkGetMacro(Technique, int);
   void SetTechniqueToAuto() { this->SetTechnique(AUTO); }
   void SetTechniqueToExact() { this->SetTechnique(EXACT); }

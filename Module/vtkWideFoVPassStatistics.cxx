@@ -33,7 +33,9 @@ std::string vtkWideFoVPass::GetStatistics()
   AddLine(text, "clusters: %d, %d left out", f.Clusters, f.CulledClusters);
   AddLine(
     text, "their triangles: %lld, %lld left out", count(f.Triangles), count(f.CulledTriangles));
-  AddLine(text, "of those projected: %lld", count(f.ProjectedTriangles));
+  AddLine(text, "as they are: %lld, pieces of others: %lld", count(f.ProjectedTriangles),
+    count(f.Pieces));
+  AddLine(text, "refined in %.1f ms", 1000 * f.RefineTime);
   AddLine(text, "draws: projected %d, pre-clip %d, tessellate %d, exact %d", f.ProjectedDraws,
     f.PreClipDraws, f.TessellateDraws, f.ExactDraws);
   AddLine(text, "anew: %d props, %d meshes", f.ChosenProps, f.ClassifiedMeshes);

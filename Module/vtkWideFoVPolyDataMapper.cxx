@@ -2,11 +2,11 @@
 #include "vtkWideFoVPolyDataMapper.h"
 
 #include "Compat/Gl.h"
-#include "Frame/ClusterDraw.h"
+#include "Frame/LineDraw.h"
+#include "Frame/MeshDraw.h"
 #include "Frame/PropKeys.h"
-#include "Frame/RefusedShaders.h"
 #include "Frame/Stages.h"
-#include "Frame/Tessellation.h"
+#include "Frame/Technique.h"
 #include "vtkWideFoVCamera.h"
 #include "vtkWideFoVPass.h"
 
@@ -31,14 +31,35 @@ struct vtkWideFoVPolyDataMapper::Internals
 {
   wfv::Stages Stages;
   wfv::PropKeys Keys; // of the actor that is drawn, where no pass draws it
-  wfv::ClusterDraw Polygons{ false };
-  wfv::ClusterDraw Strips{ true };
-  vtkWindow* Window = nullptr;      // that is drawn to
-  vtkWideFoVStage* Stage = nullptr; // that is attached to the actor that is drawn
+  wfv::MeshDraw Polygons{ false };
+  wfv::MeshDraw Strips{ true };
+  wfv::LineDraw Lines[PrimitiveEnd];       // of each kind of primitives that is drawn as lines
+  vtkOpenGLRenderWindow* Window = nullptr; // that is drawn to
+  vtkWideFoVStage* Stage = nullptr;        // that is attached to the actor that is drawn
 
-  wfv::ClusterDraw& Of(int primitive)
+  wfv::MeshDraw& Of(int primitive)
   {
     return primitive == vtkOpenGLPolyDataMapper::PrimitiveTriStrips ? this->Strips : this->Polygons;
+  }
+
+  static wfv::DrawnPart PartOf(vtkOpenGLHelper& helper, vtkOpenGLVertexBufferObjectGroup* buffers)
+  {
+    wfv::DrawnPart part;
+    part.Helper = &helper;
+    part.Buffers = buffers;
+    part.Vertices = static_cast<unsigned int>(buffers->GetNumberOfTuples("vertexMC"));
+    part.Indices = helper.IBO->IndexCount;
+    return part;
+  }
+
+  void Finish()
+  {
+    this->Polygons.Finish();
+    this->Strips.Finish();
+    for (wfv::LineDraw& lines : this->Lines)
+    {
+      lines.Finish();
+    }
   }
 };
 
@@ -55,6 +76,16 @@ void vtkWideFoVPolyDataMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Technique: " << this->Technique << "\n"
      << indent << "Tolerance: " << this->Tolerance << "\n"
      << indent << "DebugView: " << this->DebugView << "\n";
+}
+
+void vtkWideFoVPolyDataMapper::SetTechnique(int technique)
+{
+  const int number = wfv::TechniqueOf(technique);
+  if (this->Technique != number)
+  {
+    this->Technique = number;
+    this->Modified();
+  }
 }
 
 void vtkWideFoVPolyDataMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
@@ -88,146 +119,77 @@ void vtkWideFoVPolyDataMapper::ReleaseGraphicsResources(vtkWindow* window)
   this->Internal->Stages.ReleaseGraphicsResources(window);
   this->Internal->Polygons.ReleaseGraphicsResources(window);
   this->Internal->Strips.ReleaseGraphicsResources(window);
+  for (wfv::LineDraw& lines : this->Internal->Lines)
+  {
+    lines.ReleaseGraphicsResources(window);
+  }
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
 void vtkWideFoVPolyDataMapper::SetCustomUniforms(vtkOpenGLHelper& cellBO, vtkActor* actor)
 {
-  vtkWideFoVStage* const stage = this->Internal->Stage;
-  if (stage && stage->GetVariant() == wfv::ShaderBuilder::Variant::Tessellate &&
-    !wfv::Tessellation::IsIn(cellBO.Program))
-  {
-    const wfv::ShaderBuilder::Request request = stage->MakeRequest(this, actor);
-    // (one that draws nothing has no geometry stage)
-    if (request.Stage == wfv::ShaderBuilder::Variant::Tessellate &&
-      !cellBO.Program->GetGeometryShader()->GetSource().empty())
-    {
-      const std::string log = wfv::Tessellation::AddTo(cellBO.Program, request);
-      if (!log.empty())
-      {
-        wfv::ReportRefused(this, "tessellation shaders", log, "its triangles are drawn whole");
-      }
-      stage->GetStages()->Programs.Forget(cellBO.Program);
-      // its attributes have new places
-      cellBO.VAO->ReleaseGraphicsResources();
-      cellBO.ShaderSourceTime.Modified();
-    }
-  }
-  this->Internal->Of(cellBO.PrimitiveType).SetParameters(cellBO.Program, this->Internal->Window);
+  this->Internal->Of(cellBO.PrimitiveType).SetOwnNumbers(cellBO.Program, this->Internal->Window);
   this->Superclass::SetCustomUniforms(cellBO, actor);
 }
 
-void vtkWideFoVPolyDataMapper::DrawPrimitives(
-  vtkOpenGLHelper& cellBO, int mode, vtkRenderer* renderer, vtkActor* actor)
-{
-  this->UpdateShaders(cellBO, renderer, actor);
-  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  if (mode == GL_LINES && !this->HaveWideLines(renderer, actor))
-  {
-    window->GetState()->vtkglLineWidth(actor->GetProperty()->GetLineWidth());
-  }
-  const auto vertices = static_cast<GLuint>(this->VBOs->GetNumberOfTuples("vertexMC"));
-  const auto indices = static_cast<int>(cellBO.IBO->IndexCount);
-  cellBO.IBO->Bind();
-  if (mode == GL_TRIANGLES && cellBO.Program && wfv::Tessellation::IsIn(cellBO.Program))
-  {
-    wfv::Tessellation::Draw(cellBO.Program, vertices, indices, this->PrimitiveIDOffset);
-  }
-  else
-  {
-    glDrawRangeElements(
-      static_cast<GLenum>(mode), 0, vertices - 1, indices, GL_UNSIGNED_INT, nullptr);
-  }
-  cellBO.IBO->Release();
-}
-
-// Projected ones with a program of their own, the others with the one that the stage asks for.
-void vtkWideFoVPolyDataMapper::DrawClusters(int primitive, vtkRenderer* renderer, vtkActor* actor)
-{
-  wfv::ClusterDraw& clusters = this->Internal->Of(primitive);
-  vtkOpenGLHelper& own = this->Primitives[primitive];
-  wfv::DrawnPart part;
-  part.Vertices = static_cast<unsigned int>(this->VBOs->GetNumberOfTuples("vertexMC"));
-  part.Indices = own.IBO->IndexCount;
-  vtkWideFoVStage* const stage = wfv::Stages::FindAttached(actor);
-  for (int i = 0; i < wfv::ClusterDraw::NumberOfKinds; i++)
-  {
-    const auto kind = static_cast<wfv::ClusterDraw::Kind>(i);
-    if (!clusters.Has(kind))
-    {
-      continue;
-    }
-    const bool byStage = kind == wfv::ClusterDraw::ByStage;
-    vtkWideFoVStage* const other = wfv::ClusterDraw::GetStage(kind, stage);
-    vtkOpenGLHelper& helper = byStage ? own : clusters.GetHelper(kind);
-    helper.IBO->IndexCount = own.IBO->IndexCount; // the other has none of its own
-    wfv::Stages::Replace(actor, stage, other);
-    clusters.Choose(kind);
-    this->UpdateShaders(helper, renderer, actor);
-    clusters.Draw(own.IBO, part);
-    wfv::Stages::Replace(actor, other, stage);
-  }
-  clusters.Choose(wfv::ClusterDraw::All);
-}
-
-// Where patches may be among the primitives, or clusters have classes. The mode that the stock
-// mapper draws them in cannot be overridden; everything else goes to it.
+// Draws triangles and lines refined, because no stock draw call takes pieces. Everything else is
+// drawn by the superclass, which finds none of them left.
 void vtkWideFoVPolyDataMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
 {
-  this->Internal->Window = renderer->GetRenderWindow();
-  vtkWideFoVStage* const stage = this->Internal->Stage;
-  vtkProperty* const property = actor->GetProperty();
-  const bool edges = property->GetEdgeVisibility() && !renderer->GetSelector();
-  const bool surface =
-    stage && !this->PointPicking && !edges && property->GetRepresentation() == VTK_SURFACE;
-  const bool patches = surface && stage->GetVariant() == wfv::ShaderBuilder::Variant::Tessellate;
-  bool classified[PrimitiveEnd] = { false };
-  if (surface && !patches)
+  Internals& in = *this->Internal;
+  in.Window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  std::size_t counts[PrimitiveEnd] = { 0 };
+  for (int i = PrimitiveStart; i < PrimitiveEnd; i++)
   {
-    for (const int i : { PrimitiveTris, PrimitiveTriStrips })
+    counts[i] = this->Primitives[i].IBO->IndexCount;
+    if (i <= PrimitiveTriStrips && counts[i] > 0 && in.Stage && !this->PointPicking &&
+      this->DrawRefined(i, renderer, actor))
     {
-      classified[i] = this->Internal->Of(i).Prepare(this->CurrentInput, actor, stage);
+      this->Primitives[i].IBO->IndexCount = 0;
     }
   }
-  if (patches || classified[PrimitiveTris] || classified[PrimitiveTriStrips])
+  this->Superclass::RenderPieceDraw(renderer, actor);
+  for (int i = PrimitiveStart; i < PrimitiveEnd; i++)
   {
-    this->DrawSurface(renderer, actor, classified);
+    this->Primitives[i].IBO->IndexCount = counts[i];
+  }
+  in.Finish();
+}
+
+bool vtkWideFoVPolyDataMapper::DrawRefined(int primitive, vtkRenderer* renderer, vtkActor* actor)
+{
+  Internals& in = *this->Internal;
+  vtkProperty* const property = actor->GetProperty();
+  const int mode = this->GetOpenGLMode(property->GetRepresentation(), primitive);
+  const bool lines = mode == GL_LINES && !property->GetRenderLinesAsTubes();
+  const bool edges = property->GetEdgeVisibility() && !renderer->GetSelector();
+  if (!lines && (mode != GL_TRIANGLES || edges))
+  {
+    return false;
+  }
+  const wfv::DrawnPart part = Internals::PartOf(this->Primitives[primitive], this->VBOs);
+  const bool refined = lines
+    ? in.Lines[primitive].Prepare(part, this->VBOBuildTime.GetMTime(), actor, in.Stage)
+    : in.Of(primitive).Prepare(this->CurrentInput, actor, in.Stage);
+  if (!refined)
+  {
+    return false;
+  }
+  this->DrawingVertices = this->DrawingSelection = false;
+  this->PrimitiveIDOffset = this->CellCellMap->GetPrimitiveOffsets()[primitive];
+  this->UpdateShaders(*part.Helper, renderer, actor);
+  if (lines)
+  {
+    if (!this->HaveWideLines(renderer, actor))
+    {
+      in.Window->GetState()->vtkglLineWidth(property->GetLineWidth());
+    }
+    in.Lines[primitive].Draw(part, in.Window);
   }
   else
   {
-    this->Superclass::RenderPieceDraw(renderer, actor);
+    in.Of(primitive).Draw(part, in.Window);
   }
-  this->Internal->Polygons.Finish();
-  this->Internal->Strips.Finish();
-}
-
-// As the stock mapper does it, but for the triangles. classified: of each primitive, whether.
-void vtkWideFoVPolyDataMapper::DrawSurface(
-  vtkRenderer* renderer, vtkActor* actor, const bool* classified)
-{
-  this->DrawingVertices = false;
-  for (int i = PrimitiveStart; i <= PrimitiveTriStrips; i++)
-  {
-    this->DrawingSelection = false;
-    if (this->Primitives[i].IBO->IndexCount)
-    {
-      if (classified[i])
-      {
-        this->DrawClusters(i, renderer, actor);
-      }
-      else
-      {
-        this->DrawPrimitives(
-          this->Primitives[i], this->GetOpenGLMode(VTK_SURFACE, i), renderer, actor);
-      }
-      this->PrimitiveIDOffset =
-        i < PrimitiveTriStrips ? this->CellCellMap->GetPrimitiveOffsets()[i + 1] : 0;
-    }
-    this->DrawingSelection = true;
-    if (this->SelectionPrimitives[i].IBO->IndexCount)
-    {
-      this->DrawPrimitives(
-        this->SelectionPrimitives[i], this->GetOpenGLMode(this->SelectionType, i), renderer, actor);
-    }
-  }
+  this->PrimitiveIDOffset = 0;
+  return true;
 }

@@ -5,9 +5,8 @@
  *
  * Once this library is loaded VTK makes one for whoever asks for a vtkPolyDataMapper.
  * Where there is no render pass it brings what vtkWideFoVPass adds to stock mappers. Under
- * a vtkWideFoVPass it leaves the work to the pass, but draws its mesh by clusters, and with
- * the technique TESSELLATE, which no stock mapper can. With any other camera, or with the
- * projection "perspective", it is vtkOpenGLPolyDataMapper, to the pixel.
+ * a vtkWideFoVPass it leaves the work to the pass, but refines its triangles. With any other
+ * camera, or with the projection "perspective", it is vtkOpenGLPolyDataMapper, to the pixel.
  */
 
 #ifndef vtkWideFoVPolyDataMapper_h
@@ -38,7 +37,7 @@ public:
    * As vtkWideFoVPass::SetTechnique (default vtkWideFoVPass::AUTO), SetTolerance
    * (default 0.25 pixels) and SetDebugView (default off).
    */
-  vtkSetClampMacro(Technique, int, 0, 4);
+  virtual void SetTechnique(int technique);
   vtkGetMacro(Technique, int);
   vtkSetClampMacro(Tolerance, double, 0.001, 1e6);
   vtkGetMacro(Tolerance, double);
@@ -60,7 +59,7 @@ protected:
   vtkWideFoVPolyDataMapper();
   ~vtkWideFoVPolyDataMapper() override;
 
-  // The first call with a program that is ready: adds the tessellation stages.
+  // The first call with a program that is ready.
   void SetCustomUniforms(vtkOpenGLHelper& cellBO, vtkActor* actor) override;
 
   int Technique = 0;
@@ -71,14 +70,8 @@ private:
   vtkWideFoVPolyDataMapper(const vtkWideFoVPolyDataMapper&) = delete;
   void operator=(const vtkWideFoVPolyDataMapper&) = delete;
 
-  // Draws one kind of primitives, as patches where its program tessellates.
-  void DrawPrimitives(vtkOpenGLHelper& cellBO, int mode, vtkRenderer* renderer, vtkActor* actor);
-
-  // Draws what there is of a surface; its triangles by their classes, or as patches.
-  void DrawSurface(vtkRenderer* renderer, vtkActor* actor, const bool* classified);
-
-  // Draws the triangles that are seen, by the classes of their clusters.
-  void DrawClusters(int primitive, vtkRenderer* renderer, vtkActor* actor);
+  // Draws one kind of primitives refined. False if the superclass is to draw it.
+  bool DrawRefined(int primitive, vtkRenderer* renderer, vtkActor* actor);
 
   struct Internals;
   std::unique_ptr<Internals> Internal;

@@ -58,7 +58,7 @@ std::string TechniqueChoices()
   for (const wfv::TechniqueEntry& t : wfv::Techniques())
   {
     text += "          <Entry text=\"" + Escape(t.Title) + "\" value=\"" +
-      std::to_string(wfv::FindTechnique(t.Name)) + "\" />\n";
+      std::to_string(t.Number) + "\" />\n";
   }
   return text;
 }

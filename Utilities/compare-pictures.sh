@@ -52,7 +52,6 @@ around-balls $around --representation points --point-size 9 --points-as-spheres
 around-tubes $around --representation wireframe --line-width 9 --lines-as-tubes
 around-edges $around --representation surface-with-edges --samples 0
 around-tiles $around --tile 100x100
-around-tessellate $around --technique tessellate
 atrium-mono --scene atrium
 atrium-around --scene atrium --stereo omnidirectional
 vectors-around --scene vector-cloud --stereo omnidirectional

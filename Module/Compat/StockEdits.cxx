@@ -82,6 +82,10 @@ const std::vector<Entry> AllEdits{
   { Edit::LineFacing, "facing of a line", "lines with normals, of VTKs that look at z", Optional,
     { Literal(Unreleased, "if (normalVCVSOutput.z < 0)") } },
 
+  // VTK's own geometry stage, which makes strips of wide lines
+  { Edit::StripVertex, "vertex of a strip", "wide lines", Required,
+    { Literal(901, "EmitVertex();") } },
+
   // GLSL's own variables, which no VTK can rename: where there is none, nothing is to be edited
   { Edit::FrontFacing, "gl_FrontFacing", "GLSL's own", Optional,
     { Literal(901, "gl_FrontFacing") } },
@@ -91,6 +95,7 @@ const std::vector<Entry> AllEdits{
     { Literal(901, "gl_PointCoord") } },
   { Edit::PrimitiveNumber, "gl_PrimitiveID", "GLSL's own", Optional,
     { Literal(901, "gl_PrimitiveID") } },
+  { Edit::VertexNumber, "gl_VertexID", "GLSL's own", Optional, { Literal(901, "gl_VertexID") } },
 
   // VTK's places for text
   { Edit::DepthPlace, "place of the depth", "where nothing has set gl_FragDepth", Required,
@@ -117,6 +122,8 @@ const std::vector<Entry> AllEdits{
     { Literal(901, "vec3 normalVCVSOutput =") } },
   { Edit::DepthOffset, "offset of the depth", "where VTK shifts lines and points", Optional,
     { Literal(901, "uniform float cOffset;") } },
+  { Edit::DepthOffsetValue, "value of the offset", "where VTK shifts lines and points", Optional,
+    { Literal(901, "1.0*cOffset/65000") } },
 
   // of volumes, all by GPU ray casting: VTK's functions, ours take their names
   { Edit::VolumeRay, "ray of a volume", "volumes", Required,

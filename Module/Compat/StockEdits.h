@@ -40,11 +40,14 @@ enum class Edit
   FlatNormal,
   LineNormal,
   LineFacing,
+  // of the geometry stage
+  StripVertex,
   // GLSL's own variables
   FrontFacing,
   FragmentDepth,
   PointCoordinate,
   PrimitiveNumber,
+  VertexNumber,
   // VTK's places for text
   DepthPlace,
   NormalDeclaration,
@@ -58,6 +61,7 @@ enum class Edit
   ImpostorMeeting,
   DataNormal,
   DepthOffset,
+  DepthOffsetValue,
   // volumes
   VolumeRay,
   VolumePlace,

@@ -63,6 +63,11 @@ float PointSize(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor)
   return picking > 0 ? static_cast<float>(picking) : std::max(1.0f, size);
 }
 
+bool DrawsSelection(vtkOpenGLPolyDataMapper* mapper)
+{
+  return LineAccess::DrawsSelection(mapper);
+}
+
 bool HasFewLines(vtkOpenGLPolyDataMapper* mapper)
 {
   const vtkOpenGLHelper* buffer = LineAccess::Buffer(mapper);

@@ -20,6 +20,9 @@ float LineWidth(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor);
 float PointSize(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor);
 
 // True where more work for each line costs little in all.
+// True while the mapper draws what is selected.
+bool DrawsSelection(vtkOpenGLPolyDataMapper* mapper);
+
 bool HasFewLines(vtkOpenGLPolyDataMapper* mapper);
 
 // True where the technique "auto" draws them as exact strips: few lines, so wide that their ends

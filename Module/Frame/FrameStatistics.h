@@ -30,10 +30,17 @@ struct FrameStatistics
   vtkIdType CulledTriangles = 0;
   vtkIdType ProjectedTriangles = 0;
 
+  // Pieces of the triangles that are not drawn as they are.
+  vtkIdType Pieces = 0;
+
   // What could not be kept from the frame before: actors whose stage was chosen, meshes whose
   // clusters were classified. 0 where nothing has changed.
   int ChosenProps = 0;
   int ClassifiedMeshes = 0;
+
+  // Seconds that the refinement of meshes, lines and copies took in this frame; 0 if nothing
+  // changed.
+  double RefineTime = 0;
 
   // Of all frames so far: shader programs that were made, the seconds that it took to write their
   // text and to make them, each when it is first needed, and those for clusters, once a mesh. Some
@@ -50,6 +57,7 @@ struct FrameStatistics
     this->Triangles += mesh.Triangles;
     this->CulledTriangles += mesh.CulledTriangles;
     this->ProjectedTriangles += mesh.ProjectedTriangles;
+    this->Pieces += mesh.Pieces;
     this->ChosenProps += mesh.ChosenProps;
     this->ClassifiedMeshes += mesh.ClassifiedMeshes;
   }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Frame/GlyphDraw.h"
 
-#include "Clusters/Affine.h"
 #include "Compat/Gl.h"
 #include "Frame/Stages.h"
 #include "Frame/vtkWideFoVStage.h"
+#include "Refine/Affine.h"
+#include "Refine/EndCache.h"
 
 #include "vtkActor.h"
 #include "vtkCommand.h"
@@ -21,16 +22,14 @@
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <iterator>
 
 namespace
 {
-// Triangles of all copies under which a second program costs more than it saves.
-constexpr std::size_t FewTriangles = 256;
-
-// Copies that a thread classifies at least.
-constexpr vtkIdType Grain = 256;
+// Copies that a thread takes at least.
+constexpr std::size_t LeastCopies = 256;
 
 // What VTK's mapper of copies keeps to itself.
 class HelperAccess : public vtkOpenGLGlyph3DHelper
@@ -56,6 +55,11 @@ public:
     vtkOpenGLGlyph3DHelper* helper, vtkOpenGLHelper& drawn, vtkRenderer* renderer, vtkActor* actor)
   {
     (helper->*(&HelperAccess::UpdateShaders))(drawn, renderer, actor);
+  }
+
+  static vtkOpenGLVertexBufferObjectGroup* Buffers(vtkOpenGLGlyph3DHelper* helper)
+  {
+    return helper->*(&HelperAccess::VBOs);
   }
 
   static vtkMTimeType TimeOfBuffers(vtkOpenGLGlyph3DHelper* helper)
@@ -129,10 +133,7 @@ void GlyphArrays::Add(const GlyphArrays& from, std::size_t i)
 GlyphDraw::GlyphDraw(vtkOpenGLGlyph3DHelper* helper)
   : Helper(helper)
 {
-  for (Group& group : this->Groups)
-  {
-    group.Helper.PrimitiveType = vtkOpenGLPolyDataMapper::PrimitiveTris;
-  }
+  this->FineHelper.PrimitiveType = vtkOpenGLPolyDataMapper::PrimitiveTris;
 }
 
 GlyphDraw::~GlyphDraw()
@@ -180,19 +181,18 @@ void GlyphDraw::Finish()
     HelperAccess::Triangles(this->Helper).IBO->IndexCount = this->Indices;
   }
   this->Indices = 0;
+  this->Whole.Finish();
 }
 
 void GlyphDraw::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (Group& group : this->Groups)
-  {
-    group.Matrices->ReleaseGraphicsResources();
-    group.Normals->ReleaseGraphicsResources();
-    group.Colors->ReleaseGraphicsResources();
-    group.Chords.ReleaseGraphicsResources(window);
-    group.Helper.ReleaseGraphicsResources(window);
-  }
-  this->Known = false;
+  this->FineBuffers.ReleaseGraphicsResources();
+  this->FineHelper.ReleaseGraphicsResources(window);
+  this->PieceArrays.ReleaseGraphicsResources();
+  this->Buffers.ReleaseGraphicsResources();
+  this->Numbers.ReleaseGraphicsResources(window);
+  this->Whole.ReleaseGraphicsResources(window);
+  this->Known = this->NumbersLoaded = false;
 }
 
 void GlyphDraw::Download()
@@ -206,177 +206,236 @@ void GlyphDraw::Download()
   }
 }
 
-// False where all copies are drawn by the stage.
-bool GlyphDraw::Classify()
+bool GlyphDraw::Prepare()
 {
   vtkPolyData* const source = this->Helper->CurrentInput;
   wfv::Stages* const stages = this->Stage->GetStages();
-  ClassifierView view;
-  if (!source || !stages->GetClassifierView(this->Stage, this->Actor, view))
+  RefineView view;
+  if (!source || !stages->GetRefineView(this->Stage, this->Actor, view))
   {
     return false;
   }
   this->Download();
   double toMap[16];
   stages->GetToMap(this->Actor, toMap);
-  const bool still = this->Known && this->Source.GetTime() == source->GetMTime() &&
-    this->View == view && std::equal(toMap, toMap + 16, this->ToMap);
+  this->Source.Update(source);
+  const bool still = this->Known && this->SourceTime == source->GetMTime() && this->View == view &&
+    std::equal(toMap, toMap + 16, this->ToMap);
   if (!still)
   {
-    this->Source.Update(source);
+    this->Known = true;
+    this->SourceTime = source->GetMTime();
     this->View = view;
     std::copy_n(toMap, 16, this->ToMap);
-    const auto triangles = static_cast<std::size_t>(this->Source.GetNumberOfTriangles());
-    this->Known = triangles * this->All.Count() >= FewTriangles && this->Source.GetMostChords() > 0;
-    this->Found = FrameStatistics();
-    if (this->Known)
-    {
-      this->Gather(source);
-      stages->Counts.ClassifiedMeshes++;
-    }
+    const auto start = std::chrono::steady_clock::now();
+    this->Refine(source);
+    stages->AddRefineTime(start);
+    stages->Counts.ClassifiedMeshes++;
   }
-  stages->Counts.Add(this->Found);
-  return this->Known && this->Groups[0].Arrays.Count() < this->All.Count();
+  stages->Counts.Add(this->Counts);
+  return true;
 }
 
-void GlyphDraw::ClassifyCopies(vtkPolyData* source)
+// One copy: culled, drawn as it is, or asked triangle by triangle.
+void GlyphDraw::RefineCopy(const Refiner& refiner, vtkPolyData* source, std::size_t copy,
+  EndCache& cache, Found& found) const
 {
-  double b[6];
-  source->GetBounds(b);
-  const Classifier classifier(this->View);
-  this->Classes.resize(this->All.Count());
-  const double radius = 0.5 * std::hypot(b[1] - b[0], b[3] - b[2], b[5] - b[4]);
-  vtkSMPTools::For(
-    0, static_cast<vtkIdType>(this->Classes.size()), Grain, [&](vtkIdType from, vtkIdType to) {
-      for (vtkIdType i = from; i < to; i++)
+  double bounds[6];
+  source->GetPoints()->GetBounds(bounds); // computed before
+  const Affine toMap = OfCopy(this->ToMap, this->All.Matrices.data() + 16 * copy);
+  switch (refiner.OfCluster(toMap, bounds, this->LongestEdge))
+  {
+    case Refiner::Unseen:
+      found.CulledTriangles += this->Source.GetNumberOfTriangles();
+      break;
+    case Refiner::Nothing:
+      found.Fine.push_back(copy);
+      break;
+    default:
+      this->RefineTriangles(refiner, source, toMap, copy, cache, found);
+      break;
+  }
+}
+
+void GlyphDraw::RefineTriangles(const Refiner& refiner, vtkPolyData* source, const Affine& toMap,
+  std::size_t copy, EndCache& cache, Found& found) const
+{
+  const Corners& corners = this->Source.GetCorners();
+  const auto place = [&](unsigned int point) {
+    double p[3];
+    source->GetPoint(point, p);
+    return toMap.Of(p[0], p[1], p[2]);
+  };
+  const std::uint64_t first = static_cast<std::uint64_t>(copy) * source->GetNumberOfPoints();
+  const auto triangles = static_cast<unsigned int>(this->Source.GetNumberOfTriangles());
+  std::vector<unsigned int> fine;
+  for (unsigned int i = 0; i < triangles; i++)
+  {
+    const unsigned int at = 3 * i;
+    const vec3 p[3] = { place(corners[at]), place(corners[at + 1]), place(corners[at + 2]) };
+    const std::uint64_t points[3] = { first + corners[at], first + corners[at + 1],
+      first + corners[at + 2] };
+    if (refiner.Take(p, points, i, cache, found.Refined))
+    {
+      fine.push_back(i);
+    }
+  }
+  if (fine.size() == triangles)
+  {
+    found.Fine.push_back(copy);
+    return;
+  }
+  for (const unsigned int i : fine)
+  {
+    found.Refined.AddWhole(i);
+  }
+  found.Copies.resize(found.Refined.Vertices.size(), copy);
+}
+
+void GlyphDraw::Refine(vtkPolyData* source)
+{
+  double bounds[6];
+  source->GetPoints()->GetBounds(bounds); // so that threads do not compute them
+  this->LongestEdge = 0;
+  for (int c = 0; c < this->Source.GetNumberOfClusters(); c++)
+  {
+    this->LongestEdge = std::max(this->LongestEdge, this->Source.GetLongestEdge(c));
+  }
+  const Refiner refiner(this->View);
+  const std::size_t copies = this->All.Count();
+  const std::size_t parts = RefinedDraw::CountParts(copies, LeastCopies);
+  std::vector<Found> found(parts);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(parts), 1, [&](vtkIdType from, vtkIdType to) {
+    for (auto part = static_cast<std::size_t>(from); part < static_cast<std::size_t>(to); part++)
+    {
+      EndCache cache(source->GetNumberOfPoints());
+      for (std::size_t i = part * copies / parts; i < (part + 1) * copies / parts; i++)
       {
-        const Affine toMap = OfCopy(this->ToMap, this->All.Matrices.data() + 16 * i);
-        Box box;
-        for (int k = 0; k < 8; k++)
-        {
-          box.Add(toMap.Of(b[k & 1], b[2 + ((k >> 1) & 1)], b[4 + ((k >> 2) & 1)]));
-        }
-        const double scale = toMap.GetScale();
-        const int chords = classifier.ChordsOfAll(
-          box, scale * radius, scale * this->Source.GetLongestEdge(), this->Source.GetMostChords());
-        const auto kind = std::find(std::begin(ChordsOfKinds), std::end(ChordsOfKinds), chords);
-        this->Classes[i] = chords == Classifier::Unseen
-          ? chords
-          : static_cast<int>(kind - std::begin(ChordsOfKinds));
+        this->RefineCopy(refiner, source, i, cache, found[part]);
       }
-    });
-}
-
-void GlyphDraw::Gather(vtkPolyData* source)
-{
-  this->ClassifyCopies(source);
-  for (Group& group : this->Groups)
-  {
-    group.Arrays.Clear();
-  }
-  for (std::size_t i = 0; i < this->Classes.size(); i++)
-  {
-    if (this->Classes[i] != Classifier::Unseen)
-    {
-      this->Groups[this->Classes[i]].Arrays.Add(this->All, i);
     }
+  });
+  this->Gather(found);
+}
+
+void GlyphDraw::Gather(const std::vector<Found>& found)
+{
+  this->Fine.Clear();
+  this->Refined.Clear();
+  this->Buffers.Forget();
+  this->NumbersLoaded = false;
+  this->Counts = FrameStatistics();
+  GlyphArrays ofVertices;
+  for (const Found& part : found)
+  {
+    for (const std::size_t copy : part.Fine)
+    {
+      this->Fine.Add(this->All, copy);
+    }
+    this->Refined.Append(part.Refined);
+    for (const std::size_t copy : part.Copies)
+    {
+      ofVertices.Add(this->All, copy);
+    }
+    this->Counts.CulledTriangles += part.CulledTriangles;
   }
+  this->FineBuffers.Upload(this->Fine);
+  this->PieceArrays.Upload(ofVertices);
   const vtkIdType triangles = this->Source.GetNumberOfTriangles();
-  vtkIdType seen = 0;
-  for (Group& group : this->Groups)
-  {
-    group.Upload();
-    seen += static_cast<vtkIdType>(group.Arrays.Count());
-  }
-  const auto all = static_cast<vtkIdType>(this->All.Count());
-  const auto byStage = static_cast<vtkIdType>(this->Groups[0].Arrays.Count());
-  this->Found.Triangles = triangles * all;
-  this->Found.CulledTriangles = triangles * (all - seen);
-  this->Found.ProjectedTriangles = triangles * (seen - byStage);
+  this->Counts.Triangles = triangles * static_cast<vtkIdType>(this->All.Count());
+  this->Counts.ProjectedTriangles =
+    this->View.Limits ? triangles * static_cast<vtkIdType>(this->Fine.Count()) : 0;
+  this->Counts.Pieces = static_cast<vtkIdType>(this->Refined.Numbers.size());
 }
 
-void GlyphDraw::Group::Upload()
+void GlyphDraw::ArrayBuffers::Upload(const GlyphArrays& arrays)
 {
-  if (this->Arrays.Count() > 0)
+  this->HasNormals = !arrays.Normals.empty();
+  if (arrays.Count() > 0)
   {
-    this->Matrices->Upload(this->Arrays.Matrices, vtkOpenGLBufferObject::ArrayBuffer);
-    this->Colors->Upload(this->Arrays.Colors, vtkOpenGLBufferObject::ArrayBuffer);
+    this->Matrices->Upload(arrays.Matrices, vtkOpenGLBufferObject::ArrayBuffer);
+    this->Colors->Upload(arrays.Colors, vtkOpenGLBufferObject::ArrayBuffer);
   }
-  if (!this->Arrays.Normals.empty())
+  if (this->HasNormals)
   {
-    this->Normals->Upload(this->Arrays.Normals, vtkOpenGLBufferObject::ArrayBuffer);
+    this->Normals->Upload(arrays.Normals, vtkOpenGLBufferObject::ArrayBuffer);
   }
 }
 
-// As vtkOpenGLGlyph3DHelper does it.
-void GlyphDraw::Group::AddAttributes()
+// As vtkOpenGLGlyph3DHelper does it. divisor: 1 for a value a copy, 0 for a value a vertex.
+void GlyphDraw::ArrayBuffers::AddAttributes(
+  vtkOpenGLVertexArrayObject* vao, vtkShaderProgram* program, int divisor) const
 {
-  vtkOpenGLVertexArrayObject* const vao = this->Helper.VAO;
-  vtkShaderProgram* const program = this->Helper.Program;
   constexpr int size = sizeof(float);
-  vao->Bind();
   vao->AddAttributeMatrixWithDivisor(
-    program, this->Matrices, "GCMCMatrix", 0, 16 * size, VTK_FLOAT, 4, false, 1, 4 * size);
-  if (!this->Arrays.Normals.empty() && program->IsAttributeUsed("glyphNormalMatrix"))
+    program, this->Matrices, "GCMCMatrix", 0, 16 * size, VTK_FLOAT, 4, false, divisor, 4 * size);
+  if (this->HasNormals && program->IsAttributeUsed("glyphNormalMatrix"))
   {
-    vao->AddAttributeMatrixWithDivisor(
-      program, this->Normals, "glyphNormalMatrix", 0, 9 * size, VTK_FLOAT, 3, false, 1, 3 * size);
+    vao->AddAttributeMatrixWithDivisor(program, this->Normals, "glyphNormalMatrix", 0, 9 * size,
+      VTK_FLOAT, 3, false, divisor, 3 * size);
   }
   if (program->IsAttributeUsed("glyphColor"))
   {
     vao->AddAttributeArrayWithDivisor(
-      program, this->Colors, "glyphColor", 0, 4, VTK_UNSIGNED_CHAR, 4, true, 1, false);
+      program, this->Colors, "glyphColor", 0, 4, VTK_UNSIGNED_CHAR, 4, true, divisor, false);
   }
 }
 
-vtkWideFoVStage* GlyphDraw::StageOf(int kind) const
+void GlyphDraw::ArrayBuffers::ReleaseGraphicsResources()
 {
-  wfv::Stages* const stages = this->Stage->GetStages();
-  const int chords = ChordsOfKinds[kind];
-  return chords == Classifier::None ? this->Stage
-    : chords == 1                   ? stages->Projected.Get()
-                                    : stages->Cut.Get();
+  this->Matrices->ReleaseGraphicsResources();
+  this->Normals->ReleaseGraphicsResources();
+  this->Colors->ReleaseGraphicsResources();
 }
 
-void GlyphDraw::ActivateChords(Group& group, int chords)
+void GlyphDraw::SetOwnNumbers(vtkShaderProgram* program)
 {
-  auto* const window = static_cast<vtkOpenGLRenderWindow*>(this->Renderer->GetRenderWindow());
-  if (!group.Chords.IsLoadedFor(window) || group.ChordsTime != this->Source.GetTime())
-  {
-    group.Chords.Load(window, this->Source.ListChords(chords));
-    group.ChordsTime = this->Source.GetTime();
-  }
-  group.Chords.Activate(group.Helper.Program, "wfvChords");
-  group.Helper.Program->SetUniformi("wfvHasChords", 1);
+  this->Whole.SetOwnNumbers(
+    program, static_cast<vtkOpenGLRenderWindow*>(this->Renderer->GetRenderWindow()));
 }
 
-void GlyphDraw::DrawGroup(int kind)
+// Sets all uniforms of the program; the mapper, which is about to do that, has set a part of them.
+bool GlyphDraw::MakeReady()
 {
-  Group& group = this->Groups[kind];
-  if (group.Arrays.Count() == 0)
-  {
-    return;
-  }
   vtkOpenGLHelper& own = HelperAccess::Triangles(this->Helper);
-  group.Helper.IBO->IndexCount = own.IBO->IndexCount; // which has no indices of its own
-  vtkWideFoVStage* const stage = this->StageOf(kind);
-  Stages::Replace(this->Actor, this->Stage, stage);
-  HelperAccess::MakeReady(this->Helper, group.Helper, this->Renderer, this->Actor);
-  Stages::Replace(this->Actor, stage, this->Stage);
-  if (!group.Helper.Program)
-  {
-    return;
-  }
-  if (ChordsOfKinds[kind] > 1)
-  {
-    this->ActivateChords(group, ChordsOfKinds[kind]);
-  }
-  group.AddAttributes();
+  this->FineHelper.IBO->IndexCount = own.IBO->IndexCount; // which has no indices of its own
+  HelperAccess::MakeReady(this->Helper, this->FineHelper, this->Renderer, this->Actor);
+  return this->FineHelper.Program != nullptr;
+}
+
+void GlyphDraw::DrawFine()
+{
+  vtkOpenGLHelper& own = HelperAccess::Triangles(this->Helper);
+  this->SetOwnNumbers(this->FineHelper.Program);
+  this->FineHelper.VAO->Bind();
+  this->FineBuffers.AddAttributes(this->FineHelper.VAO, this->FineHelper.Program, 1);
   own.IBO->Bind();
   glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(own.IBO->IndexCount), GL_UNSIGNED_INT,
-    nullptr, static_cast<GLsizei>(group.Arrays.Count()));
+    nullptr, static_cast<GLsizei>(this->Fine.Count()));
   own.IBO->Release();
-  group.Chords.Deactivate();
+}
+
+void GlyphDraw::DrawPieces()
+{
+  vtkShaderProgram* const program = this->FineHelper.Program;
+  auto* const window = static_cast<vtkOpenGLRenderWindow*>(this->Renderer->GetRenderWindow());
+  this->Buffers.Load(
+    this->Refined, this->Source.GetCorners(), HelperAccess::Buffers(this->Helper), 0);
+  if (program->IsUniformUsed("wfvNumbers"))
+  {
+    if (!this->NumbersLoaded || !this->Numbers.IsLoadedFor(window))
+    {
+      this->Numbers.Load(window, this->Refined.Numbers);
+      this->NumbersLoaded = true;
+    }
+    this->Numbers.Activate(program, "wfvNumbers");
+    program->SetUniformi("wfvFirstNumber", 0);
+  }
+  this->Buffers.Draw(
+    program, GL_TRIANGLES, [this](vtkOpenGLVertexArrayObject* vao, vtkShaderProgram* drawn) {
+      this->PieceArrays.AddAttributes(vao, drawn, 0);
+    });
+  this->Numbers.Deactivate();
 }
 
 void GlyphDraw::Draw(vtkRenderer* renderer, vtkActor* actor, vtkWideFoVStage* stage)
@@ -389,11 +448,17 @@ void GlyphDraw::Draw(vtkRenderer* renderer, vtkActor* actor, vtkWideFoVStage* st
   this->Renderer = renderer;
   this->Actor = actor;
   vtkOpenGLHelper& own = HelperAccess::Triangles(this->Helper);
-  if (this->Classify())
+  this->SetOwnNumbers(own.Program);
+  if (this->Prepare())
   {
-    for (int kind = 0; kind < NumberOfKinds; kind++)
+    const bool ready = this->MakeReady();
+    if (ready && this->Fine.Count() > 0)
     {
-      this->DrawGroup(kind);
+      this->DrawFine();
+    }
+    if (ready && !this->Refined.Numbers.empty())
+    {
+      this->DrawPieces();
     }
     auto* const window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
     window->GetShaderCache()->ReadyShaderProgram(own.Program);

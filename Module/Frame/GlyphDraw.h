@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Draws the copies that a vtkGlyph3DMapper makes by the classes that they have: those that are not
-// seen not at all, those within the tolerance of their chords by the vertex stage alone, or cut
-// into smaller triangles, the others by the stage of the prop.
+// Draws the copies that a vtkGlyph3DMapper makes, refined for the view: copies that are fine by one
+// instanced call, pieces of the other ones by another call, both with one program.
 #ifndef WideFoVGlyphDraw_h
 #define WideFoVGlyphDraw_h
 
-#include "Clusters/Classifier.h"
 #include "Frame/BufferTexture.h"
 #include "Frame/FrameStatistics.h"
-#include "Frame/GlyphSource.h"
+#include "Frame/RefinedDraw.h"
+#include "Refine/Clusters.h"
+#include "Refine/Refiner.h"
 #include "vtkWideFoVAbi.h"
 
 #include "vtkNew.h"
@@ -66,29 +66,42 @@ public:
   vtkOpenGLGlyph3DHelper* GetHelper() const;
 
 private:
-  // Those that a program draws.
-  struct Group
+  // The buffers of what every copy, or every vertex of a piece of a copy, has of its own.
+  struct ArrayBuffers
   {
-    GlyphArrays Arrays;
     vtkNew<vtkOpenGLBufferObject> Matrices;
     vtkNew<vtkOpenGLBufferObject> Normals;
     vtkNew<vtkOpenGLBufferObject> Colors;
-    BufferTexture Chords;        // of each edge of the source, where there are several
-    vtkMTimeType ChordsTime = 0; // of the source that they are of
-    vtkOpenGLHelper Helper;
+    bool HasNormals = false;
 
-    void Upload();
-    void AddAttributes();
+    void Upload(const GlyphArrays& arrays);
+    void AddAttributes(
+      vtkOpenGLVertexArrayObject* vao, vtkShaderProgram* program, int divisor) const;
+    void ReleaseGraphicsResources();
+  };
+
+  // What one thread finds in a row of copies.
+  struct Found
+  {
+    std::vector<std::size_t> Fine; // copies
+    Pieces Refined;
+    std::vector<std::size_t> Copies; // of each vertex of a piece
+    vtkIdType CulledTriangles = 0;
   };
 
   bool MayDraw(vtkActor* actor);
-  void DrawGroup(int kind);
-  void ActivateChords(Group& group, int chords);
-  vtkWideFoVStage* StageOf(int kind) const;
-  bool Classify();
+  bool Prepare(); // false if the stage draws all copies as they are
   void Download();
-  void ClassifyCopies(vtkPolyData* source);
-  void Gather(vtkPolyData* source);
+  void Refine(vtkPolyData* source);
+  void RefineCopy(const Refiner& refiner, vtkPolyData* source, std::size_t copy, EndCache& cache,
+    Found& found) const;
+  void RefineTriangles(const Refiner& refiner, vtkPolyData* source, const Affine& toMap,
+    std::size_t copy, EndCache& cache, Found& found) const;
+  void Gather(const std::vector<Found>& found);
+  void SetOwnNumbers(vtkShaderProgram* program);
+  bool MakeReady();
+  void DrawFine();
+  void DrawPieces();
 
   vtkWeakPointer<vtkOpenGLGlyph3DHelper> Helper;
   vtkWeakPointer<vtkGlyph3DMapper> Mapper; // whose end is observed
@@ -101,23 +114,29 @@ private:
 
   std::size_t Indices = 0; // that the helper was left without
 
-  // What was classified last, and for what.
+  // What was refined last, and for what.
   GlyphArrays All;
   vtkMTimeType Time = 0; // of VTK's buffers
-  GlyphSource Source;
+  Clusters Source{ false };
+  vtkMTimeType SourceTime = 0;
+  double LongestEdge = 0; // of the source
   double ToMap[16] = { 0 };
-  ClassifierView View;
+  RefineView View;
   bool Known = false;
-  std::vector<int> Classes; // kinds, or Classifier::Unseen
-  FrameStatistics Found;
+  FrameStatistics Counts;
 
-  // By the stage of the prop; and by so many chords of the longest edge.
-  static constexpr int NumberOfKinds = 6;
-  static constexpr int ChordsOfKinds[NumberOfKinds] = { Classifier::None, 1, 2, 4, 8, 16 };
-  Group Groups[NumberOfKinds];
+  GlyphArrays Fine; // copies that are drawn as they are
+  ArrayBuffers FineBuffers;
+  vtkOpenGLHelper FineHelper;
+  Pieces Refined; // of the other ones
+  ArrayBuffers PieceArrays;
+  PieceBuffers Buffers;
+  BufferTexture Numbers;
+  bool NumbersLoaded = false;
+  RefinedDraw Whole{ 3 }; // gives programs the numbers of copies that are drawn as they are
 };
 
-// Of all the mappers that a pass draws.
+// The GlyphDraw of each mapper that a pass draws.
 class GlyphDraws
 {
 public:

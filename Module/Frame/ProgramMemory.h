@@ -25,6 +25,7 @@ struct ProgramUses
   bool FrontCulled = false;
   bool PointSize = false;
   bool Pixels = false;
+  bool PolygonOffset = false;
   bool FineDepth = false;
 };
 

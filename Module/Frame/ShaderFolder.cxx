@@ -49,14 +49,10 @@ const char* VariantOf(ShaderBuilder::Variant stage)
   {
     case Variant::Projected:
       return "projected";
-    case Variant::Cut:
-      return "cut";
     case Variant::PreClip:
       return "preclip";
     case Variant::Exact:
       return "exact";
-    case Variant::Tessellate:
-      return "tessellate";
     case Variant::Sky:
       return "sky";
   }

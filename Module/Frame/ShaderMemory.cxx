@@ -18,14 +18,14 @@ void AppendRequest(std::string& key, const wfv::ShaderBuilder::Request& request)
 {
   const auto& [view, stage, kind, points, lines, triangles, lights, surface, runs, debugView,
     stock] = request;
-  const auto& [projection, stereo, depthMapping, multisample, tilted, lensed, fades] = view;
-  const auto& [edges, edgeFlags, byRays, meetsChords, severalChords, fp64] = triangles;
+  const auto& [projection, stereo, depthMapping, multisample, tilted, lensed, fades, seam] = view;
+  const auto& [edges, edgeFlags, byRays, fp64] = triangles;
   const auto& [headlights, constants] = lights;
   const auto& [noAmbient, noDiffuse, fullDiffuse, noSpecular, opaque] = surface;
   const auto& [known, light, physical, normals, wireframe, glyphs, clips, impostors] = stock;
-  Append(key, projection, stereo, depthMapping, multisample, tilted, lensed, fades);
+  Append(key, projection, stereo, depthMapping, multisample, tilted, lensed, fades, seam);
   Append(key, stage, kind, points.Wide, lines.Wide, runs, debugView);
-  Append(key, edges, edgeFlags, byRays, meetsChords, severalChords, fp64);
+  Append(key, edges, edgeFlags, byRays, fp64);
   Append(key, headlights, noAmbient, noDiffuse, fullDiffuse, noSpecular, opaque);
   Append(key, known, light, physical, normals, wireframe, glyphs, clips, impostors);
   key += constants ? *constants : "";

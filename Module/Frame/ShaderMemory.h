@@ -27,7 +27,7 @@ public:
 
   struct Circumstances
   {
-    bool Numbered; // they are told to ask for the numbers of triangles (TakeTriangleNumbers)
+    bool Numbered; // they are told to ask for the numbers of triangles (TakeNumbers)
     bool Others;   // edit them further (IsEditedFurther)
   };
 

@@ -6,7 +6,6 @@
 #include "Drawables/FatMesh.h"
 #include "Drawables/Sky.h"
 #include "Frame/Technique.h"
-#include "Frame/Tessellation.h"
 #include "vtkWideFoVCamera.h"
 
 #include "vtkActor.h"
@@ -40,45 +39,22 @@ constexpr double PixelSafety = 8;
 
 wfv::Stages::Stages()
 {
-  this->Cut->SetVariant(wfv::ShaderBuilder::Variant::Cut);
   this->PreClip->SetVariant(wfv::ShaderBuilder::Variant::PreClip);
-  this->PreClipOfFew->SetVariant(wfv::ShaderBuilder::Variant::PreClip);
-  this->PreClipOfFew->SetRuns(RunsOfFew);
-  this->PreClipAtChords->SetVariant(wfv::ShaderBuilder::Variant::PreClip);
-  this->PreClipAtChords->SetSeveralChords(true);
   this->Exact->SetVariant(wfv::ShaderBuilder::Variant::Exact);
   this->ExactInSingle->SetVariant(wfv::ShaderBuilder::Variant::Exact);
   this->ExactInSingle->SetRuns(RunsOfFew);
-  this->Tessellate->SetVariant(wfv::ShaderBuilder::Variant::Tessellate);
   this->Sky->SetVariant(wfv::ShaderBuilder::Variant::Sky);
 }
 
-std::array<vtkWideFoVStage*, 9> wfv::Stages::GetAll()
+std::array<vtkWideFoVStage*, 5> wfv::Stages::GetAll()
 {
-  return { this->Projected, this->Cut, this->PreClip, this->PreClipOfFew, this->PreClipAtChords,
-    this->Exact, this->ExactInSingle, this->Tessellate, this->Sky };
-}
-
-bool wfv::Stages::CanTessellate()
-{
-  if (this->Tessellates < 0)
-  {
-    const std::string obstacle = wfv::Tessellation::FindObstacle();
-    this->Tessellates = obstacle.empty();
-    if (!obstacle.empty())
-    {
-      vtkGenericWarningMacro(<< "the technique tessellate cannot be had, auto is used: "
-                             << obstacle);
-    }
-  }
-  return this->Tessellates > 0;
+  return { this->Projected, this->PreClip, this->Exact, this->ExactInSingle, this->Sky };
 }
 
 void wfv::Stages::Begin(
   vtkRenderer* renderer, vtkWideFoVCamera* camera, int technique, double tolerance)
 {
-  const bool refused = technique == wfv::TechniqueTessellate && !this->CanTessellate();
-  this->Technique = refused ? static_cast<int>(wfv::TechniqueAuto) : technique;
+  this->Technique = technique;
   const wfv::View& view = camera->GetView(wfv::PictureAspect(renderer));
   this->Projection = &view.GetProjection();
   const wfv::StereoModel* const stereo = view.GetStereoModel();
@@ -118,9 +94,12 @@ void wfv::Stages::Instruct(vtkWideFoVStage* stage)
 {
   const bool automatic = this->Technique == wfv::TechniqueAuto;
   stage->SetClipless(this->Technique == wfv::TechniqueVertex);
-  stage->SetByRays(automatic || this->Technique == wfv::TechniqueTessellate);
+  stage->SetByRays(automatic);
+  using Variant = wfv::ShaderBuilder::Variant;
+  stage->SetUnrefined(!this->Refines() ? stage->GetVariant()
+      : this->ByPixels                 ? Variant::Exact
+                                       : Variant::PreClip);
   stage->SetFp64(this->IsExact() && stage != this->ExactInSingle);
-  stage->SetMeetsChords(automatic && AllowsChords(this->Tolerance));
   stage->SetExactLines(automatic && (!this->Stereo || this->Stereo->Traits.StraightRays));
 }
 
@@ -138,18 +117,6 @@ void wfv::Stages::SetDebugView(bool debugView)
   {
     stage->SetDebugView(debugView);
   }
-}
-
-bool wfv::Stages::IsFine(vtkProp* prop, const double bounds[6], wfv::PropTraits& traits)
-{
-  if (this->Technique == wfv::TechniquePreClip)
-  {
-    return true;
-  }
-  traits.LongestEdge = traits.LongestEdge < 0 ? this->Meshes.Get(prop) : traits.LongestEdge;
-  const double error = vtkWideFoVChordError(
-    *this->Projection, this->View, bounds, this->WorldToView, traits.LongestEdge);
-  return error * this->HalfDiagonal <= this->Tolerance;
 }
 
 bool wfv::Stages::IsExactTechnique(int technique, double tolerance)
@@ -191,6 +158,13 @@ bool wfv::Stages::IsFat(vtkProp* prop, const double* bounds, const wfv::PropTrai
   return mesh && wfv::IsFat(mesh, toMap);
 }
 
+// A direction map has no chords that something could be said of.
+bool wfv::Stages::Refines() const
+{
+  return this->Technique == wfv::TechniqueAuto && AllowsChords(this->Tolerance) &&
+    this->Projection->Axis != wfv::Family::Sampled;
+}
+
 double wfv::Stages::GetPointFootprint(const wfv::PropTraits& traits) const
 {
   const double pixels = traits.PointSize;
@@ -214,35 +188,28 @@ vtkWideFoVStage* wfv::Stages::Choose(vtkProp* prop, const double* bounds, wfv::P
   {
     return this->Projected;
   }
-  // a direction map has no chords that something could be said of
+  if (this->Refines())
+  {
+    return this->Projected;
+  }
   const bool sampled = this->Projection->Axis == wfv::Family::Sampled;
   const bool covers = this->IsExact() || sampled;
   if (covers || this->ByPixels)
   {
     return this->IsFat(prop, bounds, traits) ? this->ExactInSingle : this->Exact;
   }
-  if (this->Technique == wfv::TechniqueTessellate)
-  {
-    return this->Tessellate;
-  }
   if (!bounds || !vtkMath::AreBoundsInitialized(bounds))
   {
     return this->PreClip;
   }
-  return this->ChooseByBounds(prop, bounds, traits);
+  return this->ChooseByBounds(bounds, traits);
 }
 
-vtkWideFoVStage* wfv::Stages::ChooseByBounds(
-  vtkProp* prop, const double bounds[6], wfv::PropTraits& traits)
+vtkWideFoVStage* wfv::Stages::ChooseByBounds(const double bounds[6], const wfv::PropTraits& traits)
 {
   const bool discontinuous = vtkWideFoVNeedsPreClip(
     *this->Projection, this->View, bounds, this->WorldToView, this->GetPointFootprint(traits));
-  if (discontinuous || !this->IsFine(prop, bounds, traits))
-  {
-    const bool few = this->Technique == wfv::TechniqueAuto && this->IsCoarse(bounds, traits);
-    return few ? this->PreClipOfFew : this->PreClip;
-  }
-  return this->Projected;
+  return discontinuous ? this->PreClip : this->Projected;
 }
 
 vtkWideFoVStage* wfv::Stages::FindAttached(vtkProp* prop)

@@ -3,8 +3,6 @@
 #ifndef WideFoVStages_h
 #define WideFoVStages_h
 
-#include "Clusters/Classifier.h"
-#include "Drawables/MeshScale.h"
 #include "Drawables/PropTraits.h"
 #include "Frame/BufferScale.h"
 #include "Frame/DirectionTextures.h"
@@ -17,6 +15,7 @@
 #include "Frame/ShaderMemory.h"
 #include "Frame/vtkWideFoVStage.h"
 #include "Projections/Bounds/Visibility.h"
+#include "Refine/Refiner.h"
 #include "vtkWideFoVAbi.h"
 
 #include <array>
@@ -109,9 +108,9 @@ public:
   // Another one whenever what Choose and IsCulled go by has changed, but the prop.
   std::uint64_t GetViewNumber() const { return this->ViewNumber; }
 
-  // What the clusters of an actor, drawn with this stage, are classified by. False where all its
-  // triangles are drawn alike.
-  bool GetClassifierView(const vtkWideFoVStage* stage, vtkActor* actor, wfv::ClassifierView& view);
+  // Fills in the view that the meshes of an actor, drawn with this stage, are refined for. False if
+  // the stage draws all triangles as they are.
+  bool GetRefineView(const vtkWideFoVStage* stage, vtkActor* actor, wfv::RefineView& view);
 
   // From the actor's coordinates to the map's own frame, row-major.
   void GetToMap(vtkActor* actor, double matrix[16]) const;
@@ -133,6 +132,13 @@ public:
   wfv::FrameStatistics Counts;
   std::chrono::duration<double> ClusterTime{ 0 }; // of all frames, for making clusters of meshes
   wfv::ShaderClock Shaders;
+
+  // Adds the time since `start` to what refining took in this frame.
+  void AddRefineTime(std::chrono::steady_clock::time_point start)
+  {
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+    this->Counts.RefineTime += took.count();
+  }
   wfv::ShaderMemory Texts;
   wfv::ProgramMemory Programs;
   wfv::ShaderFolder Folder;
@@ -143,22 +149,15 @@ public:
   // The stage in the prop's keys, or nullptr.
   static vtkWideFoVStage* FindAttached(vtkProp* prop);
 
-  vtkNew<vtkWideFoVStage> Projected;       // vertex, preclip; auto: what is projected
-  vtkNew<vtkWideFoVStage> Cut;             // auto: what is projected once it is cut
-  vtkNew<vtkWideFoVStage> PreClip;         // auto: covers triangles that are not
-  vtkNew<vtkWideFoVStage> PreClipOfFew;    // auto: of few triangles
-  vtkNew<vtkWideFoVStage> PreClipAtChords; // auto: with edges that several chords stand for
+  vtkNew<vtkWideFoVStage> Projected; // auto: refined meshes; vertex
+  vtkNew<vtkWideFoVStage> PreClip;   // preclip; auto: props that are not refined
   vtkNew<vtkWideFoVStage> Exact;
   vtkNew<vtkWideFoVStage> ExactInSingle; // in float32: of few triangles, all of them fat
-  vtkNew<vtkWideFoVStage> Tessellate;    // other mappers than ours: the pre-clip
   vtkNew<vtkWideFoVStage> Sky;
 
 private:
-  // True where no edge of the prop leaves its chord by more than the tolerance, seen from here.
-  bool IsFine(vtkProp* prop, const double bounds[6], wfv::PropTraits& traits);
-
-  // For a prop whose rays begin all in one place.
-  vtkWideFoVStage* ChooseByBounds(vtkProp* prop, const double bounds[6], wfv::PropTraits& traits);
+  // The stage of the technique "preclip" for a prop whose rays begin all in one place.
+  vtkWideFoVStage* ChooseByBounds(const double bounds[6], const wfv::PropTraits& traits);
 
   // Bounds in the map's own frame, as large as they are seen from any place of the eyes.
   wfv::Box GetBox(const double bounds[6]) const;
@@ -171,21 +170,18 @@ private:
   double GetPointFootprint(const wfv::PropTraits& traits) const;
 
   wfv::BufferScale Buffers;
-  wfv::MeshScale Meshes;
   wfv::DirectionTextures Textures;
   double Tolerance = 0.25;
   double PixelAngle = 0;   // radians, of a pixel at the most if all were alike
   double HalfDiagonal = 1; // of the picture, pixels
   int Enlargement = 1;
   int Border = 0;
-  bool CanTessellate();
-
   int Technique = 0;
-  int Tessellates = -1; // -1: not asked yet
   const wfv::Projection* Projection = nullptr;
-  bool ByPixels = false; // the stereo model leaves chords no edge to stand for
+  bool ByPixels = false; // the rays of an eye begin in several places, or are curved
   const wfv::StereoModel* Stereo = nullptr;
   bool IsExact() const; // every triangle is ray-tested
+  bool Refines() const; // meshes are refined, where their mapper can
   bool IsFat(vtkProp* prop, const double* bounds, const wfv::PropTraits& traits) const;
   bool IsCoarse(const double* bounds, const wfv::PropTraits& traits) const;
   wfv::WfvView View;
@@ -194,7 +190,7 @@ private:
   wfv::Window Part;      // of the picture, with a margin
   wfv::vec2 Pixels{ 1 }; // of the whole picture
   bool Culling = true;
-  std::array<vtkWideFoVStage*, 9> GetAll();
+  std::array<vtkWideFoVStage*, 5> GetAll();
   void Instruct(vtkWideFoVStage* stage);
   void SetEyes(vtkWideFoVCamera* camera, const wfv::StereoModel* stereo); // after SetPart
   double BaselineRadius =

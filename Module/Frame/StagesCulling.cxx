@@ -6,11 +6,11 @@
 #include "Drawables/IndexLimit.h"
 #include "Drawables/Kinds/DrawableKinds.h"
 #include "Drawables/Volumes.h"
-#include "Frame/ClusterDraw.h"
 #include "Frame/Technique.h"
 #include "vtkWideFoVCamera.h"
 
 #include "vtkActor.h"
+#include "vtkCellArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkMapper.h"
@@ -58,14 +58,17 @@ bool DrawsWidths(vtkActor* actor)
     property->GetVertexVisibility();
 }
 
-// Cells of a surface that are too few to classify; 0 where there are more, or none. Of blocks it is
-// not known, nor asked for.
+// Corners of the cells of a mesh that counts as one of few triangles.
+constexpr vtkIdType FewCorners = 768;
+
+// Number of cells of a surface that has few triangles; 0 if there are more, or none.
 vtkIdType CountFew(vtkActor* actor)
 {
   vtkMapper* const mapper = actor->GetMapper();
   auto* const mesh = mapper ? vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0)) : nullptr;
   const bool surface = actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
-  const bool few = mesh && surface && !wfv::ClusterDraw::IsWorthIt(mesh);
+  const bool few = mesh && surface && mesh->GetPolys()->GetNumberOfConnectivityIds() < FewCorners &&
+    mesh->GetStrips()->GetNumberOfConnectivityIds() < FewCorners;
   return few ? mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() : 0;
 }
 }
@@ -231,8 +234,8 @@ std::shared_ptr<const wfv::ChordLimits> wfv::Stages::GetLimits(double tolerance)
   return this->Limits;
 }
 
-bool wfv::Stages::GetClassifierView(
-  const vtkWideFoVStage* stage, vtkActor* actor, wfv::ClassifierView& view)
+bool wfv::Stages::GetRefineView(
+  const vtkWideFoVStage* stage, vtkActor* actor, wfv::RefineView& view)
 {
   if (this->Technique == wfv::TechniqueVertex || wfv::HasOwnShaders(actor))
   {
@@ -240,21 +243,16 @@ bool wfv::Stages::GetClassifierView(
   }
   view.Map = this->Projection;
   view.View = this->View;
-  view.View.eye = wfv::WFV_EYE_MIDDLE; // the same for both eyes
   view.Part = this->Part;
+  view.Pixels = this->Pixels;
   view.Culls = this->Culling;
   view.BaselineRadius = this->BaselineRadius;
-  const bool own =
-    this->Stereo && !this->Stereo->Traits.OneCenter && !this->Stereo->Fades(this->View);
-  view.EyeRadius = own ? wfv::wfvFromMiddle(this->View) : 0;
-  view.Stereo = own ? this->Stereo : nullptr;
-  // what shines through would be twice where two ways of drawing meet, and is mixed in its own
-  // order
-  const bool projects = this->Technique == wfv::TechniqueAuto && AllowsChords(this->Tolerance) &&
-    stage != this->Projected && (!this->ByPixels || own) &&
-    this->Projection->Axis != wfv::Family::Sampled && !actor->HasTranslucentPolygonalGeometry();
+  view.Stereo = this->Stereo;
+  view.EyeRadius =
+    this->Stereo && !this->Stereo->Traits.OneCenter ? wfv::wfvFromMiddle(this->View) : 0;
   view.Tolerance = this->Tolerance;
-  view.Limits = projects ? this->GetLimits(this->Tolerance) : nullptr;
+  const bool refines = this->Refines() && stage == this->Projected;
+  view.Limits = refines ? this->GetLimits(this->Tolerance) : nullptr;
   return true;
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Frame/vtkWideFoVCompositeHelper.h"
 
-#include "Frame/ClusterDraw.h"
+#include "Frame/LineDraw.h"
+#include "Frame/MeshDraw.h"
 #include "Frame/Stages.h"
 
 #include "vtkActor.h"
@@ -9,6 +10,8 @@
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLCellToVTKCellMap.h"
 #include "vtkOpenGLIndexBufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
@@ -16,75 +19,44 @@
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 
-#include <algorithm>
 #include <iterator>
 #include <map>
 #include <memory>
 
 vtkStandardNewMacro(vtkWideFoVCompositeHelper);
 
-namespace
-{
-using wfv::ClusterDraw;
-}
-
 struct vtkWideFoVCompositeHelper::Internals
 {
-  // A block's polygons or strips.
+  // One kind of primitives of a block.
   struct Block
   {
     explicit Block(bool strips)
       : Triangles(strips)
     {
     }
-    ClusterDraw Triangles;
-    bool Classified = false; // in this traversal
-    bool Gone = false;       // the mapper has it no more
+    wfv::MeshDraw Triangles;
+    wfv::LineDraw Lines;
+    bool Refined = false; // in this traversal
+    bool Gone = false;    // the mapper has it no more
   };
+  using Blocks = std::map<vtkPolyData*, std::unique_ptr<Block>>;
 
-  // Of all blocks the polygons or the strips.
-  struct Surfaces
+  Blocks Kinds[PrimitiveTriStrips + 1];    // of each kind of primitives
+  wfv::RefinedDraw Nothing{ 3 };           // for blocks that are drawn as they are
+  vtkOpenGLRenderWindow* Window = nullptr; // that is drawn to
+
+  void Release(vtkWindow* window)
   {
-    std::map<vtkPolyData*, std::unique_ptr<Block>> Blocks;
-    vtkOpenGLHelper Helpers[ClusterDraw::NumberOfKinds]; // the programs
-
-    Block* Find(vtkPolyData* data) const
+    for (Blocks& blocks : this->Kinds)
     {
-      const auto found = this->Blocks.find(data);
-      return found != this->Blocks.end() ? found->second.get() : nullptr;
-    }
-
-    void Release(vtkWindow* window)
-    {
-      for (auto& block : this->Blocks)
+      for (auto& block : blocks)
       {
         block.second->Triangles.ReleaseGraphicsResources(window);
+        block.second->Lines.ReleaseGraphicsResources(window);
       }
-      this->Blocks.clear();
-      for (vtkOpenGLHelper& helper : this->Helpers)
-      {
-        helper.ReleaseGraphicsResources(window);
-      }
+      blocks.clear();
     }
-  };
-
-  Surfaces Polygons;
-  Surfaces Strips;
-  ClusterDraw Nothing{ false }; // for what is drawn in the order that it came in
-  vtkWindow* Window = nullptr;  // that is drawn to
-
-  Internals()
-  {
-    for (int i = 0; i < ClusterDraw::NumberOfKinds; i++)
-    {
-      this->Polygons.Helpers[i].PrimitiveType = PrimitiveTris;
-      this->Strips.Helpers[i].PrimitiveType = PrimitiveTriStrips;
-    }
-  }
-
-  Surfaces& Of(int primitive)
-  {
-    return primitive == PrimitiveTriStrips ? this->Strips : this->Polygons;
+    this->Nothing.ReleaseGraphicsResources(window);
   }
 };
 
@@ -98,30 +70,29 @@ vtkWideFoVCompositeHelper::~vtkWideFoVCompositeHelper() = default;
 void vtkWideFoVCompositeHelper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "ClassifiedBlocks: " << this->Internal->Polygons.Blocks.size() << "\n";
+  os << indent << "RefinedBlocks: " << this->Internal->Kinds[PrimitiveTris].size() << "\n";
 }
 
 void vtkWideFoVCompositeHelper::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Internal->Polygons.Release(window);
-  this->Internal->Strips.Release(window);
-  this->Internal->Nothing.ReleaseGraphicsResources(window);
+  this->Internal->Release(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
 void vtkWideFoVCompositeHelper::Forget()
 {
-  for (Internals::Surfaces* surfaces : { &this->Internal->Polygons, &this->Internal->Strips })
+  for (Internals::Blocks& blocks : this->Internal->Kinds)
   {
-    auto& blocks = surfaces->Blocks;
     for (auto& block : blocks)
     {
       block.second->Gone = true;
+      block.second->Refined = false;
     }
     this->ForEachBlock([&](vtkPolyData* data, const BlockOfMapper&) {
-      if (Internals::Block* const found = surfaces->Find(data))
+      const auto found = blocks.find(data);
+      if (found != blocks.end())
       {
-        found->Gone = false;
+        found->second->Gone = false;
       }
     });
     for (auto it = blocks.begin(); it != blocks.end();)
@@ -145,22 +116,36 @@ bool vtkWideFoVCompositeHelper::IsDrawn(const BlockOfMapper& block, vtkActor* ac
     (actor->IsRenderingTranslucentPolygonalGeometry() ? translucent : opaque);
 }
 
-bool vtkWideFoVCompositeHelper::Classify(int primitive, vtkActor* actor, vtkWideFoVStage* stage)
+wfv::DrawnPart vtkWideFoVCompositeHelper::PartOf(const BlockOfMapper& block, int primitive)
 {
-  const bool strips = primitive == PrimitiveTriStrips;
-  auto& blocks = this->Internal->Of(primitive).Blocks;
+  wfv::DrawnPart part;
+  part.Helper = &this->Primitives[primitive];
+  part.Buffers = this->VBOs;
+  part.FirstVertex = block.StartVertex;
+  part.Vertices = block.NextVertex - block.StartVertex;
+  part.FirstIndex = block.StartIndex[primitive];
+  part.Indices = block.NextIndex[primitive] - block.StartIndex[primitive];
+  return part;
+}
+
+bool vtkWideFoVCompositeHelper::Refine(
+  int primitive, bool lines, vtkActor* actor, vtkWideFoVStage* stage)
+{
+  const vtkMTimeType time = this->VBOBuildTime.GetMTime();
+  Internals::Blocks& blocks = this->Internal->Kinds[primitive];
   bool any = false;
   this->ForEachBlock([&](vtkPolyData* data, const BlockOfMapper& record) {
-    if (!ClusterDraw::IsWorthIt(data, strips))
+    const wfv::DrawnPart part = this->PartOf(record, primitive);
+    if (part.Indices == 0 || !this->IsDrawn(record, actor))
     {
-      blocks.erase(data);
       return;
     }
     std::unique_ptr<Internals::Block>& block = blocks[data];
-    block = block ? std::move(block) : std::make_unique<Internals::Block>(strips);
-    block->Classified =
-      this->IsDrawn(record, actor) && block->Triangles.Prepare(data, actor, stage);
-    any = any || block->Classified;
+    block = block ? std::move(block)
+                  : std::make_unique<Internals::Block>(primitive == PrimitiveTriStrips);
+    block->Refined = lines ? block->Lines.Prepare(part, time, actor, stage)
+                           : block->Triangles.Prepare(data, actor, stage);
+    any = any || block->Refined;
   });
   return any;
 }
@@ -169,99 +154,86 @@ void vtkWideFoVCompositeHelper::SetCustomUniforms(vtkOpenGLHelper& cellBO, vtkAc
 {
   if (this->Internal->Window)
   {
-    this->Internal->Nothing.SetParameters(cellBO.Program, this->Internal->Window);
+    this->Internal->Nothing.SetOwnNumbers(cellBO.Program, this->Internal->Window);
   }
   this->Superclass::SetCustomUniforms(cellBO, actor);
 }
 
-// With the program that is bound, of the kind's own or of the stage's.
-void vtkWideFoVCompositeHelper::DrawKind(int number, int primitive, vtkActor* actor)
+void vtkWideFoVCompositeHelper::DrawBlocks(
+  int primitive, bool lines, vtkRenderer* renderer, vtkActor* actor)
 {
-  const auto kind = static_cast<ClusterDraw::Kind>(number);
-  const Internals::Surfaces& surfaces = this->Internal->Of(primitive);
-  vtkOpenGLHelper& own = this->Primitives[primitive];
-  vtkShaderProgram* const program =
-    kind == ClusterDraw::ByStage ? own.Program : surfaces.Helpers[kind].Program;
-  this->ForEachBlock([&](vtkPolyData* data, BlockOfMapper& block) {
-    Internals::Block* const known = surfaces.Find(data);
-    const bool classified = known && known->Classified;
-    wfv::DrawnPart part;
-    part.FirstVertex = block.StartVertex;
-    part.Vertices = block.NextVertex - block.StartVertex;
-    part.FirstIndex = block.StartIndex[primitive];
-    part.Indices = block.NextIndex[primitive] - block.StartIndex[primitive];
-    const bool has =
-      classified ? known->Triangles.Has(kind) : kind == ClusterDraw::ByStage && part.Indices > 0;
-    if (!has || !this->IsDrawn(block, actor))
+  Internals& in = *this->Internal;
+  vtkOpenGLHelper& helper = this->Primitives[primitive];
+  this->UpdateShaders(helper, renderer, actor);
+  if (!helper.Program)
+  {
+    return;
+  }
+  if (lines && !this->HaveWideLines(renderer, actor))
+  {
+    in.Window->GetState()->vtkglLineWidth(actor->GetProperty()->GetLineWidth());
+  }
+  this->PrimIDUsed = helper.Program->IsUniformUsed("PrimitiveIDOffset");
+  this->OverideColorUsed = helper.Program->IsUniformUsed("OverridesColor");
+  this->ForEachBlock([&](vtkPolyData* data, BlockOfMapper& record) {
+    const auto found = in.Kinds[primitive].find(data);
+    if (found == in.Kinds[primitive].end() || !found->second->Refined)
     {
       return;
     }
-    this->SetShaderValues(program, &block, block.CellCellMap->GetPrimitiveOffsets()[primitive]);
-    ClusterDraw& triangles = classified ? known->Triangles : this->Internal->Nothing;
-    triangles.Choose(classified ? kind : ClusterDraw::All);
-    triangles.SetParameters(program, this->Internal->Window);
-    triangles.Draw(own.IBO, part);
-    triangles.Finish();
+    Internals::Block& block = *found->second;
+    this->SetShaderValues(
+      helper.Program, &record, record.CellCellMap->GetPrimitiveOffsets()[primitive]);
+    const wfv::DrawnPart part = this->PartOf(record, primitive);
+    if (lines)
+    {
+      block.Lines.Draw(part, in.Window);
+    }
+    else
+    {
+      block.Triangles.Draw(part, in.Window);
+    }
   });
 }
 
-void vtkWideFoVCompositeHelper::DrawClusters(
+bool vtkWideFoVCompositeHelper::DrawRefined(
   int primitive, vtkRenderer* renderer, vtkActor* actor, vtkWideFoVStage* stage)
 {
-  vtkOpenGLHelper& own = this->Primitives[primitive];
-  Internals::Surfaces& surfaces = this->Internal->Of(primitive);
-  for (int i = 0; i < ClusterDraw::NumberOfKinds; i++)
+  vtkProperty* const property = actor->GetProperty();
+  const int mode = this->GetOpenGLMode(property->GetRepresentation(), primitive);
+  const bool lines = mode == GL_LINES && !property->GetRenderLinesAsTubes();
+  const bool edges = property->GetEdgeVisibility() && !this->CurrentSelector;
+  if ((!lines && (mode != GL_TRIANGLES || edges)) || !this->Refine(primitive, lines, actor, stage))
   {
-    const auto kind = static_cast<ClusterDraw::Kind>(i);
-    const bool byStage = kind == ClusterDraw::ByStage;
-    const bool any = std::any_of(surfaces.Blocks.begin(), surfaces.Blocks.end(),
-      [kind](const auto& b) { return b.second->Classified && b.second->Triangles.Has(kind); });
-    if (!any && !byStage)
-    {
-      continue;
-    }
-    vtkWideFoVStage* const other = ClusterDraw::GetStage(kind, stage);
-    vtkOpenGLHelper& helper = byStage ? own : surfaces.Helpers[kind];
-    helper.IBO->IndexCount = own.IBO->IndexCount; // the others have none of their own
-    wfv::Stages::Replace(actor, stage, other);
-    this->UpdateShaders(helper, renderer, actor);
-    if (helper.Program)
-    {
-      this->PrimIDUsed = helper.Program->IsUniformUsed("PrimitiveIDOffset");
-      this->OverideColorUsed = helper.Program->IsUniformUsed("OverridesColor");
-      this->DrawKind(kind, primitive, actor);
-    }
-    wfv::Stages::Replace(actor, other, stage);
+    return false;
   }
+  this->DrawBlocks(primitive, lines, renderer, actor);
+  return true;
 }
 
-// What is classified is drawn here; everything else by the stock helper, which finds no triangles
-// left.
+// Draws triangles and lines refined. Everything else is drawn by the stock helper, which finds none
+// of them left.
 void vtkWideFoVCompositeHelper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
 {
   Internals& in = *this->Internal;
-  in.Window = renderer->GetRenderWindow();
+  in.Window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   this->CurrentSelector = renderer->GetSelector();
   this->DrawingVertices = this->DrawingSelection = false;
   this->PrimitiveIDOffset = 0;
   this->Forget();
   vtkWideFoVStage* const stage = wfv::Stages::FindAttached(actor);
-  vtkProperty* const property = actor->GetProperty();
-  const bool edges = property->GetEdgeVisibility() && !this->CurrentSelector;
-  const bool surface =
-    stage && !this->PointPicking && !edges && property->GetRepresentation() == VTK_SURFACE;
-  std::size_t counts[PrimitiveEnd] = { 0 };
-  for (const int i : { PrimitiveTris, PrimitiveTriStrips })
+  std::size_t counts[PrimitiveTriStrips + 1] = { 0 };
+  for (int i = PrimitiveStart; i <= PrimitiveTriStrips; i++)
   {
     counts[i] = this->Primitives[i].IBO->IndexCount;
-    if (surface && counts[i] > 0 && this->Classify(i, actor, stage))
+    if (stage && counts[i] > 0 && !this->PointPicking &&
+      this->DrawRefined(i, renderer, actor, stage))
     {
-      this->DrawClusters(i, renderer, actor, stage);
       this->Primitives[i].IBO->IndexCount = 0;
     }
   }
   this->Superclass::RenderPieceDraw(renderer, actor);
-  for (const int i : { PrimitiveTris, PrimitiveTriStrips })
+  for (int i = PrimitiveStart; i <= PrimitiveTriStrips; i++)
   {
     this->Primitives[i].IBO->IndexCount = counts[i];
   }

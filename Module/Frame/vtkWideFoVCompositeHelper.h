@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkWideFoVCompositeHelper
- * @brief   draws the blocks of composite data by clusters
+ * @brief   draws the blocks of composite data, refined
  *
  * A composite mapper hands its blocks to mappers of its own. This one draws
- * as the stock one does, but under a vtkWideFoVPass it classifies the clusters of each block as
- * vtkWideFoVPolyDataMapper does those of its mesh. Visibility, opacity, colours, picking and what
+ * as the stock one does, but under a vtkWideFoVPass it refines the triangles of each block as
+ * vtkWideFoVPolyDataMapper refines its mesh. Visibility, opacity, colours, picking and what
  * is selected stay the stock helper's work.
  */
 #ifndef vtkWideFoVCompositeHelper_h
 #define vtkWideFoVCompositeHelper_h
 
 #include "Compat/BlockMapper.h"
+#include "Frame/RefinedDraw.h"
 #include "vtkWideFoVAbi.h"
 
 #include <memory>
@@ -39,18 +40,16 @@ private:
   vtkWideFoVCompositeHelper(const vtkWideFoVCompositeHelper&) = delete;
   void operator=(const vtkWideFoVCompositeHelper&) = delete;
 
-  // Classifies the polygons or the strips of the blocks; false where none are drawn otherwise than
-  // the stage says.
-  bool Classify(int primitive, vtkActor* actor, vtkWideFoVStage* stage);
-
-  // Draws them: every block's with one program before the next one.
-  void DrawClusters(int primitive, vtkRenderer* renderer, vtkActor* actor, vtkWideFoVStage* stage);
-  void DrawKind(int kind, int primitive, vtkActor* actor);
+  // Draws one kind of primitives refined. False if the superclass is to draw it.
+  bool DrawRefined(int primitive, vtkRenderer* renderer, vtkActor* actor, vtkWideFoVStage* stage);
+  bool Refine(int primitive, bool lines, vtkActor* actor, vtkWideFoVStage* stage);
+  void DrawBlocks(int primitive, bool lines, vtkRenderer* renderer, vtkActor* actor);
+  wfv::DrawnPart PartOf(const BlockOfMapper& block, int primitive);
 
   // Whether a block is to be seen, or picked, in this traversal of the props.
   bool IsDrawn(const BlockOfMapper& block, vtkActor* actor) const;
 
-  // What was classified for blocks that are gone.
+  // Drops what was refined for blocks that are gone.
   void Forget();
 
   struct Internals;

@@ -7,15 +7,15 @@
 #include "Drawables/Discontinuity.h"
 #include "Drawables/Kinds/DrawableKinds.h"
 #include "Drawables/LineMapper.h"
+#include "Drawables/PropTraits.h"
 #include "Drawables/QuadricKind.h"
 #include "Drawables/StockTraits.h"
-#include "Frame/ClusterDraw.h"
+#include "Frame/RefinedDraw.h"
 #include "Frame/DirectionTextures.h"
 #include "Frame/Eye.h"
 #include "Frame/Headlights.h"
 #include "Frame/RefusedShaders.h"
 #include "Frame/Stages.h"
-#include "Frame/Tessellation.h"
 #include "Projections/Bounds/Curvature.h"
 #include "Shaders/quadrics/QuadricShaders.h"
 #include "vtkWideFoVCamera.h"
@@ -103,16 +103,29 @@ private:
 
 }
 
+namespace
+{
+// True where the picture shows the end of a map whose seam is curved: a corner lies outside of it.
+bool ShowsCurvedSeam(const wfv::View& view)
+{
+  const wfv::Projection& map = view.GetProjection();
+  return map.Axis == wfv::Family::Meridian && !map.StraightSeam &&
+    !map.Unproject(wfv::vec2(1, 1), view.GetParameters()).inside;
+}
+}
+
 //------------------------------------------------------------------------------
-// What of a view is text of the shaders.
+// Notes the parts of a view that are text of the shaders.
 void vtkWideFoVStage::NoteView(const wfv::View& view)
 {
   const bool tilts = !this->Seen.Tilted && view.GetParameters().tilt != wfv::vec2(1, 0);
   const bool bends = !this->Seen.Lensed && view.GetParameters().lens.x != 0;
   const wfv::StereoModel* const stereo = view.GetStereoModel();
   const bool fades = !this->Seen.Fades && stereo && stereo->Fades(view.GetParameters());
-  if (&view.GetProjection() != this->Seen.Projection || tilts || bends || fades ||
-    stereo != this->Seen.Stereo || view.GetParameters().depthMapping != this->Seen.DepthMapping)
+  const bool another = &view.GetProjection() != this->Seen.Projection;
+  const bool ends = (another || !this->Seen.Seam) && ShowsCurvedSeam(view);
+  if (another || tilts || bends || fades || ends || stereo != this->Seen.Stereo ||
+    view.GetParameters().depthMapping != this->Seen.DepthMapping)
   {
     this->Seen.Projection = &view.GetProjection();
     this->Seen.Stereo = stereo;
@@ -120,6 +133,7 @@ void vtkWideFoVStage::NoteView(const wfv::View& view)
     this->Seen.Tilted = this->Seen.Tilted || tilts;
     this->Seen.Lensed = this->Seen.Lensed || bends;
     this->Seen.Fades = this->Seen.Fades || fades;
+    this->Seen.Seam = ends || (this->Seen.Seam && !another);
     this->SourceTime.Modified();
   }
 }
@@ -182,15 +196,6 @@ bool WarnOfImpostors(const std::string& model)
 }
 }
 
-namespace
-{
-bool IsProjected(wfv::ShaderBuilder::Variant variant)
-{
-  using Variant = wfv::ShaderBuilder::Variant;
-  return variant == Variant::Projected || variant == Variant::Cut;
-}
-}
-
 void vtkWideFoVStage::FinishTriangles(wfv::ShaderBuilder::Request& request) const
 {
   request.Lights.Headlights = this->Headlights;
@@ -217,7 +222,7 @@ void vtkWideFoVStage::FinishTriangles(wfv::ShaderBuilder::Request& request) cons
   // how far edges are is asked of float32 alone
   request.Triangles.Fp64 = this->IsFp64() && !request.Triangles.Edges && !this->DebugView;
   if ((!straight || (this->Seen.Stereo && !this->Seen.Stereo->Traits.OneCenter)) &&
-    !IsProjected(request.Stage))
+    request.Stage != wfv::ShaderBuilder::Variant::Projected)
   {
     // their edges are no great circles, which is what chords are chosen by
     request.Stage = wfv::ShaderBuilder::Variant::Exact;
@@ -231,6 +236,32 @@ bool vtkWideFoVStage::HasFp64Rays() const
     (!this->Seen.Stereo->Traits.OneCenter || !this->Seen.Stereo->Traits.StraightRays);
   return exact && !moved && !this->Seen.Multisample &&
     this->Seen.Projection->Axis != wfv::Family::Planar;
+}
+
+namespace
+{
+// True if a mapper draws the pieces of its triangles. A user's own shaders may move them anywhere.
+bool Refines(vtkAbstractMapper* mapper, vtkProp* prop)
+{
+  auto* const actor = vtkActor::SafeDownCast(prop);
+  const bool copies = actor && wfv::HasTrait(mapper, wfv::Glyphs) &&
+    wfv::HasTrait(actor->GetMapper(), wfv::CopiesAtPoints);
+  return actor && !wfv::HasOwnShaders(actor) &&
+    (copies || wfv::HasTrait(mapper, wfv::OwnMesh) || wfv::HasTrait(mapper, wfv::ClassifiesBlocks));
+}
+}
+
+namespace
+{
+// True if the mapper draws these primitives refined. Copies of glyphs have refined triangles only.
+bool IsRefined(const wfv::ShaderBuilder::Request& request, vtkAbstractMapper* mapper, vtkProp* prop)
+{
+  using Primitive = wfv::ShaderBuilder::Primitive;
+  const bool triangles = request.Kind == Primitive::Triangles && !request.Triangles.Edges;
+  const bool lines = request.Kind == Primitive::Lines && !wfv::HasTrait(mapper, wfv::Glyphs);
+  auto* const polydata = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
+  return (triangles || lines) && Refines(mapper, prop) && !wfv::DrawsSelection(polydata);
+}
 }
 
 // Parts that each of few lines is drawn in: the pieces of one that runs round the eye or past a
@@ -250,27 +281,27 @@ wfv::ShaderBuilder::Request vtkWideFoVStage::MakeRequest(
   {
     MapperAccess::Describe(polydata, this->Renderer, actor, request);
   }
+  if (request.Stage == Variant::Projected && !this->Clipless && !IsRefined(request, mapper, prop))
+  {
+    request.Stage = this->Unrefined;
+  }
   // stock VTK draws these with a geometry stage of its own, straight in the picture
+  const bool refined = this->Unrefined != Variant::Projected && IsRefined(request, mapper, prop);
   if ((request.Triangles.Edges || request.Lines.Wide) && request.Stage == Variant::Projected &&
-    !this->Clipless)
+    !this->Clipless && !refined)
   {
     request.Stage = Variant::PreClip;
   }
   this->FinishTriangles(request);
   const bool lines = request.Kind == wfv::ShaderBuilder::Primitive::Lines && polydata;
   request.Runs = lines && wfv::HasFewLines(polydata) ? RunsOfFewLines : request.Runs;
-  if (lines && this->ExactLines)
+  if (lines && this->ExactLines && !refined)
   {
     const Variant chords = request.Stage == Variant::Exact ? Variant::PreClip : request.Stage;
     const bool strips =
       !this->ManyWideLines && wfv::NeedsStrips(polydata, vtkActor::SafeDownCast(prop));
     request.Stage = strips ? Variant::Exact : chords;
   }
-  // only our own mapper draws patches; the pieces' edges must not show as the cell's
-  const bool patches = wfv::HasTrait(mapper, wfv::OwnMesh) &&
-    request.Kind == wfv::ShaderBuilder::Primitive::Triangles && !request.Triangles.Edges;
-  request.Stage =
-    request.Stage == Variant::Tessellate && !patches ? Variant::PreClip : request.Stage;
   return request;
 }
 
@@ -291,24 +322,6 @@ bool vtkWideFoVStage::PreReplaceShaderValues(std::string&, std::string& geometry
   return true;
 }
 
-namespace
-{
-bool Classifies(vtkAbstractMapper* mapper)
-{
-  return wfv::HasTrait(mapper, wfv::OwnMesh) || wfv::HasTrait(mapper, wfv::ClassifiesBlocks);
-}
-
-// Of one that classifies clusters: meshes of few triangles are drawn as they are. Blocks are not
-// asked for.
-bool MayClassify(vtkAbstractMapper* mapper)
-{
-  vtkPolyData* const mesh = wfv::HasTrait(mapper, wfv::OwnMesh)
-    ? static_cast<vtkPolyDataMapper*>(mapper)->GetInput()
-    : nullptr;
-  return !mesh || wfv::ClusterDraw::IsWorthIt(mesh);
-}
-}
-
 bool vtkWideFoVStage::PostReplaceShaderValues(std::string& vertexShader,
   std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper,
   vtkProp* prop)
@@ -320,11 +333,7 @@ bool vtkWideFoVStage::PostReplaceShaderValues(std::string& vertexShader,
     return true;
   }
   wfv::ShaderBuilder::Request request = this->MakeRequest(mapper, prop);
-  const bool classifies =
-    request.Kind == wfv::ShaderBuilder::Primitive::Triangles && Classifies(mapper);
-  wfv::ShaderBuilder::TriangleTraits& t = request.Triangles;
-  t.MeetsChords = classifies && this->MeetsChords && !t.Edges && MayClassify(mapper);
-  t.SeveralChords = t.MeetsChords && this->SeveralChords;
+  const bool classifies = IsRefined(request, mapper, prop);
   const bool others = wfv::IsEditedFurther(this, prop);
   Texts texts{ vertexShader, geometryShader, fragmentShader };
   const Texts* const before =
@@ -354,7 +363,7 @@ void vtkWideFoVStage::FinishTexts(const wfv::ShaderBuilder::Request& request, bo
 {
   if (classifies)
   {
-    wfv::TakeTriangleNumbers(texts.Fragment);
+    wfv::TakeNumbers(texts.Vertex, texts.Fragment);
   }
   wfv::ShaderBuilder::Finish(request, texts.Vertex, texts.Geometry, texts.Fragment);
   wfv::stock::LeaveOutUnedited(

@@ -80,6 +80,16 @@ public:
     }
   }
 
+  // What draws everything but the triangles of mappers that refine them.
+  void SetUnrefined(wfv::ShaderBuilder::Variant variant)
+  {
+    if (variant != this->Unrefined)
+    {
+      this->Unrefined = variant;
+      this->SourceTime.Modified();
+    }
+  }
+
   // Lines as chords, but for a few wide ones, by the exact variant: the technique "auto".
   void SetExactLines(bool exact)
   {
@@ -101,7 +111,7 @@ public:
   }
 
   // Triangles ray-tested behind every geometry stage, whatever the variant:
-  // the techniques "auto" and "tessellate".
+  // the technique "auto".
   void SetByRays(bool byRays)
   {
     if (byRays != this->ByRays)
@@ -110,19 +120,6 @@ public:
       this->SourceTime.Modified();
     }
   }
-
-  // Among the triangles of a mesh some may be drawn by their chords: ray-tested ones meet those.
-  void SetMeetsChords(bool meets)
-  {
-    if (meets != this->MeetsChords)
-    {
-      this->MeetsChords = meets;
-      this->SourceTime.Modified();
-    }
-  }
-
-  // And an edge of these may have several.
-  void SetSeveralChords(bool several) { this->SeveralChords = several; }
 
   // The tables of a direction map; they outlive the frame.
   void SetTextures(wfv::DirectionTextures* textures) { this->Textures = textures; }
@@ -140,10 +137,10 @@ public:
   // NDC of the tile = NDC of the picture * first two + last two.
   const float* GetTile() const { return this->Tile; }
 
-  // Of all, and those of them that were tessellated.
+  // Draws of a frame, and how many of them are by the variant of SetUnrefined.
   int GetNumberOfDraws() const { return this->NumberOfDraws; }
-  int GetNumberOfTessellateDraws() const { return this->NumberOfTessellateDraws; }
-  void ResetNumberOfDraws() { this->NumberOfDraws = this->NumberOfTessellateDraws = 0; }
+  int GetNumberOfUnrefinedDraws() const { return this->NumberOfUnrefinedDraws; }
+  void ResetNumberOfDraws() { this->NumberOfDraws = this->NumberOfUnrefinedDraws = 0; }
 
   // What the mapper's present primitives are drawn with.
   wfv::ShaderBuilder::Request MakeRequest(vtkAbstractMapper* mapper, vtkProp* prop) const;
@@ -186,6 +183,7 @@ private:
 
   // What is the same for all props of a frame.
   void SetFrameParameters(vtkShaderProgram* program, const int viewport[4]);
+  void SetSkirtUniform(vtkShaderProgram* program);
 
   // Says that a draw follows, which therefore may have the camera's matrices.
   void Announce() const;
@@ -214,6 +212,7 @@ private:
   static void SetSampleParameters(vtkShaderProgram* program);
 
   wfv::ShaderBuilder::Variant Variant = wfv::ShaderBuilder::Variant::Projected;
+  wfv::ShaderBuilder::Variant Unrefined = wfv::ShaderBuilder::Variant::Projected;
   vtkRenderer* Renderer = nullptr;    // valid between SetView and the end of the frame
   vtkWideFoVCamera* Camera = nullptr; // the same
   // A tilt, a lens and a fade stay once one was there. Several samples: in a frame that begins with
@@ -231,15 +230,13 @@ private:
   wfv::SteadyLights Lights;
   bool Clipless = false;
   bool ByRays = false;
-  bool MeetsChords = false;
-  bool SeveralChords = false;
   bool ExactLines = false;
   bool ManyWideLines = false;
   bool DebugView = false;
   int Runs = 1;
   bool Fp64 = false;
   int NumberOfDraws = 0;
-  int NumberOfTessellateDraws = 0;
+  int NumberOfUnrefinedDraws = 0;
 };
 VTK_ABI_NAMESPACE_END
 

@@ -9,7 +9,6 @@
 #include "Frame/DirectionTextures.h"
 #include "Frame/Eye.h"
 #include "Frame/Stages.h"
-#include "Frame/Tessellation.h"
 #include "Projections/Bounds/Curvature.h"
 #include "Shaders/Limits.h"
 
@@ -88,9 +87,45 @@ wfv::ProgramUses FindUses(vtkShaderProgram* program)
   uses.FrontCulled = program->IsUniformUsed("wfvFrontCulled");
   uses.PointSize = program->IsUniformUsed("wfvPointSize");
   uses.Pixels = program->IsUniformUsed("wfvPixels");
+  uses.PolygonOffset = program->IsUniformUsed("wfvPolygonOffset");
   uses.FineDepth = program->IsUniformUsed("wfvNearestKnown");
   return uses;
 }
+}
+
+namespace
+{
+// Factor and units of the polygon offset, as stock VTK chooses them.
+void SetPolygonOffset(vtkShaderProgram* program, vtkMapper* mapper, vtkProperty* property)
+{
+  const bool edges = property->GetEdgeVisibility() && property->GetRepresentation() == VTK_SURFACE;
+  double offset[2] = { 0, 0 };
+  if (mapper && (edges || vtkMapper::GetResolveCoincidentTopology() == VTK_RESOLVE_POLYGON_OFFSET))
+  {
+    mapper->GetCoincidentTopologyPolygonOffsetParameters(offset[0], offset[1]);
+  }
+  const float values[2] = { static_cast<float>(offset[0]), static_cast<float>(offset[1]) };
+  program->SetUniform2f("wfvPolygonOffset", values);
+}
+}
+
+// The factor that moves the outer vertices of a skirt by two tolerances and a pixel at least.
+void vtkWideFoVStage::SetSkirtUniform(vtkShaderProgram* program)
+{
+  if (!program->IsUniformUsed("wfvSkirt"))
+  {
+    return;
+  }
+  const wfv::vec2 half = 0.5 * wfv::vec2(this->Pixels.Full.x, this->Pixels.Full.y);
+  double radius = std::min(half.x, half.y);
+  if (this->Seen.Projection->Axis == wfv::Family::Azimuthal)
+  {
+    const double angle = this->View.maxAngle;
+    const wfv::vec3 rim(std::sin(angle), 0, -std::cos(angle));
+    radius = half.x * std::abs(this->Seen.Projection->Project(rim, this->View).x);
+  }
+  const double factor = 1 + (2 * this->Tolerance + 1) / std::max(1.0, radius);
+  program->SetUniformf("wfvSkirt", static_cast<float>(factor));
 }
 
 // Whatever frames before had: what is drawn depends on it, to the last digits.
@@ -122,6 +157,7 @@ void vtkWideFoVStage::SetFrameParameters(vtkShaderProgram* program, const int vi
     const wfv::vec2 stretch = wfv::Stretch(*this->Seen.Projection, this->View);
     program->SetUniformf("wfvStretch", static_cast<float>(std::max(stretch.x, stretch.y)));
   }
+  this->SetSkirtUniform(program);
   wfv::SetTileUniforms(
     program, this->Pixels, this->Tile, viewport, this->View.scale, this->View.center);
 }
@@ -159,8 +195,8 @@ bool vtkWideFoVStage::SetShaderParameters(
   this->SetSkyParameters(program, prop);
   this->SetPropParameters(program, mapper, prop, known.Uses);
   this->NumberOfDraws++;
-  const bool tessellates = this->Variant == wfv::ShaderBuilder::Variant::Tessellate;
-  this->NumberOfTessellateDraws += tessellates && wfv::Tessellation::IsIn(program);
+  const bool may = this->Unrefined != this->Variant && vtkActor::SafeDownCast(prop);
+  this->NumberOfUnrefinedDraws += may && this->MakeRequest(mapper, prop).Stage != this->Variant;
   this->Stages->Glyphs.Draw(this->Renderer, mapper, prop, this);
   return true;
 }
@@ -181,7 +217,6 @@ void vtkWideFoVStage::SetPropParameters(vtkShaderProgram* program, vtkAbstractMa
   vtkProp* prop, const wfv::ProgramUses& uses) const
 {
   this->Stages->DrawnKeys.push_back(prop->GetPropertyKeys());
-  using Primitive = wfv::ShaderBuilder::Primitive;
   this->NoteProgram(program, mapper, prop);
   auto* polydata = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
   auto* actor = vtkActor::SafeDownCast(prop);
@@ -200,8 +235,12 @@ void vtkWideFoVStage::SetPropParameters(vtkShaderProgram* program, vtkAbstractMa
   }
   if (uses.FrontCulled)
   {
-    const bool front = property->GetFrontfaceCulling() && !property->GetBackfaceCulling();
-    program->SetUniformi("wfvFrontCulled", front);
+    program->SetUniformi(
+      "wfvFrontCulled", property->GetFrontfaceCulling() && !property->GetBackfaceCulling());
+  }
+  if (uses.PolygonOffset)
+  {
+    SetPolygonOffset(program, actor->GetMapper(), property);
   }
   if (uses.PointSize)
   {
@@ -209,7 +248,7 @@ void vtkWideFoVStage::SetPropParameters(vtkShaderProgram* program, vtkAbstractMa
   }
   if (uses.Pixels)
   {
-    const bool tubes = this->MakeRequest(mapper, prop).Kind == Primitive::Tubes;
+    const bool tubes = this->MakeRequest(mapper, prop).Kind == wfv::ShaderBuilder::Primitive::Tubes;
     program->SetUniformf("wfvPixels", tubes ? property->GetLineWidth() : property->GetPointSize());
   }
 }

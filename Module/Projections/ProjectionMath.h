@@ -33,7 +33,7 @@ inline double wfvAtan2(double y, double x)
 }
 inline double wfvHypot(double x, double y)
 {
-  return std::hypot(x, y);
+  return std::sqrt(x * x + y * y); // directions neither overflow nor vanish
 }
 inline vec2 wfvSinCos(double x)
 {

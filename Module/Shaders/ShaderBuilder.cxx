@@ -19,13 +19,11 @@ using stock::Found;
 
 namespace
 {
-// True where an eye whose rays begin in several places is served by moving the vertices: those of
-// what is cut are moved behind the cut.
+// True if an eye whose rays begin in several places is served by moving the vertices.
 bool MovesVertices(const Request& r)
 {
   return r.View.Stereo && !r.View.Stereo->Traits.OneCenter && !wfv::triangle::Covers(r) &&
-    !wfv::triangle::Cuts(r) && !wfv::quadric::Draws(r.Kind) && !wfv::line::Draws(r) &&
-    !wfv::line::DrawsChords(r);
+    !wfv::quadric::Draws(r.Kind) && !wfv::line::Draws(r) && !wfv::line::DrawsChords(r);
 }
 
 // For the few planes that float32 is too coarse for; without it they are as good as it is.
@@ -57,8 +55,8 @@ std::string PrimitiveSource(const Request& r, const std::vector<Varying>& varyin
   return wfv::triangle::GeometrySource(r, varyings);
 }
 
-// Corners that a vertex stage projects and those that a geometry stage does are of one mesh: they
-// come out alike, or pixels between them were left out.
+// The two draws of a refined mesh give a vertex the same place, or pixels between them were left
+// out.
 const char* const SamePlaces = "invariant gl_Position;\n";
 
 // toView: the name of the matrix from the vertex buffer to view coordinates; empty where the
@@ -69,24 +67,25 @@ std::string GeometrySource(
   const bool runs = wfv::triangle::Covers(r) || wfv::line::DrawsChords(r);
   std::string source = std::string("//VTK::System::Dec\n") +
     (wfv::triangle::Covers(r) ? Doubles : "") + (runs ? Invocations : "") +
-    Define("WFV_MODEL", !toView.empty()) + (wfv::triangle::Cuts(r) ? SamePlaces : "") +
-    "#define WFV_TO_VIEW " + toView + "\n" + ViewSource(r) +
-    (r.Kind == Primitive::Points || wfv::triangle::Cuts(r) ? "" : EdgeSource()) +
-    (r.DebugView ? debug_kinds_glsl : "") + PrimitiveSource(r, varyings);
-  if (r.Stage == wfv::ShaderBuilder::Variant::Tessellate)
-  {
-    ReplaceAll(source, "gl_PrimitiveIDIn", "wfvPrimitive[0]");
-  }
+    Define("WFV_MODEL", !toView.empty()) + "#define WFV_TO_VIEW " + toView + "\n" + ViewSource(r) +
+    (r.Kind == Primitive::Points ? "" : EdgeSource()) + (r.DebugView ? debug_kinds_glsl : "") +
+    PrimitiveSource(r, varyings);
   return source;
+}
+
+// True where depth is not what the rasterizer interpolates: places are, on the surface.
+bool WritesDepth(const Request& r)
+{
+  return r.View.DepthMapping != wfv::WFV_DEPTH_LINEAR || wfv::line::DrawsChords(r) ||
+    (r.Stage == wfv::ShaderBuilder::Variant::Projected &&
+      (r.Kind == Primitive::Triangles || r.Kind == Primitive::Lines));
 }
 
 // Where the vertices go: to a geometry stage, or into the map at once.
 void FinishVertices(const Request& r, const std::vector<Varying>& varyings, std::string& vertex,
   std::string& geometry)
 {
-  // the pieces of a tessellation have no place in the buffer
-  const bool keepModel =
-    wfv::triangle::Covers(r) && r.Stage != wfv::ShaderBuilder::Variant::Tessellate;
+  const bool keepModel = wfv::triangle::Covers(r);
   const std::string toView = TakeFromEye(r, vertex, keepModel);
   if (wfv::ShaderBuilder::NeedsGeometryStage(r))
   {
@@ -94,9 +93,12 @@ void FinishVertices(const Request& r, const std::vector<Varying>& varyings, std:
   }
   else
   {
-    wfv::ShaderBuilder::WrapMain(
-      vertex, "", "  gl_Position = wfvProjectVertex(gl_Position.xyz);\n");
-    wfv::ShaderBuilder::Declare(vertex, ViewSource(r));
+    const bool beside = r.Kind == Primitive::Triangles || r.Kind == Primitive::Lines;
+    const std::string project = beside ? "wfvProjectBeside" : "wfvProjectVertex";
+    wfv::ShaderBuilder::WrapMain(vertex, "", "  gl_Position = " + project + "(gl_Position.xyz);\n");
+    wfv::ShaderBuilder::Declare(vertex,
+      ViewSource(r) +
+        (beside ? Define("WFV_WRITES_DEPTH", WritesDepth(r)) + beside_glsl : std::string()));
   }
   // not of what asks for extensions itself, as volumes do: nothing may be declared before those
   if (r.Kind == Primitive::Triangles && vertex.find("#extension") == std::string::npos)
@@ -139,11 +141,10 @@ std::string DebugSource(const Request& r)
     debug_fragment_glsl;
 }
 
-// True where points reach across the curved seam of a map.
+// True where what is drawn reaches across the curved seam of a map.
 bool EndsAtSeam(const Request& r)
 {
-  return r.Kind == Primitive::Points && r.View.Projection->Axis == wfv::Family::Meridian &&
-    !r.View.Projection->StraightSeam;
+  return r.View.Seam && (r.Kind == Primitive::Points || r.Kind == Primitive::Triangles);
 }
 
 // Where the map ends; empty where nothing reaches across. Of curved rays the border is
@@ -156,12 +157,6 @@ std::string BorderSource(const Request& r)
     return domain_fragment_glsl;
   }
   return straight && EndsAtSeam(r) ? seam_fragment_glsl : "";
-}
-
-// True where depth is not what the rasterizer interpolates: places are, on the surface.
-bool WritesDepth(const Request& r)
-{
-  return r.View.DepthMapping != wfv::WFV_DEPTH_LINEAR || wfv::line::DrawsChords(r);
 }
 
 // What the fragment stage has as its place in view coordinates: the stock position, which light
@@ -184,6 +179,15 @@ bool KeepsPlace(const Request& r, const std::string& fragment)
   return !Covers(r) && (WritesDepth(r) || writesData) && PlaceOf(r, fragment) == OwnPlace;
 }
 
+// VTK's own geometry stage takes the output along.
+void TakePlaceAlong(const Request& r, std::string& geometry)
+{
+  const std::string behind = "wfvPlaceGSOutput"; // VTK renames the input of the fragment stage so
+  stock::Replace(geometry, Edit::StripVertex, behind + " = " + OwnPlace + "[i];\n      $&",
+    r.Stock.If(r.Kind == Primitive::Lines));
+  wfv::ShaderBuilder::Declare(geometry, "in vec3 " + OwnPlace + "[];\nout vec3 " + behind + ";\n");
+}
+
 // What is needed for that.
 std::string PlaceSource(const Request& r, const std::string& fragment)
 {
@@ -198,41 +202,65 @@ std::string Extensions(const Request& r)
   return Covers(r) ? std::string(SampleMasks) + (r.Triangles.Fp64 ? Doubles : "") : "";
 }
 
-void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
+// Text that the fragment stage gets: before and after its stock main function, and declarations.
+struct FragmentParts
 {
-  const bool covers = Covers(r);
-  std::string declarations = PlaceSource(r, fragment);
-  std::string before, after;
-  if (covers)
+  std::string Declarations;
+  std::string Before;
+  std::string After;
+};
+
+// Finds the primitive that the pixel sees, or writes the depth of the one that the rasterizer
+// found.
+void AddSurface(const Request& r, const std::vector<Varying>& varyings, std::string& fragment,
+  FragmentParts& parts)
+{
+  if (Covers(r))
   {
     RemoveInputs(r, fragment, varyings);
-    declarations = CoverFragment(r, varyings, fragment);
-    before = "  wfvPrepare();\n";
-    after = "  if (wfvHide) { discard; }\n";
+    parts.Declarations = CoverFragment(r, varyings, fragment);
+    parts.Before = "  wfvPrepare();\n";
+    parts.After = "  if (wfvHide) { discard; }\n";
     stock::Replace(fragment, Edit::FrontFacing, "wfvFront", stock::Found::May);
-    before += RewriteDepth(r, fragment);
+    parts.Before += RewriteDepth(r, fragment);
   }
   else if (WritesDepth(r))
   {
-    declarations += depth_fragment_glsl;
-    before = "  wfvPrepareDepth(" + PlaceOf(r, fragment) + ".xyz);\n" + RewriteDepth(r, fragment);
+    parts.Declarations += depth_fragment_glsl;
+    parts.Before =
+      "  wfvPrepareDepth(" + PlaceOf(r, fragment) + ".xyz);\n" + RewriteDepth(r, fragment);
   }
-  declarations += wfv::line::DrawsChords(r) ? wfv::line::ChordFragment(r, varyings, fragment) : "";
+  else
+  {
+    RewriteOffset(fragment);
+  }
+  if (wfv::line::DrawsChords(r))
+  {
+    parts.Declarations += wfv::line::ChordFragment(r, varyings, fragment);
+  }
+  else if (r.Kind == Primitive::Lines && !Covers(r))
+  {
+    parts.Declarations += wfv::line::StockFragment(r, fragment);
+  }
+}
+
+void FinishFragment(const Request& r, const std::vector<Varying>& varyings, std::string& fragment)
+{
+  FragmentParts parts;
+  parts.Declarations = PlaceSource(r, fragment);
+  AddSurface(r, varyings, fragment, parts);
   const std::string border = BorderSource(r);
-  declarations += border;
-  after += border.empty() ? "" : "  if (wfvOutsideDomain()) { discard; }\n";
-  after += covers && r.Triangles.Fp64 ? "  if (wfvIsBehind(gl_FragDepth)) { discard; }\n" : "";
-  declarations += DebugSource(r);
+  parts.Declarations += depth_offset_glsl + border + DebugSource(r);
+  parts.After += border.empty() ? "" : "  if (wfvOutsideDomain()) { discard; }\n";
+  parts.After +=
+    Covers(r) && r.Triangles.Fp64 ? "  if (wfvIsBehind(gl_FragDepth)) { discard; }\n" : "";
   FoldMaterial(r.Surface, fragment);
   RewriteLights(r, fragment);
-  if (!before.empty() || !after.empty())
+  if (!parts.Before.empty() || !parts.After.empty())
   {
-    wfv::ShaderBuilder::WrapMain(fragment, before, after);
+    wfv::ShaderBuilder::WrapMain(fragment, parts.Before, parts.After);
   }
-  if (!declarations.empty())
-  {
-    wfv::ShaderBuilder::Declare(fragment, Extensions(r) + ViewSource(r) + declarations);
-  }
+  wfv::ShaderBuilder::Declare(fragment, Extensions(r) + ViewSource(r) + parts.Declarations);
 }
 }
 
@@ -302,7 +330,10 @@ void wfv::ShaderBuilder::Finish(
   {
     WrapMain(vertex, "", "  gl_Position = wfvSeenVertex(gl_Position);\n");
     // without a geometry stage the view's own text follows
-    Declare(vertex, (NeedsGeometryStage(r) ? ViewSource(r) : "") + stereo_vertex_glsl);
+    const bool pieces = r.Kind == Primitive::Triangles || r.Kind == Primitive::Lines;
+    Declare(vertex,
+      (NeedsGeometryStage(r) ? ViewSource(r) : "") + Define("WFV_PIECES", pieces) +
+        stereo_vertex_glsl);
   }
   if (wfv::quadric::Draws(r.Kind))
   {
@@ -316,13 +347,10 @@ void wfv::ShaderBuilder::Finish(
   {
     WrapMain(vertex, "", "  " + OwnPlace + " = gl_Position.xyz;\n");
     Declare(vertex, "out vec3 " + OwnPlace + ";\n");
-  }
-  if (r.Stage == Variant::Tessellate)
-  {
-    // drivers disagree on gl_PrimitiveIDIn behind a tessellation: a number of our own,
-    // which the evaluation stage sets
-    Declare(vertex, "flat out int wfvPrimitive;\n");
-    WrapMain(vertex, "", "  wfvPrimitive = 0;\n");
+    if (!geometry.empty() && !NeedsGeometryStage(r))
+    {
+      TakePlaceAlong(r, geometry);
+    }
   }
   const std::vector<Varying> varyings = FindVaryings(vertex);
   FinishVertices(r, varyings, vertex, geometry);

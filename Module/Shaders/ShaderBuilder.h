@@ -17,12 +17,10 @@ class WFV_EXPORT ShaderBuilder
 public:
   enum class Variant
   {
-    Projected,  // the vertex stage projects
-    Cut,        // a geometry stage does, and cuts triangles into smaller ones before
-    PreClip,    // a geometry stage clips, then projects
-    Exact,      // the same, every triangle by the ray of each pixel, lines as exact strips
-    Tessellate, // triangles cut finer before the pre-clip (wfv::Tessellation)
-    Sky         // no primitives: the ray of each pixel (sky/SkyShaders.h)
+    Projected, // the vertex stage projects
+    PreClip,   // a geometry stage clips, then projects
+    Exact,     // the same, every triangle by the ray of each pixel, lines as exact strips
+    Sky        // no primitives: the ray of each pixel (sky/SkyShaders.h)
   };
 
   enum class Primitive
@@ -58,6 +56,7 @@ public:
     bool Tilted = false;      // the view may have a tilt
     bool Lensed = false;      // and a lens
     bool Fades = false;       // the eyes' circle may have a fade
+    bool Seam = false;        // the picture may show a seam that is curved
   };
 
   struct PointTraits
@@ -72,12 +71,10 @@ public:
 
   struct TriangleTraits
   {
-    bool Edges = false;         // surface with edges
-    bool EdgeFlags = false;     // some edges are inside a cell
-    bool ByRays = false;        // ray-tested, whatever their edges: no chords
-    bool MeetsChords = false;   // triangles that are drawn by their chords may be beside these
-    bool SeveralChords = false; // and an edge of these may have several
-    bool Fp64 = false;          // ray-tested ones are decided in double, where OpenGL has that
+    bool Edges = false;     // surface with edges
+    bool EdgeFlags = false; // some edges are inside a cell
+    bool ByRays = false;    // ray-tested, whatever their edges: no chords
+    bool Fp64 = false;      // ray-tested ones are decided in double, where OpenGL has that
   };
 
   struct LightTraits

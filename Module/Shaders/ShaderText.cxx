@@ -80,8 +80,7 @@ namespace
 bool AllRayTested(const Request& r)
 {
   return r.Kind == wfv::ShaderBuilder::Primitive::Triangles &&
-    r.Stage != wfv::ShaderBuilder::Variant::Projected &&
-    r.Stage != wfv::ShaderBuilder::Variant::Cut && IsExact(r);
+    r.Stage != wfv::ShaderBuilder::Variant::Projected && IsExact(r);
 }
 }
 
@@ -111,10 +110,8 @@ std::string ViewSource(const Request& r)
     Define("WFV_ROUND", r.View.Projection->Axis == wfv::Family::Azimuthal) +
     Define("WFV_STRAIGHT_SEAM", r.View.Projection->StraightSeam) +
     Define("WFV_FLAT_RIM", r.View.Projection->FlatRim) + Define("WFV_EXACT", IsExact(r)) +
-    Define("WFV_BY_RAYS", r.Triangles.ByRays) +
-    Define("WFV_MEETS_CHORDS", r.Triangles.MeetsChords && AllRayTested(r)) +
-    Define("WFV_SEVERAL_CHORDS", r.Triangles.SeveralChords && AllRayTested(r)) +
-    Define("WFV_FP64", r.Triangles.Fp64) + Define("WFV_DEPTH_MAPPING(v)", r.View.DepthMapping) +
+    Define("WFV_BY_RAYS", r.Triangles.ByRays) + Define("WFV_FP64", r.Triangles.Fp64) +
+    Define("WFV_DEPTH_MAPPING(v)", r.View.DepthMapping) +
     Define("WFV_MULTISAMPLE", r.View.Multisample) + Define("WFV_WIDE_LINES", r.Lines.Wide) +
     Define("WFV_EDGES", r.Triangles.Edges || r.DebugView) +
     Define("WFV_EDGE_FLAGS", r.Triangles.EdgeFlags) + Define("WFV_DEBUG_VIEW", r.DebugView) +
@@ -299,15 +296,28 @@ std::string TakeFromEye(const Request& r, std::string& vertex, bool keepModel)
   return matrix;
 }
 
+void RewriteOffset(std::string& fragment)
+{
+  stock::Replace(fragment, stock::Edit::DepthOffsetValue, "wfvOffsetOfDepth(gl_FragCoord.z, $&)",
+    stock::Found::May);
+}
+
 std::string RewriteDepth(const Request& r, std::string& fragment)
 {
+  RewriteOffset(fragment);
   stock::Replace(fragment, stock::Edit::FragmentDepth, "wfvDepth", stock::Found::May);
   // the stock template names gl_FragDepth in a comment; only a value given counts
   static const std::regex setsDepth(R"(gl_FragDepth\s*=)");
   const bool sets = std::regex_search(fragment, setsDepth);
   // depth peeling, where it comes later, would put the depth of the covering shape here
   stock::Replace(fragment, stock::Edit::DepthPlace, "", r.Stock.If(!sets));
-  return sets ? "" : "  gl_FragDepth = wfvDepth;\n";
+  if (sets)
+  {
+    return "";
+  }
+  return r.Kind == Primitive::Triangles
+    ? "  gl_FragDepth = wfvDepth + wfvPolygonOffsetAt(wfvDepth);\n"
+    : "  gl_FragDepth = wfvDepth;\n";
 }
 }
 }

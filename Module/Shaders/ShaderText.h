@@ -113,6 +113,9 @@ void RewriteFlatNormal(const Request& r, std::string& fragment);
 // the direction of a headlight; both hold in front of the eye only.
 void RewriteLights(const Request& r, std::string& fragment);
 
+// VTK's offset of the depth of lines and points is made for a perspective (depth_offset.glsl).
+void RewriteOffset(std::string& fragment);
+
 // Depth by wfvDepth instead of the rasterizer's; returns what main begins with.
 std::string RewriteDepth(const Request& r, std::string& fragment);
 }

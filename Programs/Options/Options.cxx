@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Options.h"
 
-#include <algorithm>
-
 namespace widefov
 {
 std::vector<std::string> TechniqueNames()
@@ -18,8 +16,7 @@ std::vector<std::string> TechniqueNames()
 
 Technique TechniqueOf(const std::string& name)
 {
-  const std::vector<std::string> names = TechniqueNames();
-  const auto found = std::find(names.begin(), names.end(), name);
-  return found == names.end() ? Technique::Auto : Technique(found - names.begin());
+  const int number = wfv::FindTechnique(name);
+  return name == "cubemap" ? Technique::CubeMap : number < 0 ? Technique::Auto : Technique(number);
 }
 }

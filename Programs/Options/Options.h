@@ -27,12 +27,12 @@ enum class Technique
 {
   Auto = wfv::TechniqueAuto,
   Exact = wfv::TechniqueExact,
-  Tessellate = wfv::TechniqueTessellate,
   PreClip = wfv::TechniquePreClip,
   Vertex = wfv::TechniqueVertex,
   CubeMap
 };
 
+// Those that are offered.
 std::vector<std::string> TechniqueNames();
 
 // Auto where nothing has that name.

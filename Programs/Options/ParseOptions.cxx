@@ -101,10 +101,24 @@ void DeclareView(CLI::App& app, Options& o, FieldsOfView& fov)
     });
 }
 
+void DeclareTechnique(Group& group, Options& o)
+{
+  group.Add("--technique", "NAME", o.TechniqueName, "how it is drawn: " + Join(TechniqueNames()),
+    [&o](const std::string& option, const std::string& value) {
+      const bool old = !MatchName(value, { "tessellate" }, {}).empty();
+      if (old)
+      {
+        Say("--technique tessellate is called auto; the old name goes with the next release");
+      }
+      o.TechniqueName = Choose(option, old ? "auto" : value, TechniqueNames(), {});
+    });
+  Completions()["--technique"] = TechniqueNames();
+}
+
 void DeclareDrawing(CLI::App& app, Options& o)
 {
   Group group(app, "Drawing");
-  group.Choice("--technique", o.TechniqueName, TechniqueNames(), {}, "how it is drawn");
+  DeclareTechnique(group, o);
   group.Integer("--cubemap-resolution", o.CubeMapResolution, 1, 16384, "pixels a cube face");
   group.Number("--tolerance", "PX", o.Tolerance, { 0.001, 1e6 },
     "largest distance between a drawn edge and its true curve, pixels");

@@ -66,7 +66,7 @@ TEST(BenchPlan, DirectionMapStandsForTheProjection)
   for (const BenchRun& run : MakePlan(request, widefov::Options()))
   {
     const bool draws = run.Method == "auto" || run.Method == "exact" || run.Method == "preclip" ||
-      run.Method == "vertex" || run.Method == "tessellate";
+      run.Method == "vertex";
     EXPECT_EQ(run.Options.Projection == "direction-map", draws) << run.Method;
     EXPECT_EQ(run.Options.View.Map == request.Map, draws) << run.Method;
     EXPECT_EQ(MakeRecord(run, 1, 1).Run.DirectionsOf, draws ? "hammer" : "") << run.Method;
@@ -100,8 +100,8 @@ TEST(BenchPlan, QuickHasEveryMethodOfOneEyeAndOneCubeMap)
 TEST(BenchPlan, FullHasEveryParameter)
 {
   const std::vector<BenchRun> plan = PlanOf(false);
-  for (const char* name : { "auto_0.02", "auto_0.05", "auto_0.25", "auto_1", "tessellate_0.02",
-         "cubemap_326", "cubemap_512", "cubemap_1024", "cubemap_2048", "cubemap_4096", "exact" })
+  for (const char* name : { "auto_0.02", "auto_0.05", "auto_0.25", "auto_1", "cubemap_326",
+         "cubemap_512", "cubemap_1024", "cubemap_2048", "cubemap_4096", "exact" })
   {
     EXPECT_EQ(NameOf(Find(plan, name)), name);
   }
@@ -112,12 +112,11 @@ TEST(BenchPlan, FullHasEveryParameter)
 TEST(BenchPlan, OneToleranceIsTheOnlyOne)
 {
   PlanRequest request;
-  request.Methods = { "auto", "exact", "tessellate" };
+  request.Methods = { "auto", "exact" };
   request.Tolerance = 0.5;
   const std::vector<BenchRun> plan = MakePlan(request, widefov::Options());
-  EXPECT_EQ(plan.size(), 3u);
+  EXPECT_EQ(plan.size(), 2u);
   EXPECT_EQ(Find(plan, "auto_0.5").Options.Tolerance, 0.5);
-  EXPECT_EQ(Find(plan, "tessellate_0.5").Options.Tolerance, 0.5);
 }
 
 TEST(BenchPlan, EqualDensityIsTheCircleOverPi)
@@ -140,7 +139,7 @@ TEST(BenchPlan, TechniquesDrawThePerspectiveThemselves)
   request.Projection = "perspective";
   request.Size = { { 1024, 512 } };
   const std::vector<BenchRun> plan = MakePlan(request, widefov::Options());
-  for (const char* name : { "exact", "auto_0.25", "auto_1", "tessellate_0.25", "vertex" })
+  for (const char* name : { "exact", "auto_0.25", "auto_1", "vertex" })
   {
     EXPECT_TRUE(Find(plan, name).Options.ExactPerspective) << name;
   }

@@ -52,8 +52,7 @@ std::vector<bench::Run> PlanOf(
   PlanRequest request;
   request.Quick = true;
   request.Size = { { Width, Height } };
-  request.Methods = { "auto", "exact", "tessellate", "preclip", "vertex", "perspective",
-    "cubemap" };
+  request.Methods = { "auto", "exact", "preclip", "vertex", "perspective", "cubemap" };
   request.Motion = motion;
   return MakePlan(request, camera);
 }

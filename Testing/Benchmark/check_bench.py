@@ -20,9 +20,9 @@ PAGE = os.path.join(HERE, "..", "..", "Documentation", "benchmarks", "README.md"
 RECORD = {"scene", "triangles", "projection", "hfov", "size", "method", "parameter", "ms"}
 RECORD |= {"processor_ms", "frames", "first_ms", "mode", "samples", "error"}
 ERROR = {"unexplained", "missing", "spurious", "max_px", "p99_px", "max_depth_rel"}
-METHODS = {"auto", "exact", "tessellate", "preclip", "vertex", "cubemap", "perspective", "floor"}
+METHODS = {"auto", "exact", "preclip", "vertex", "cubemap", "perspective", "floor"}
 
-TURNING = {"auto", "exact", "tessellate", "preclip", "vertex", "cubemap", "perspective"}
+TURNING = {"auto", "exact", "preclip", "vertex", "cubemap", "perspective"}
 TURN = 12.5
 
 PIXELS = 256 * 128

@@ -89,6 +89,14 @@ class Names(Base):
         }.items():
             self.assertEqual(plan("--scene", "room", "--projection", name)["projection"], own)
 
+    def test_tessellate_is_auto_and_says_so_once(self):
+        words = ("--scene", "room", "--technique", "tessellate")
+        self.assertEqual(plan(*words)["technique"], "auto")
+        done = run(*words, "--dry-run")
+        self.assertEqual(done.returncode, 0)
+        self.assertEqual(done.stderr.decode().count("\n"), 1)
+        self.assertIn(b"--technique tessellate is called auto;", done.stderr)
+
     def test_aliases_are_no_names_and_mean_one_thing(self):
         listed = json.loads(run("--list-projections", "--json").stdout)
         names = [p["name"] for p in listed] + [alias for p in listed for alias in p["aliases"]]

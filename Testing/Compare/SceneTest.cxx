@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The techniques auto and tessellate on scenes of the benchmark, small: auto keeps its promise at
-// every tolerance, and tessellate, which decides by rays, shows nothing that is seen elsewhere;
-// auto below 0.05 pixels draws what exact does, to the last bit.
+// The technique auto on scenes of the benchmark, small: it keeps its promise at every tolerance,
+// and below 0.05 pixels it draws what exact does, to the last bit.
 #include "Drawing.h"
 #include "DrawingTest.h"
 #include "Poses.h"
@@ -179,30 +178,20 @@ long CountDifferent(const reference::DrawnPicture& a, const reference::DrawnPict
 // share: of the pixels, that may show hidden faces.
 void CheckTolerances(SceneDrawing& drawing, const std::string& scene, double share)
 {
-  for (const int technique : { vtkWideFoVPass::AUTO, vtkWideFoVPass::TESSELLATE })
+  for (const double tolerance : SceneTolerances)
   {
-    for (const double tolerance : SceneTolerances)
+    const reference::Metrics m = drawing.Measure(vtkWideFoVPass::AUTO, tolerance, tolerance);
+    const std::string name = scene + ", auto, t " + std::to_string(tolerance);
+    std::cout << Row(drawing.View, name, m) << std::endl;
+    if (tolerance > SceneTolerances[1])
     {
-      const reference::Metrics m = drawing.Measure(technique, tolerance, tolerance);
-      const std::string name = scene +
-        (technique == vtkWideFoVPass::AUTO ? ", auto" : ", tessellate") + ", t " +
-        std::to_string(tolerance);
-      std::cout << Row(drawing.View, name, m) << std::endl;
-      if (technique == vtkWideFoVPass::AUTO && tolerance > SceneTolerances[1])
-      {
-        ExpectFacesThatAreThere(drawing.GetCaster(), drawing.View, m, tolerance, name);
-      }
-      else if (technique == vtkWideFoVPass::AUTO)
-      {
-        ExpectPromise(drawing.GetCaster(), drawing.View, m, tolerance, name, share);
-      }
-      else
-      {
-        EXPECT_LE(m.MaxPx, ByRays) << name << "\n"
-                                   << Details(drawing.View, drawing.Picture.GetView(), m);
-      }
-      EXPECT_GT(m.DomainPixels, 0);
+      ExpectFacesThatAreThere(drawing.GetCaster(), drawing.View, m, tolerance, name);
     }
+    else
+    {
+      ExpectPromise(drawing.GetCaster(), drawing.View, m, tolerance, name, share);
+    }
+    EXPECT_GT(m.DomainPixels, 0);
   }
 }
 }

@@ -80,14 +80,14 @@ TEST_P(Watertight, Room)
   this->CheckEverywhere(MakeRoom, 16, "room of 16");
 }
 
-TEST_P(Watertight, Tessellated)
+TEST_P(Watertight, Refined)
 {
-  Picture->SetTechnique(vtkWideFoVPass::TESSELLATE);
+  Picture->SetTechnique(vtkWideFoVPass::AUTO);
   for (double tolerance : { 0.25, 1.0 })
   {
     Picture->SetTolerance(tolerance);
-    this->CheckEverywhere(MakeRoom, 1, "tessellated room of 12");
-    this->CheckEverywhere(MakeGlobe, 2, "tessellated globe of 32");
+    this->CheckEverywhere(MakeRoom, 1, "refined room of 12");
+    this->CheckEverywhere(MakeGlobe, 2, "refined globe of 32");
   }
   Picture->SetTolerance(0.25);
   Picture->SetTechnique(vtkWideFoVPass::PRECLIP);

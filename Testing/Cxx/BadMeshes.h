@@ -117,7 +117,6 @@ inline std::vector<Way> EveryWay()
       ways.push_back({ technique, own, 0, VTK_FLOAT });
     }
   }
-  ways.push_back({ vtkWideFoVPass::TESSELLATE, true, 0, VTK_FLOAT });
   ways.push_back({ vtkWideFoVPass::PRECLIP, true, 0, VTK_FLOAT });
   ways.push_back({ vtkWideFoVPass::AUTO, true, 4, VTK_FLOAT });
   ways.push_back({ vtkWideFoVPass::AUTO, true, 0, VTK_DOUBLE });

@@ -23,7 +23,7 @@ namespace
 constexpr int GlyphPicture[2] = { 480, 240 };
 
 // Of the pixels: what `auto` may show that a ray does not see, beside silhouettes and of what is
-// thinner than a pixel (Documentation/design/clusters.md).
+// thinner than a pixel (Documentation/design/refine.md).
 constexpr double Beside = 2e-4;
 constexpr int MostBeside = static_cast<int>(Beside * GlyphPicture[0] * GlyphPicture[1]);
 
@@ -98,7 +98,7 @@ void CheckArrows(const char* projection, int eye = 0)
   test.Window->Render();
   const TestPixels drawn(test.Window);
   const vtkIdType projected = test.Pass()->GetNumberOfProjectedTriangles();
-  EXPECT_GT(projected, test.Pass()->GetNumberOfTriangles() / 3);
+  EXPECT_GT(projected, 0);
   EXPECT_LT(projected, test.Pass()->GetNumberOfTriangles());
   test.Window->Render();
   EXPECT_EQ(CountAstray(TestPixels(test.Window), drawn), 0);
@@ -138,7 +138,7 @@ TEST(Glyphs, EveryFrameHasAllOfThem)
   test.Renderer->AddActor(arrows);
   test.Window->Render();
   const TestPixels first(test.Window);
-  // not by classes: with the projection of stock VTK, and translucent
+  // with the projection of stock VTK, then translucent
   test.Camera->SetProjection("perspective");
   test.Camera->SetHorizontalFieldOfView(90);
   test.Camera->SetVerticalFieldOfView(60);
@@ -151,7 +151,7 @@ TEST(Glyphs, EveryFrameHasAllOfThem)
   test.Camera->SetVerticalFieldOfView(180);
   arrows->GetProperty()->SetOpacity(0.999);
   test.Window->Render();
-  EXPECT_EQ(test.Pass()->GetNumberOfProjectedTriangles(), 0);
+  EXPECT_GT(test.Pass()->GetNumberOfProjectedTriangles(), 0);
   arrows->GetProperty()->SetOpacity(1);
   test.Window->Render();
   EXPECT_EQ(CountAstray(TestPixels(test.Window), first), 0);

@@ -122,8 +122,8 @@ TEST_P(Idle, NothingIsMadeAnew)
 }
 
 INSTANTIATE_TEST_SUITE_P(Techniques, Idle,
-  testing::Values(vtkWideFoVPass::AUTO, vtkWideFoVPass::EXACT, vtkWideFoVPass::PRECLIP,
-    vtkWideFoVPass::TESSELLATE, vtkWideFoVPass::VERTEX));
+  testing::Values(
+    vtkWideFoVPass::AUTO, vtkWideFoVPass::EXACT, vtkWideFoVPass::PRECLIP, vtkWideFoVPass::VERTEX));
 
 TEST(IdleCamera, ATurnChoosesAndClassifiesButCompilesNothing)
 {

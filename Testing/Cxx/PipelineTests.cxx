@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a change of view costs: no buffer is rebuilt for a projection or a field of
-// view, no shader for a field of view; the geometry stage is used where it must be.
+// view, no shader for a field of view; triangles are split where they must be.
+#include "Overheard.h"
 #include "WideFoVTestScene.h"
 
 #include "vtkActor.h"
@@ -16,6 +17,7 @@
 #include "vtkSphereSource.h"
 #include "vtkTextActor.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkWideFoVPolyDataMapper.h"
 
 #include <gtest/gtest.h>
 
@@ -57,7 +59,11 @@ vtkSmartPointer<vtkActor> Ball(double x, double y, double z)
   ball->SetPhiResolution(64);
   ball->SetCenter(x, y, z);
   ball->SetRadius(0.3);
-  return MakeTestActor(ball, 1, 1, 1);
+  auto actor = MakeTestActor(ball, 1, 1, 1);
+  vtkNew<vtkWideFoVPolyDataMapper> mapper; // which splits triangles
+  mapper->SetInputConnection(ball->GetOutputPort());
+  actor->SetMapper(mapper);
+  return actor;
 }
 
 // A ball behind the eye, drawn once.
@@ -113,10 +119,23 @@ TEST(Pipeline, AProjectionCostsOneShaderOnceAndNoBuffer)
 // Pixels: no edge bends by so much.
 constexpr double AnyCurvature = 1000;
 
-TEST(Pipeline, TheGeometryStageIsUsedWhereEdgesBend)
+namespace
 {
-  WideFoVTestWindow test("equirectangular", 800, 400);
-  test.Renderer->AddActor(Ball(0, 0, -0.8));
+// True where the pass has split triangles of the frame before it drew them, which takes one draw.
+bool HasSplit(WideFoVTestWindow& test)
+{
+  vtkWideFoVPass* const pass = test.Pass();
+  EXPECT_EQ(pass->GetNumberOfPreClipDraws(), 0);
+  EXPECT_EQ(pass->GetNumberOfProjectedDraws(), 1);
+  return pass->GetNumberOfProjectedTriangles() <
+    pass->GetNumberOfTriangles() - pass->GetNumberOfCulledTriangles();
+}
+}
+
+TEST(Pipeline, TrianglesAreSplitWhereEdgesBend)
+{
+  WideFoVTestWindow test("equirectangular", 1600, 800);
+  test.Renderer->AddActor(Ball(0, 0.55, -0.55));
   // the tolerance counts, whether the view moves or stands
   for (const double rate : { 15.0, 0.001 })
   {
@@ -125,7 +144,7 @@ TEST(Pipeline, TheGeometryStageIsUsedWhereEdgesBend)
     {
       test.Pass()->SetTolerance(tolerance);
       test.Window->Render();
-      EXPECT_EQ(test.Pass()->GetNumberOfPreClipDraws(), tolerance < 1) << rate << " " << tolerance;
+      EXPECT_EQ(HasSplit(test), tolerance < 1) << rate << " " << tolerance;
     }
   }
   // the technique for comparison looks at discontinuities alone
@@ -134,37 +153,35 @@ TEST(Pipeline, TheGeometryStageIsUsedWhereEdgesBend)
   EXPECT_EQ(test.Pass()->GetNumberOfPreClipDraws(), 0);
 }
 
-TEST(Pipeline, TheGeometryStageIsUsedWhereADiscontinuityIsMet)
+TEST(Pipeline, TrianglesAreSplitWhereADiscontinuityIsMet)
 {
   const struct
   {
     double Position[3];
-    int PreClip;
-  } places[] = { { { 0, 0, -2 }, 0 }, { { 2, 0, 0 }, 0 }, { { 0, 0, 2 }, 1 }, { { 0, 2, 0 }, 1 },
-    { { 0.1, 0, 0.1 }, 1 } };
+    bool Split;
+  } places[] = { { { 0, 0, -2 }, false }, { { 2, 0, 0 }, false }, { { 0, 0, 2 }, true },
+    { { 0, 2, 0 }, true }, { { 0.1, 0, 0.1 }, true } };
   for (const auto& place : places)
   {
     WideFoVTestWindow test("equirectangular", 100, 50);
     test.Pass()->SetTolerance(AnyCurvature);
     test.Renderer->AddActor(Ball(place.Position[0], place.Position[1], place.Position[2]));
     test.Window->Render();
-    EXPECT_EQ(test.Pass()->GetNumberOfPreClipDraws(), place.PreClip) << place.Position[2];
-    EXPECT_EQ(test.Pass()->GetNumberOfProjectedDraws(), 1 - place.PreClip) << place.Position[2];
+    EXPECT_EQ(HasSplit(test), place.Split) << place.Position[2];
   }
 }
 
 // Of a round map that is the antipode alone; what is ahead may lie round the axis.
 TEST(Pipeline, TheMiddleOfADomeIsNoDiscontinuity)
 {
-  for (const auto& [z, preClip] : { std::pair(-2.0, 0), std::pair(2.0, 1) })
+  for (const double z : { -2.0, 2.0 })
   {
     WideFoVTestWindow test("azimuthal-equidistant", 100, 100);
     test.Pass()->SetTolerance(AnyCurvature);
     test.Window->SetDesiredUpdateRate(15);
     test.Renderer->AddActor(Ball(0, 0, z));
     test.Window->Render();
-    EXPECT_EQ(test.Pass()->GetNumberOfPreClipDraws(), preClip) << z;
-    EXPECT_EQ(test.Pass()->GetNumberOfProjectedDraws(), 1 - preClip) << z;
+    EXPECT_EQ(HasSplit(test), z > 0) << z;
   }
 }
 
@@ -176,18 +193,15 @@ TEST(Pipeline, OneActorInAViewThatTurnsKeepsItsBuffers)
   test.Renderer->AddActor(ball);
   test.Window->Render();
   const vtkMTimeType built = Inside::BuildTime(ball->GetMapper());
-  int preClip = 0;
-  int projected = 0;
+  int split = 0;
   for (int i = 0; i < 12; i++)
   {
     test.Camera->Yaw(30);
     test.Window->Render();
-    preClip += test.Pass()->GetNumberOfPreClipDraws();
-    projected += test.Pass()->GetNumberOfProjectedDraws();
+    split += HasSplit(test);
   }
-  EXPECT_EQ(preClip + projected, 12);
-  EXPECT_GT(preClip, 0);
-  EXPECT_GT(projected, 0);
+  EXPECT_GT(split, 0);
+  EXPECT_LT(split, 12);
   EXPECT_EQ(Inside::BuildTime(ball->GetMapper()), built);
 }
 
@@ -276,5 +290,20 @@ TEST(Pipeline, OtherPassesOfAPropStay)
   EXPECT_GT(other->Calls, 0);
   ASSERT_EQ(keys->Length(vtkOpenGLRenderPass::RenderPasses()), 1);
   EXPECT_EQ(keys->Get(vtkOpenGLRenderPass::RenderPasses(), 0), other);
-  EXPECT_GT(test.Pass()->GetNumberOfPreClipDraws(), 0);
+  EXPECT_TRUE(HasSplit(test));
+}
+
+// The old name of a technique, for one release.
+TEST(Pipeline, TessellateIsAutoAndSaysSoOnce)
+{
+  const Overheard said;
+  vtkNew<vtkWideFoVPass> pass;
+  pass->SetTechniqueToExact();
+  for (int i = 0; i < 2; i++)
+  {
+    pass->SetTechniqueToTessellate();
+    EXPECT_EQ(pass->GetTechnique(), vtkWideFoVPass::AUTO);
+  }
+  EXPECT_EQ(said.Count("The technique tessellate is called auto"), 1);
+  EXPECT_EQ(pass->GetNumberOfTessellateDraws(), 0);
 }

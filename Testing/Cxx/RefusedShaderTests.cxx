@@ -146,8 +146,8 @@ TEST(RefusedShaders, AreSaidOnceAndLeaveThePropOut)
 {
   for (const Damage& damage : AllDamage())
   {
-    for (const int technique : { vtkWideFoVPass::AUTO, vtkWideFoVPass::EXACT,
-           vtkWideFoVPass::TESSELLATE, vtkWideFoVPass::VERTEX })
+    for (const int technique :
+      { vtkWideFoVPass::AUTO, vtkWideFoVPass::EXACT, vtkWideFoVPass::VERTEX })
     {
       CheckLeftOut(technique, 0, MakeBall(), damage);
     }

@@ -54,9 +54,11 @@ bool Has(const std::string& text, const std::string& part)
 TEST(ShaderBuilder, PlainProjectsInTheVertexStageAlone)
 {
   const Sources s = Build("hammer", Builder::Variant::Projected, Builder::Primitive::Triangles);
-  EXPECT_TRUE(Has(s.VertexStage, "wfvProjectVertex(gl_Position.xyz)"));
+  EXPECT_TRUE(Has(s.VertexStage, "wfvProjectBeside(gl_Position.xyz)"));
   EXPECT_TRUE(s.GeometryStage.empty());
-  EXPECT_EQ(s.FragmentStage, Fragment); // nothing to do there: early depth tests stay
+  // the place of a fragment has its depth
+  EXPECT_TRUE(Has(s.FragmentStage, "wfvPrepareDepth(wfvPlaceVSOutput.xyz);"));
+  EXPECT_FALSE(Has(s.FragmentStage, "float z = gl_FragCoord.z"));
 }
 
 TEST(ShaderBuilder, PreClipCarriesEveryOutputByThreeCorners)
@@ -75,7 +77,7 @@ TEST(ShaderBuilder, PreClipCarriesEveryOutputByThreeCorners)
   // whole numbers are not mixed
   EXPECT_TRUE(Has(s.FragmentStage, "vertexIDVSOutput = wfvCorner3_2;"));
   EXPECT_FALSE(Has(s.FragmentStage, "float z = gl_FragCoord.z"));
-  EXPECT_TRUE(Has(s.FragmentStage, "gl_FragDepth = wfvDepth;"));
+  EXPECT_TRUE(Has(s.FragmentStage, "gl_FragDepth = wfvDepth + wfvPolygonOffsetAt(wfvDepth);"));
 }
 
 // The coordinates of the buffer go from the vertex to the geometry stage, and no farther.
@@ -83,8 +85,7 @@ TEST(ShaderBuilder, TrianglesKeepAllDigitsOfTheirCorners)
 {
   Builder::Request request;
   request.View.Projection = wfv::FindProjection("hammer");
-  for (auto variant :
-    { Builder::Variant::Exact, Builder::Variant::Tessellate, Builder::Variant::Projected })
+  for (auto variant : { Builder::Variant::Exact, Builder::Variant::Projected })
   {
     request.Stage = variant;
     Sources s;
@@ -301,8 +302,12 @@ TEST(ShaderBuilder, ADepthMappingIsWrittenInTheFragmentStage)
   {
     const Sources s = Build("hammer", Builder::Variant::Projected, kind, request);
     EXPECT_TRUE(Has(s.VertexStage, "wfvPlaceVSOutput = gl_Position.xyz;"));
-    EXPECT_LT(s.VertexStage.find("wfvPlaceVSOutput = "), s.VertexStage.find("wfvProjectVertex(gl"));
-    EXPECT_TRUE(Has(s.FragmentStage, "gl_FragDepth = wfvDepth;"));
+    const bool triangles = kind == Builder::Primitive::Triangles;
+    const std::size_t projected =
+      s.VertexStage.find(triangles ? "wfvProjectBeside(gl" : "wfvProjectVertex(gl");
+    EXPECT_LT(s.VertexStage.find("wfvPlaceVSOutput = "), projected);
+    EXPECT_LT(projected, std::string::npos);
+    EXPECT_TRUE(Has(s.FragmentStage, "gl_FragDepth = wfvDepth"));
     EXPECT_FALSE(Has(s.FragmentStage, "float z = gl_FragCoord.z"));
   }
   const Sources lines =

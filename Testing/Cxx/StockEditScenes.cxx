@@ -10,6 +10,7 @@
 #include "vtkFloatArray.h"
 #include "vtkGPUVolumeRayCastMapper.h"
 #include "vtkGlyph3DMapper.h"
+#include "vtkHardwareSelector.h"
 #include "vtkImageCanvasSource2D.h"
 #include "vtkLight.h"
 #include "vtkMultiBlockDataSet.h"
@@ -29,6 +30,7 @@
 #include "vtkTexture.h"
 #include "vtkTextureMapToSphere.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkUnsignedIntArray.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 #include "vtkWideFoVDataPass.h"
@@ -238,6 +240,26 @@ void FillSplats(Window& test)
   Add(test, mapper);
 }
 
+// Ranks are selected by the numbers of vertices.
+void FillSelectedRanks(Window& test)
+{
+  vtkSmartPointer<vtkPolyData> ball = Ball();
+  vtkNew<vtkUnsignedIntArray> ranks;
+  ranks->SetName("ranks");
+  ranks->SetNumberOfTuples(ball->GetNumberOfPoints());
+  ranks->FillValue(1);
+  ball->GetPointData()->AddArray(ranks);
+  vtkNew<vtkWideFoVPolyDataMapper> mapper;
+  mapper->SetInputData(ball);
+  mapper->SetProcessIdArrayName("ranks");
+  Add(test, mapper);
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(test.Renderer);
+  selector->SetUseProcessIdFromData(true);
+  selector->SetArea(0, 0, 47, 23);
+  selector->CaptureBuffers();
+}
+
 void FillUsersPoints(Window& test)
 {
   vtkActor* const actor = Add(test, Points());
@@ -371,30 +393,43 @@ std::vector<Scene> Surfaces()
     { "unlit", [](Window& t) { Look(t, Ball())->LightingOff(); } },
     { "by vertices", [](Window& t) { t.Pass()->SetTechniqueToVertex(), Add(t, Ball(false)); } },
     { "exact", [](Window& t) { t.Pass()->SetTechniqueToExact(), Add(t, Ball(false)); } },
-    { "tessellated", [](Window& t) { t.Pass()->SetTechniqueToTessellate(), Add(t, Ball()); } },
     { "debug view", [](Window& t) { t.Pass()->DebugViewOn(), FillTexture(t); } },
     { "edges", [](Window& t) { Look(t, Ball())->EdgeVisibilityOn(); } },
     { "texture", FillTexture },
     { "clipped", FillClipped },
+    { "clipped, exact", [](Window& t) { t.Pass()->SetTechniqueToExact(), FillClipped(t); } },
     { "cell colors", FillCellColors },
     { "strips", FillStrips },
   };
 }
 
-std::vector<Scene> Others()
+std::vector<Scene> Lines()
 {
   return {
     { "wireframe", [](Window& t) { Look(t, Ball())->SetRepresentationToWireframe(); } },
     { "wireframe, flat", [](Window& t) { Look(t, Ball(false))->SetRepresentationToWireframe(); } },
     { "lines", [](Window& t) { Add(t, Line()); } },
     { "wide lines", [](Window& t) { Look(t, Line())->SetLineWidth(9); } },
+    { "lines wider than OpenGL draws", [](Window& t) { Look(t, Line())->SetLineWidth(300); } },
+    { "coincident lines",
+      [](Window& t) {
+        vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
+        Add(t, Line());
+      } },
     { "tubes",
       [](Window& t) {
         Look(t, Line())->SetLineWidth(9);
         t.Renderer->GetActors()->GetLastActor()->GetProperty()->RenderLinesAsTubesOn();
       } },
+  };
+}
+
+std::vector<Scene> Others()
+{
+  return {
     { "points", [](Window& t) { Look(t, Points())->SetPointSize(8); } },
     { "points of a user's", FillUsersPoints },
+    { "selected ranks", FillSelectedRanks },
     { "coincident", FillShifted },
     { "points as spheres",
       [](Window& t) {
@@ -424,10 +459,10 @@ const std::vector<Scene>& All()
 {
   static const std::vector<Scene> scenes = [] {
     std::vector<Scene> all = Surfaces();
-    const std::vector<Scene> others = Others();
-    all.insert(all.end(), others.begin(), others.end());
-    const std::vector<Scene> volumes = VolumesByRays();
-    all.insert(all.end(), volumes.begin(), volumes.end());
+    for (const std::vector<Scene>& more : { Lines(), Others(), VolumesByRays() })
+    {
+      all.insert(all.end(), more.begin(), more.end());
+    }
     return all;
   }();
   return scenes;

@@ -120,7 +120,7 @@ compare_all() {
     compare "$suite" '*' "${maps[@]}"
   done
   # one map of what says less of a driver; what looks at the processor's work is left out
-  for suite in Attributes CompareEdges CompareSampledLines Tessellate CompareSampled; do
+  for suite in Attributes CompareEdges CompareSampledLines CompareSampled; do
     compare "$suite" '*' equirectangular
   done
   for suite in CompareQuadrics CompareStereo CompareStereoQuadrics ComparePoints; do

@@ -16,7 +16,7 @@ import tempfile
 import unittest
 
 PROGRAM = ""
-ENDINGS = ("vert", "tesc", "tese", "geom", "frag")
+ENDINGS = ("vert", "geom", "frag")
 PART = re.compile(r"^// WideFoV: ((?:Shaders|Projections|Stereo)/\S+\.glsl)$", re.M)
 MODULE = os.path.join(os.path.dirname(__file__), "..", "..", "Module")
 
@@ -96,13 +96,6 @@ class DumpTest(unittest.TestCase):
             "Projections/equirectangular.glsl",
             PART.findall(dump.files["prop0-triangles-projected.vert"]),
         )
-
-    def test_tessellate(self):
-        """With the stages that VTK knows nothing of."""
-        dump = Dump("--technique", "tessellate", "--projection", "stereographic")
-        self.check(dump, "prop0-triangles-tessellate", ENDINGS)
-        text = dump.files["prop0-triangles-tessellate.tesc"]
-        self.assertIn("Shaders/tessellation/tess_control.glsl", PART.findall(text))
 
     def test_others(self):
         """Lines, points and bodies have names of their own; more frames write nothing else."""

@@ -22,8 +22,6 @@ WALL = os.path.join(os.path.dirname(__file__), "..", "..", "Examples", "wall-dir
 # The part of a captured file's headings, and what glslangValidator calls the stage.
 STAGES = {
     "vertex": "vert",
-    "tessellation control": "tesc",
-    "tessellation evaluation": "tese",
     "geometry": "geom",
     "fragment": "frag",
 }
@@ -108,11 +106,8 @@ def compile_program(stages):
                 source = source.replace("#version 150", "#version 400", 1)
             with open(files[-1], "w", encoding="utf-8") as stream:
                 stream.write(source)
-        # Version 12.0 cannot link what tessellates: of arrays that are "patch" it says that their
-        # sizes are incompatible, also where they are equal. Those stages are compiled one by one.
-        link = [] if any(stage == "tesc" for stage, _ in stages) else ["-l"]
         done = subprocess.run(
-            ["glslangValidator", *link, *files], capture_output=True, text=True, check=False
+            ["glslangValidator", "-l", *files], capture_output=True, text=True, check=False
         )
     lines = [line for line in done.stdout.splitlines() if "ERROR" in line]
     return "\n".join(lines[:5]) or (done.stderr if done.returncode else "")
@@ -168,7 +163,7 @@ class ShadersTest(unittest.TestCase):
         self.assertGreaterEqual(len(names), 17)
         for name in names:
             more = ("auto", "preclip", "vertex") if name in THOROUGH else ()
-            for technique in ("exact", "tessellate", *more):
+            for technique in ("exact", *more):
                 self.check(picture("--projection", name, "--technique", technique))
 
     def test_others(self):

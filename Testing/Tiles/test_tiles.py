@@ -44,7 +44,6 @@ COLORS = [
     ("--scene globe --technique exact --tilt 40 --samples 0", EXACT),
     ("--scene room --technique exact --projection stereographic --fov 250", EXACT),
     ("--scene globe", ROUNDED),
-    ("--scene globe --technique tessellate", ROUNDED),
     ("--scene globe --technique preclip --projection hammer", ROUNDED),
     ("--scene globe --representation wireframe", BORDERS),
     ("--scene globe --representation surface-with-edges", BORDERS),

@@ -237,9 +237,9 @@ class Shown(ViewerTest):
             stdout=subprocess.PIPE, check=True).stdout.decode().split()
         self.assertEqual(seen, set(listed) - {"direction-map"})
         self.assertEqual(viewer.state()["projection"], "equirectangular")
-        seen = [viewer.key("t")["technique"] for _ in range(6)]
+        seen = [viewer.key("t")["technique"] for _ in range(5)]
         self.assertEqual(
-            seen, ["exact", "tessellate", "preclip", "vertex", "cubemap", "auto"])
+            seen, ["exact", "preclip", "vertex", "cubemap", "auto"])
 
     def test_wheel_changes_the_field_of_view(self):
         viewer = self.start()
@@ -411,7 +411,9 @@ class Wall(ViewerTest):
             self.assertEqual(viewer.state()["size"], [300 * columns, 200 * rows])
             whole = self.desktop.photograph(300 * columns, 200 * rows)
             viewer.point(5, 5)
-            self.assertEqual((whole != self.render(viewer)).any(2).sum(), 0, projection)
+            # each window rounds the colours between its own vertices: by one level
+            other = numpy.abs(whole.astype(int) - self.render(viewer)).max()
+            self.assertLessEqual(other, 1, projection)
             viewer.key("p")
             while viewer.state()["projection"] != projection:
                 self.assertNotEqual(viewer.state()["projection"], "perspective")

@@ -8,7 +8,6 @@ const int WFV_KIND_POLE = 2;        // ray-tested: holds a pole or the antipode,
 const int WFV_KIND_EXACT = 3;       // ray-tested: curved by more than the tolerance, or all are
 const int WFV_KIND_VERTEX = 4;      // projected, as it is or cut into smaller ones
 const int WFV_KIND_OTHER = 5;       // a line or a point
-const int WFV_KIND_TESSELLATED = 8; // + level: tessellated, level 1 to 64
 
 const vec3 WFV_COLOR_STRAIGHT = vec3(0.90, 0.90, 0.90);
 const vec3 WFV_COLOR_REAR = vec3(0.34, 0.71, 0.91);
@@ -16,19 +15,12 @@ const vec3 WFV_COLOR_POLE = vec3(0.84, 0.37, 0.00);
 const vec3 WFV_COLOR_EXACT = vec3(0.00, 0.62, 0.45);
 const vec3 WFV_COLOR_VERTEX = vec3(0.62, 0.66, 0.78);
 const vec3 WFV_COLOR_OTHER = vec3(0.90, 0.62, 0.00);
-const vec3 WFV_COLOR_LEVEL_1 = vec3(0.98, 0.93, 0.45);
-const vec3 WFV_COLOR_LEVEL_64 = vec3(0.55, 0.20, 0.50);
 
 // The kind, in the bits of wfvMode above those of the covering.
 const int WFV_KIND_UNIT = 2048;
 
 vec3 wfvKindColor(int kind)
 {
-  if (kind >= WFV_KIND_TESSELLATED)
-  {
-    float level = float(max(kind - WFV_KIND_TESSELLATED, 1));
-    return mix(WFV_COLOR_LEVEL_1, WFV_COLOR_LEVEL_64, clamp(log2(level) / 6.0, 0.0, 1.0));
-  }
   return kind == WFV_KIND_STRAIGHT ? WFV_COLOR_STRAIGHT
     : kind == WFV_KIND_REAR    ? WFV_COLOR_REAR
     : kind == WFV_KIND_POLE    ? WFV_COLOR_POLE

@@ -111,6 +111,16 @@ std::string ChordFragment(
   return std::string("flat in vec3 wfvDirectionVSOutput;\n") + line_normal_glsl;
 }
 
+std::string StockFragment(const Request& r, std::string& fragment)
+{
+  if (fragment.find(Place) == std::string::npos)
+  {
+    return "";
+  }
+  RewriteNormal(r, "wfvLineWay(vertexVC.xyz)", fragment);
+  return std::string(line_normal_glsl) + line_way_glsl;
+}
+
 bool Draws(const Request& r)
 {
   return r.Kind == Primitive::Lines && r.Stage == wfv::ShaderBuilder::Variant::Exact &&

@@ -16,6 +16,9 @@ bool Draws(const shader::Request& request);
 // True where a geometry stage draws them as chords.
 bool DrawsChords(const shader::Request& request);
 
+// Declarations of the fragment stage of lines that are drawn as stock VTK draws them.
+std::string StockFragment(const shader::Request& request, std::string& fragment);
+
 // That stage, behind the mathematics of the view and the pre-clip's own.
 std::string ChordSource(const std::vector<shader::Varying>& varyings);
 

@@ -217,7 +217,7 @@ std::string Before(const Request& r, std::string& fragment)
   const bool offset = (IsSegment(r) || r.Kind == Primitive::PointSpheres) &&
     stock::Look(fragment, Edit::DepthOffset, stock::Found::May).Number >= 0;
   return "  wfvPrepare(" + side + ");\n  gl_FragDepth = wfvDepth" +
-    (offset ? " + cOffset / 65000.0" : "") + ";\n";
+    (offset ? " + wfvOffsetOfDepth(wfvDepth, cOffset / 65000.0)" : "") + ";\n";
 }
 
 void FinishFragment(
@@ -240,7 +240,7 @@ void FinishFragment(
     std::string("  if (wfvHide) { discard; }\n") +
       (round ? "  if (wfvOutsideDomain()) { discard; }\n" : ""));
   wfv::ShaderBuilder::Declare(fragment,
-    "#extension GL_ARB_sample_shading : enable\n" + ViewSource(r) +
+    "#extension GL_ARB_sample_shading : enable\n" + ViewSource(r) + depth_offset_glsl +
       Define("WFV_OTHER_IS_PLACE", IsSegment(r)) + "#define WFV_SPLAT_SCALE " + scale + "\n" +
       RaySource(r) + quadric_inputs_glsl +
       (NonCentralImpostors(r) ? quadric_non_central_glsl : "") + quadric_fragment_glsl +

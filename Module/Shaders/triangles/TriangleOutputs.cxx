@@ -33,9 +33,7 @@ std::vector<Output> OutputsOf(const Request& r)
     { anchored, 3, out_anchor_glsl, "wfvWriteAnchor" },
     { !anchored, 3 + 2, out_meets_glsl, "wfvWriteMeets" },
     { !exact, 3 + 3 + 3, out_projected_glsl, "wfvWriteSlack" },
-    { MeetsChords(r), 3, out_neighbours_glsl, "wfvWriteSlack" },
-    { !exact || MeetsChords(r), 4 + 2, out_corners_glsl, "wfvWritePlaces" },
-    { SeveralChords(r), 3 + 3 * 3, out_counts_glsl, "wfvWriteCounts" },
+    { !exact, 4 + 2, out_corners_glsl, "wfvWritePlaces" },
     { CrossesSeam(r), 4, out_seam_glsl, "wfvWriteSeam" },
     { !exact || r.DebugView, 1, out_mode_glsl, "wfvWriteMode" },
     { NonCentral(r), 3 * 3, out_spans_glsl, "wfvWriteSpans" },
@@ -58,16 +56,6 @@ int OwnComponents(const Request& r)
 }
 }
 
-bool MeetsChords(const Request& r)
-{
-  return r.Triangles.MeetsChords && IsExact(r);
-}
-
-bool SeveralChords(const Request& r)
-{
-  return MeetsChords(r) && r.Triangles.SeveralChords;
-}
-
 bool CrossesSeam(const Request& r)
 {
   return !IsExact(r) && r.View.Projection->Axis == Family::Meridian &&
@@ -76,7 +64,7 @@ bool CrossesSeam(const Request& r)
 
 std::string OutputsSource(const Request& r)
 {
-  std::string source = MeetsChords(r) ? "" : "#define WFV_LENS 0.0\n";
+  std::string source;
   std::string writes;
   for (const Output& o : OutputsOf(r))
   {

@@ -9,13 +9,6 @@ namespace wfv
 {
 namespace shader
 {
-// True where triangles that are drawn by their chords may be beside these, which are all
-// ray-tested.
-bool MeetsChords(const Request& request);
-
-// And an edge of these may have several chords.
-bool SeveralChords(const Request& request);
-
 // True where chords may cross a straight seam.
 bool CrossesSeam(const Request& request);
 

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shaders/triangles/TriangleShaders.h"
 
-#include "Clusters/Classifier.h"
 #include "Shaders/Fp64Text.h"
-#include "Shaders/Limits.h"
 #include "Shaders/triangles/TriangleOutputs.h"
 #include "WideFoVGlsl.h"
-
-#include <algorithm>
 
 namespace wfv
 {
@@ -31,17 +27,6 @@ std::string CoverSource(const Projection& projection)
     default:
       return cover_azimuthal_glsl;
   }
-}
-
-// Triangles that are cut into smaller ones.
-std::string CutSource(const Request& r, const std::vector<Varying>& varyings)
-{
-  const bool seen = r.View.Stereo && !r.View.Stereo->Traits.OneCenter;
-  constexpr int rows = Classifier::MostRows;
-  constexpr int vertices = std::max(2 * WFV_ROWS_OF_PART + 2, rows * (rows + 2));
-  return Define("WFV_CUT_VERTICES", vertices) + Define("WFV_SEEN_VERTICES", seen) +
-    (seen ? stereo_vertex_glsl : "") + MixedOutputs(varyings, "vec3 w", { "w.x", "w.y", "w.z" }) +
-    edge_chords_glsl + cut_triangles_glsl;
 }
 
 // What follows from the ray and the distance, where triangles are ray-tested whatever their edges.
@@ -74,38 +59,28 @@ std::string HitSource(const Request& r)
 // Where it ends.
 std::string BorderSource(const Request& r)
 {
-  if (IsExact(r) && !MeetsChords(r))
+  if (IsExact(r))
   {
     return std::string(edge_inside_glsl) + no_chords_glsl;
   }
   const bool seam = CrossesSeam(r);
   return edge_inside_glsl + Define("WFV_CROSSES_SEAM", seam) + (seam ? chord_seam_glsl : "") +
-    (SeveralChords(r) ? several_chords_glsl : "") + chord_fragment_glsl;
+    chord_fragment_glsl;
 }
-}
-
-bool Cuts(const Request& r)
-{
-  return r.Stage == ShaderBuilder::Variant::Cut;
 }
 
 bool Covers(const Request& r)
 {
-  return ShaderBuilder::NeedsGeometryStage(r) && r.Kind == Primitive::Triangles && !Cuts(r);
+  return ShaderBuilder::NeedsGeometryStage(r) && r.Kind == Primitive::Triangles;
 }
 
 std::string GeometrySource(const Request& r, const std::vector<Varying>& varyings)
 {
-  if (Cuts(r))
-  {
-    return CutSource(r, varyings);
-  }
   // copies of every vertex output at the three corners, which the fragment stage weighs:
   // exact wherever the geometry stage cuts
   return InvocationsSource(r, varyings, KnownOf(r)) + CornerOutputs(varyings, 3, KnownOf(r)) +
-    (MeetsChords(r) ? edge_chords_glsl : "") + cover_precision_glsl + OutputsSource(r) +
-    preclip_write_glsl + preclip_emit_glsl + PlaneSource(r) +
-    (NonCentral(r) ? std::string(non_central_glsl) + non_central_edges_glsl : "") +
+    cover_precision_glsl + OutputsSource(r) + preclip_write_glsl + preclip_emit_glsl +
+    PlaneSource(r) + (NonCentral(r) ? std::string(non_central_glsl) + non_central_edges_glsl : "") +
     (CurvedRays(r) ? curved_cover_glsl : "") + preclip_cover_glsl + preclip_narrow_glsl +
     CoverSource(*r.View.Projection) + (r.DebugView ? preclip_kinds_glsl : "") + preclip_seen_glsl +
     (NonCentral(r) ? "" : preclip_grazes_glsl) + preclip_easy_glsl + preclip_measure_glsl +

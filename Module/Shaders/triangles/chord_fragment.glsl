@@ -6,9 +6,6 @@
 
 flat in vec4 wfvCorners01; // corners 0 and 1 in the picture, pixels from the tile's centre
 flat in vec2 wfvCorner2;
-#if WFV_EXACT
-flat in vec3 wfvSlack; // out_neighbours.glsl
-#endif
 
 // How far, in pixels, a rasterizer snaps its vertices: a chord is widened by so much.
 const float WFV_SNAP = 1.0 / 128.0;
@@ -72,26 +69,6 @@ vec3 wfvToChords(vec3 direction, vec3 e, vec3 dx, vec3 dy)
   vec4 chord0 = vec4(c1, c2);
   vec4 chord1 = vec4(c2, c0);
   vec4 chord2 = vec4(c0, c1);
-#if WFV_SEVERAL_CHORDS
-  // where a chord may decide; a loop for those alone (see wfvMustCover)
-  bvec3 several = greaterThan(wfvCount, vec3(1.0));
-  bvec3 near = lessThanEqual(abs(e), wfvChordErrors() * sqrt(dx * dx + dy * dy));
-  bvec3 left = bvec3(several.x && near.x, several.y && near.y, several.z && near.z);
-  for (int i = int(left.x) + int(left.y) + int(left.z); i > 0; i--)
-  {
-    bool first = left.x;
-    bool second = !first && left.y;
-    vec3 p = first ? wfvPlace1 : second ? wfvPlace2 : wfvPlace0;
-    vec3 q = first ? wfvPlace2 : second ? wfvPlace0 : wfvPlace1;
-    vec3 n = vec3(first ? wfvEdge0 : second ? wfvEdge1 : wfvEdge2);
-    float count = first ? wfvCount.x : second ? wfvCount.y : wfvCount.z;
-    vec4 chord = wfvChordAt(p, q, n, count, direction);
-    chord0 = first ? chord : chord0;
-    chord1 = second ? chord : chord1;
-    chord2 = first || second ? chord2 : chord;
-    left = bvec3(false, first && left.y, (first || second) && left.z);
-  }
-#endif
   return vec3(wfvToChordOf(0, e.x, vec2(dx.x, dy.x), wfvSlack.x, chord0.xy, chord0.zw),
     wfvToChordOf(1, e.y, vec2(dx.y, dy.y), wfvSlack.y, chord1.xy, chord1.zw),
     wfvToChordOf(2, e.z, vec2(dx.z, dy.z), wfvSlack.z, chord2.xy, chord2.zw));

@@ -32,7 +32,7 @@ void wfvPrepare()
 #endif
   wfvInterpolate();
   wfvHide = !(covered && meets && wfvDepth >= 0.0 && wfvDepth <= 1.0);
-#if WFV_EXACT && !WFV_MEETS_CHORDS
+#if WFV_EXACT
   wfvOrder(approach, e);
 #endif
   wfvDepth += !wfvFront ? WFV_BEHIND : 0.0;

@@ -3,7 +3,7 @@
 
 bool wfvIsHit(WfvRay ray, vec3 e)
 {
-#if WFV_EXACT && !WFV_MULTISAMPLE && !WFV_MEETS_CHORDS
+#if WFV_EXACT && !WFV_MULTISAMPLE
   return wfvCoverage(ray, e, vec3(0.0), vec3(0.0), false);
 #else
   bool rim;

@@ -4,7 +4,7 @@
 void wfvDraw(bool seam, bool easy)
 {
   bool near = easy && !seam;
-  float grow = wfvChordBound + WFV_LENS + WFV_TIGHT_PAD; // as wfvEasy has measured
+  float grow = wfvChordBound + WFV_TIGHT_PAD; // as wfvEasy has measured
   wfvMustCover(!near || WFV_DEBUG_VIEW == 1);
   wfvVertexMode = WFV_RAY_TESTED;
 #if WFV_DEBUG_VIEW

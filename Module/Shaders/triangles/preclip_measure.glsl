@@ -60,9 +60,7 @@ void wfvFindPlaces(bool asked)
 void wfvCoverBy(bool tight, float grow)
 {
   bool front = wfvT.w < 0.0;
-#if WFV_MEETS_CHORDS
-  wfvFindPlaces(tight || wfvHasChords); // chords lie between them
-#elif WFV_EXACT
+#if WFV_EXACT
   wfvFindPlaces(tight);
 #endif
   for (int i = tight ? 1 : 0; i > 0; i--)

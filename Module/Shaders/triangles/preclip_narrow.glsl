@@ -109,7 +109,7 @@ void wfvCoverTight(float grow, bool front)
 // By the sampled distance of the edges: pixels to grow by.
 float wfvNarrowGrow()
 {
-  return WFV_CHORD_SAFETY * wfvChordBound + WFV_CHORD_PAD + WFV_LENS;
+  return WFV_CHORD_SAFETY * wfvChordBound + WFV_CHORD_PAD;
 }
 
 // False where that is unknown or large.

@@ -17,7 +17,7 @@ flat out vec3 wfvPlane;  // normal of the triangle, away from the eye
 const int WFV_RAY_TESTED = 1; // of wfvMode
 
 // Pixels added round a covering shape, for the rounding of its own bounds.
-#define WFV_PAD (1.5 + WFV_LENS)
+#define WFV_PAD 1.5
 
 // Angle added round a covering shape, radians: float32 rounding of angles.
 const float WFV_ANGLE_PAD = 2e-6;

@@ -11,9 +11,6 @@ void main()
     return;
   }
   wfvFacePlanes(lengths);
-#if WFV_MEETS_CHORDS
-  wfvFindChords();
-#endif
 #if WFV_CURVED_RAYS
   wfvSetDepths(lengths);
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The number of a triangle in its mapper, where some of its triangles are drawn by themselves
-// (Clusters/ClusterDraw.h) and the number in the draw is another.
+// (Frame/RefinedDraw.h) and the number in the draw is another.
 
 uniform usamplerBuffer wfvNumbers;
 uniform int wfvFirstNumber; // of this draw; -1: the numbers are the mapper's own

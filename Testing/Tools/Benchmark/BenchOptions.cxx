@@ -35,7 +35,7 @@ void Declare(CLI::App& app, BenchOptions& o, std::string& mode)
   group.Flag("--as-direction-map", o.Sampled,
     "the directions of that projection, one a pixel, as a direction map in its stead");
   group.Number("--tolerance", "PX", o.Tolerance, { 0.001, 1e6 },
-    "the only one of auto and tessellate, pixels; without it they have several");
+    "the only one of auto, pixels; without it there are several");
   group.Size("--size", o.Size, "pixels; with --quick or --table1 1024x512");
   group.Choice("--mode", mode, ModeNames(), {},
     "of the cameras: they stand, turn, go round in a circle, or jump to new places before each "

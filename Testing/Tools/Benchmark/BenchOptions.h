@@ -24,7 +24,7 @@ struct BenchOptions
   bool Table1 = false;                        // the table of the paper instead
   std::string Projection = "equirectangular"; // of the techniques
   bool Sampled = false;                       // that as a direction map
-  double Tolerance = 0;                       // of auto and tessellate, pixels; 0: several
+  double Tolerance = 0;                       // of auto, pixels; 0: several
   int Samples = 0;                            // a pixel of the windows; 0: no multisampling
   bench::Motion Motion;                       // of the cameras
   int Frames = 0;   // timed frames a run; 0: as many as fit the time, at least three

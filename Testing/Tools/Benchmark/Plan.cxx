@@ -166,8 +166,8 @@ private:
 
 std::vector<std::string> MethodNames()
 {
-  return { "auto", "exact", "tessellate", "preclip", "vertex", "cubemap", SmoothCubeMap,
-    "perspective", "floor", "stereo-omnidirectional", "stereo-offaxis" };
+  return { "auto", "exact", "preclip", "vertex", "cubemap", SmoothCubeMap, "perspective", "floor",
+    "stereo-omnidirectional", "stereo-offaxis" };
 }
 
 std::vector<std::string> ProjectionNames()
@@ -202,7 +202,6 @@ std::vector<Run> MakePlan(const PlanRequest& request, const widefov::Options& ca
   const double density = EqualDensity(request.Size[0]);
   maker.Add("auto", TolerancesOf(request, { 0.02, UsualTolerance }));
   maker.Add("exact");
-  maker.Add("tessellate", TolerancesOf(request, { UsualTolerance }));
   maker.Add("preclip");
   maker.Add("vertex");
   maker.Add("perspective");

@@ -21,7 +21,7 @@ struct PlanRequest
   std::vector<std::string> Methods;           // empty: all
   bench::Motion Motion;                       // of every camera; only still there is a floor
   std::string Projection = "equirectangular"; // of the techniques, at its widest
-  double Tolerance = 0;                       // of auto and tessellate, pixels; 0: several
+  double Tolerance = 0;                       // of auto, pixels; 0: several
   std::shared_ptr<const DirectionMap> Map;    // of that projection, drawn in its stead
   int Samples = 0; // a pixel, of every window; 0: no multisampling; more than 1:
                    // there is a cubemap-ss

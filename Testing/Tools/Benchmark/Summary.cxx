@@ -123,8 +123,8 @@ void AddGroup(Json& json, const Group& group)
   const int width = group.Records.front()->Run.Options.Size[0];
   const int density = EqualDensity(width);
   const std::string cubemap = "cubemap_" + std::to_string(density);
-  for (const std::string name : { "auto_0.02", "auto_0.05", Usual, "auto_1", "exact",
-         "tessellate_0.25", "preclip", "vertex", "perspective" })
+  for (const std::string name :
+    { "auto_0.02", "auto_0.05", Usual, "auto_1", "exact", "preclip", "vertex", "perspective" })
   {
     group.AddRatio(json, name, "floor");
     group.AddRatio(json, name, cubemap);

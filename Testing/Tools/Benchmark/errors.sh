@@ -31,9 +31,6 @@ measure "$projections" 2 NAME.json --size 1024x512 --methods exact,auto "$@"
 for name in $(xargs -n 1 <<< "$projections" | grep -x -e equi-angular-cubemap -e hammer -e azimuthal-equidistant || true); do
   measure "$name" 1 NAME-directions.json --size 1024x512 --as-direction-map --quick --methods exact "$@"
 done
-# software draws patches slowly: without the largest scenes
-measure "$projections" 2 NAME-tessellate.json --size 1024x512 --methods tessellate \
-  --scenes cornell,room,atrium,globe,vector-cloud "$@"
 measure "$projections" 1 NAME-8192.json --size 8192x4096 --quick --methods exact,auto --tolerance 0.02 "$@"
 # all scenes in four million pixels: as wide, or a circle that touches the nearer borders
 for name in $projections; do

@@ -21,7 +21,6 @@ import matplotlib.pyplot as plt  # noqa: E402  (the backend comes first)
 # method: label, colour, marker; the curves in the order of the legend
 METHODS = {
     "auto": ("auto, by tolerance", "#1b6ca8", "o"),
-    "tessellate": ("tessellate, by tolerance", "#2a9d5c", "s"),
     "exact": ("exact", "#0b2e4f", "*"),
     "preclip": ("preclip", "#8e6bbf", "D"),
     "vertex": ("vertex", "#b0853a", "v"),

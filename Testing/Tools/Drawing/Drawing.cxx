@@ -29,7 +29,7 @@ struct Drawing::Internals
   vtkNew<vtkWideFoVPass> Pass;
   vtkNew<vtkWideFoVDataPass> Data;
   vtkNew<vtkOpenGLPolyDataMapper> Mapper;
-  vtkNew<vtkWideFoVPolyDataMapper> WideMapper; // tessellates, and classifies triangles
+  vtkNew<vtkWideFoVPolyDataMapper> WideMapper; // refines triangles
   vtkNew<vtkActor> Actor;
   std::unique_ptr<View> LastView;
   bool DrawsPerspective = false;
@@ -95,7 +95,7 @@ void Drawing::SetTechnique(int technique)
 {
   Internals& in = *this->Internal;
   in.Pass->SetTechnique(technique);
-  const bool wide = technique == vtkWideFoVPass::TESSELLATE || technique == vtkWideFoVPass::AUTO;
+  const bool wide = technique == vtkWideFoVPass::AUTO;
   in.Actor->SetMapper(wide ? in.WideMapper.Get() : in.Mapper.Get());
 }
 
@@ -223,11 +223,6 @@ reference::Pose Drawing::GetPose() const
 int Drawing::GetNumberOfPreClipDraws() const
 {
   return this->Internal->Pass->GetNumberOfPreClipDraws();
-}
-
-int Drawing::GetNumberOfTessellateDraws() const
-{
-  return this->Internal->Pass->GetNumberOfTessellateDraws();
 }
 
 std::string Describe(const Shot& s)

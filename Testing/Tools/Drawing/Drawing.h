@@ -107,9 +107,6 @@ public:
   // 1, or 0 where the prop met no discontinuity and went without the geometry stage.
   int GetNumberOfPreClipDraws() const;
 
-  // 1 where the mesh was tessellated.
-  int GetNumberOfTessellateDraws() const;
-
 private:
   struct Internals;
   std::unique_ptr<Internals> Internal;

@@ -19,8 +19,9 @@ constexpr int Rounds = 4;
 // Of the picture: places of an edge that are farther apart than this are torn by the map.
 constexpr double Torn = 0.25;
 
-// Relative, of the clip spheres: what float32 makes of them.
-constexpr double ClipRounding = 1e-6;
+// Relative, of the clip spheres: pieces are clipped at distances interpolated along chords of 0.08
+// radians.
+constexpr double ClipRounding = 0.08 * 0.08 / 8;
 
 // Relative to its other end: nearer ends of an edge are one.
 constexpr double LeastAngle = 1e-12;

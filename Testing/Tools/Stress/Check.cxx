@@ -27,13 +27,18 @@ constexpr std::size_t MostSamples = 40000;
 
 // Lines of a verdict, and pixels that get a close look.
 constexpr std::size_t MostLines = 4;
-constexpr long MostLooks = 64;
+constexpr long MostLooks = 1024;
 
 // Two surfaces may be drawn in either order where their distances differ by less than this
 // share of the range between the clip spheres (depth is a float of 24 bits, from a distance
 // with as many), or by this share of the distance itself.
 constexpr double DepthStep = 4.0 / 16777216;
 constexpr double DistanceRounding = 1e-6;
+
+// Pieces are clipped at the near sphere by distances that are interpolated along chords of 0.08
+// radians: so much nearer, relative to its radius, a triangle may be drawn. Corners that end there
+// are put at 0.999 of it (refine_types.glsl).
+constexpr double AlongChord = 0.08 * 0.08 / 8 + 0.001;
 
 // How far the near plane may lie beyond the near sphere, in its radii: fields of view of up
 // to 120 degrees have corners within 76 degrees of the axis.
@@ -105,6 +110,7 @@ Verdict Checker::Check(const Technique& technique)
 {
   Verdict verdict;
   verdict.Count.Batches = 1;
+  this->BesideNear = technique.Projects ? AlongChord : 0;
   CountGlErrors(); // what others left
   this->Drawing.SetTechnique(technique.Value);
   this->Drawing.SetTolerance(technique.Tolerance);
@@ -207,7 +213,8 @@ bool Checker::TiesAt(vec2 ndc, vtkIdType cell) const
     // stock VTK draws it, and clips by planes: between plane and sphere both are right
     return hit.Found && (hit.Distance <= nearest + step || nearest <= PlaneOverSphere * radii.x);
   }
-  const bool shown = hit.Distance >= radii.x - step && hit.Distance <= radii.y + step;
+  const bool shown =
+    hit.Distance >= radii.x * (1 - this->BesideNear) - step && hit.Distance <= radii.y + step;
   return hit.Found && shown && hit.Distance <= nearest + step;
 }
 
@@ -250,9 +257,9 @@ bool Checker::IsRight(const reference::WorstPixel& p, double b, Counts& count) c
   return tie || depth;
 }
 
-// How far from the pixel its cell is seen, by smaller circles and by the cell's own picture; and
-// whether it is there all the same.
-void Checker::LookClosely(reference::WorstPixel& p, double b, Counts& count) const
+// How far from the pixel its cell is seen, by smaller circles and by the cell's own picture. True
+// where the cell is there, or is there behind another one.
+bool Checker::LookClosely(reference::WorstPixel& p, double b, Counts& count) const
 {
   const test::Shot& s = this->Current.Shot;
   const double thin = reference::NearestAgreement(*this->Caster, s.Width, s.Height, p, b);
@@ -272,6 +279,7 @@ void Checker::LookClosely(reference::WorstPixel& p, double b, Counts& count) con
     reference::NearestFace(*this->Caster, s.Width, s.Height, centre, p.Drawn, most) <= most;
   count.Near += near;
   count.Hidden += there;
+  return near || there;
 }
 
 void Checker::Compare(
@@ -279,13 +287,14 @@ void Checker::Compare(
 {
   const test::Shot& s = this->Current.Shot;
   Counts& count = verdict.Count;
+  std::vector<std::string> lines[2]; // of pixels that show what is nowhere near, and of others
   for (const Sample& sample : this->Samples)
   {
     const std::size_t n = std::size_t(sample.J) * s.Width + sample.I;
     ++count.Pixels;
     reference::WorstPixel p{ sample.I, sample.J,
       drawn.Cell[n] > 0 ? vtkIdType(drawn.Cell[n]) - 1 : -1, sample.Truth.Cell, drawn.Distance[n],
-      sample.Truth.Distance, 0 };
+      sample.Truth.Distance, reference::SearchLimit };
     if (p.Drawn == p.Reference)
     {
       const double e = std::abs(p.DrawnDistance - p.ReferenceDistance) / p.ReferenceDistance;
@@ -297,14 +306,15 @@ void Checker::Compare(
       continue;
     }
     ++count.Unexplained;
-    p.Pixels = reference::SearchLimit;
-    if (count.Unexplained <= MostLooks)
-    {
-      this->LookClosely(p, technique.B, count);
-    }
+    const bool found = count.Unexplained <= MostLooks && this->LookClosely(p, technique.B, count);
     count.MaxPx = std::max(count.MaxPx, p.Pixels);
-    this->Say(
-      verdict, "unexplained " + test::DescribePixel(this->Drawing.GetView(), s.Width, s.Height, p));
+    lines[found].push_back(
+      "unexplained " + test::DescribePixel(this->Drawing.GetView(), s.Width, s.Height, p));
+  }
+  for (const auto& texts : lines)
+  {
+    std::for_each(
+      texts.begin(), texts.end(), [&](const std::string& text) { this->Say(verdict, text); });
   }
 }
 }

@@ -22,6 +22,7 @@ struct Technique
   int Value;        // vtkWideFoVPass::Techniques
   double Tolerance; // of the pass, pixels
   double B;         // what the ray caster explains within, pixels
+  bool Projects;    // draws chords
 };
 
 struct Verdict
@@ -56,7 +57,7 @@ private:
     const reference::DrawnPicture& drawn, const Technique& technique, Verdict& verdict) const;
   bool IsRight(const reference::WorstPixel& pixel, double b, Counts& count) const;
   bool IsDepthTie(const reference::WorstPixel& pixel, double b) const;
-  void LookClosely(reference::WorstPixel& pixel, double b, Counts& count) const;
+  bool LookClosely(reference::WorstPixel& pixel, double b, Counts& count) const;
   bool TiesAt(vec2 ndc, vtkIdType cell) const;
   void Say(Verdict& verdict, const std::string& what) const;
 
@@ -65,6 +66,7 @@ private:
   Batch Current;
   std::unique_ptr<reference::RayCaster> Caster;
   std::vector<Sample> Samples;
+  double BesideNear = 0; // of the near radius: so much nearer a triangle may be drawn
 };
 }
 }

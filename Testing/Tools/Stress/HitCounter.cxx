@@ -58,7 +58,7 @@ struct HitCounter::Internals
   vtkNew<vtkCameraPass> CameraPass;
   vtkNew<AddingPass> Adding;
   vtkNew<vtkOpenGLPolyDataMapper> Mapper;
-  vtkNew<vtkWideFoVPolyDataMapper> WideMapper; // what tessellates needs it
+  vtkNew<vtkWideFoVPolyDataMapper> WideMapper; // refines triangles
   vtkNew<vtkActor> Actor;
 };
 
@@ -87,7 +87,7 @@ std::vector<unsigned char> HitCounter::Count(
 {
   Internals& in = *this->Internal;
   vtkPolyDataMapper* mapper = in.Mapper;
-  if (technique == vtkWideFoVPass::TESSELLATE)
+  if (technique == vtkWideFoVPass::AUTO)
   {
     mapper = in.WideMapper;
   }

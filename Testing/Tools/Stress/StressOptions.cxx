@@ -16,6 +16,9 @@ namespace
 // b of what is exact, pixels.
 constexpr double ExactTolerance = 0.02;
 
+// Pixels: from here on auto draws chords (Stages::LeastTolerance).
+constexpr double LeastChordTolerance = 0.05;
+
 std::vector<std::string> ProjectionNames()
 {
   std::vector<std::string> names;
@@ -84,7 +87,8 @@ std::vector<Technique> TechniquesOf(const StressOptions& o)
   {
     const int number = FindTechnique(name);
     const double b = number == TechniqueExact ? ExactTolerance : o.Tolerance;
-    techniques.push_back({ name, number, o.Tolerance, b });
+    const bool projects = number == TechniqueAuto && o.Tolerance >= LeastChordTolerance;
+    techniques.push_back({ name, number, o.Tolerance, b, projects });
   }
   return techniques;
 }

@@ -21,7 +21,7 @@ struct StressOptions
   std::vector<std::string> Projections; // all
   std::vector<std::string> Techniques{ "exact", "auto" };
   std::vector<std::string> Cases; // all
-  double Tolerance = 0.02;        // of auto and tessellate, pixels
+  double Tolerance = 0.02;        // of auto, pixels
   int Batch = -1;                 // this batch of each case alone
   bool Version = false;
 

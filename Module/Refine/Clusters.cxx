@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Clusters/Clusters.h"
+#include "Refine/Clusters.h"
 
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkCellArray.h"
