@@ -60,7 +60,8 @@ bring_in() {
 
 # encode CODEC PIXELS SOUND FILE
 encode() {
-  local color="scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd+full_chroma_int,format=$2"
+  local tags="setparams=range=tv:color_primaries=bt709:color_trc=bt709:colorspace=bt709"
+  local color="scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd+full_chroma_int,$tags,format=$2"
   "$folder/ffmpeg" -nostdin -loglevel error -y -f rawvideo -pixel_format rgb24 -video_size 64x64 -framerate 25 \
     -i "$work/frames" -i "$work/sound.wav" -vf "$color" -c:v "$1" -c:a "$3" "$work/$4"
 }

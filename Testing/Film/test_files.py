@@ -11,10 +11,16 @@ import signal
 import subprocess
 import time
 
-from films import FilmTest, main, probe, words_of
+from films import SQUARE, FilmTest, main, probe, words_of
 from matplotlib.image import imread
 
 TURN = ["--film", "turn"]
+
+CONTAINERS = {"x264": ("mp4", "mov", "mkv"), "x265": ("mp4", "mov", "mkv"), "vp9": ("mp4", "webm", "mkv"),
+              "prores": ("mov", "mkv")}
+
+# Levels of 255: encoders quantize colours, and half of the colour's resolution is dropped. The wrong matrix is 16 off.
+COLOR_LEVELS = 4
 
 # One pixel, written by another program.
 PNG = base64.b64decode("iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg==")
@@ -33,6 +39,25 @@ class Files(FilmTest):
             self.assertEqual(found["r_frame_rate"], "30/1")
             self.assertEqual((found["width"], found["height"]), (64, 32))
         self.assertEqual(len(os.listdir(self.folder)), 5)
+
+    def test_colors(self):
+        """Every codec in every container has colour tags, and is decoded to the colour that was drawn."""
+        self.write("square.vtp", SQUARE.format(heat=0))
+        color = (184, 29, 24)
+        background = ",".join(str(value / 255) for value in color)
+        for codec, endings in CONTAINERS.items():
+            films = ["film." + ending for ending in endings]
+            outputs = [word for film in films for word in ("-o", film)]
+            self.film("square.vtp", "--eye", "0,0,9", *TURN, "--sweep", "1", "--seconds", "0.04",
+                      "--background", background, "--codec", codec, *outputs)
+            for film in films:
+                found = probe(self.path(film))
+                tags = [found.get("color_" + tag) for tag in ("range", "space", "transfer", "primaries")]
+                self.assertEqual(tags, ["tv", "bt709", "bt709", "bt709"], (codec, film))
+                decoded = subprocess.check_output(["ffmpeg", "-v", "error", "-i", self.path(film), "-frames:v", "1",
+                                                   "-pix_fmt", "rgb24", "-f", "rawvideo", "-"])
+                for drawn, read in zip(color, decoded[:3]):  # the corner: background
+                    self.assertLessEqual(abs(drawn - read), COLOR_LEVELS, (codec, film, tuple(decoded[:3])))
 
     def test_players_may_begin_at_once(self):
         self.film(*TURN, "--seconds", "0.2", "-o", "film.mp4")
