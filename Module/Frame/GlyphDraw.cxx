@@ -192,7 +192,7 @@ void GlyphDraw::ReleaseGraphicsResources(vtkWindow* window)
   this->Buffers.ReleaseGraphicsResources();
   this->Numbers.ReleaseGraphicsResources(window);
   this->Whole.ReleaseGraphicsResources(window);
-  this->Known = this->NumbersLoaded = false;
+  this->Known = false;
 }
 
 void GlyphDraw::Download()
@@ -323,7 +323,7 @@ void GlyphDraw::Gather(const std::vector<Found>& found)
   this->Fine.Clear();
   this->Refined.Clear();
   this->Buffers.Forget();
-  this->NumbersLoaded = false;
+  this->Numbers.Forget();
   this->Counts = FrameStatistics();
   GlyphArrays ofVertices;
   for (const Found& part : found)
@@ -419,18 +419,13 @@ void GlyphDraw::DrawPieces()
 {
   vtkShaderProgram* const program = this->FineHelper.Program;
   auto* const window = static_cast<vtkOpenGLRenderWindow*>(this->Renderer->GetRenderWindow());
-  this->Buffers.Load(
-    this->Refined, this->Source.GetCorners(), HelperAccess::Buffers(this->Helper), 0);
-  if (program->IsUniformUsed("wfvNumbers"))
+  if (!this->Buffers.Load(
+        this->Refined, this->Source.GetCorners(), HelperAccess::Buffers(this->Helper), 0))
   {
-    if (!this->NumbersLoaded || !this->Numbers.IsLoadedFor(window))
-    {
-      this->Numbers.Load(window, this->Refined.Numbers);
-      this->NumbersLoaded = true;
-    }
-    this->Numbers.Activate(program, "wfvNumbers");
-    program->SetUniformi("wfvFirstNumber", 0);
+    WarnOfUnreadBuffers();
+    return;
   }
+  this->Numbers.Activate(program, window, [this] { return this->Refined.Numbers; });
   this->Buffers.Draw(
     program, GL_TRIANGLES, [this](vtkOpenGLVertexArrayObject* vao, vtkShaderProgram* drawn) {
       this->PieceArrays.AddAttributes(vao, drawn, 0);

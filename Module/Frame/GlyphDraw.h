@@ -4,7 +4,6 @@
 #ifndef WideFoVGlyphDraw_h
 #define WideFoVGlyphDraw_h
 
-#include "Frame/BufferTexture.h"
 #include "Frame/FrameStatistics.h"
 #include "Frame/RefinedDraw.h"
 #include "Refine/Clusters.h"
@@ -34,7 +33,7 @@ VTK_ABI_NAMESPACE_END
 
 namespace wfv
 {
-// What every copy has of its own, as VTK's buffers hold it.
+// Holds the arrays that have a value for each copy, as VTK's buffers have them.
 struct GlyphArrays
 {
   std::vector<float> Matrices;       // 16 each
@@ -66,7 +65,7 @@ public:
   vtkOpenGLGlyph3DHelper* GetHelper() const;
 
 private:
-  // The buffers of what every copy, or every vertex of a piece of a copy, has of its own.
+  // The buffers of the values that every copy, or every vertex of a piece of a copy, has.
   struct ArrayBuffers
   {
     vtkNew<vtkOpenGLBufferObject> Matrices;
@@ -80,7 +79,7 @@ private:
     void ReleaseGraphicsResources();
   };
 
-  // What one thread finds in a row of copies.
+  // Lists the copies and pieces that one thread finds in a row of copies.
   struct Found
   {
     std::vector<std::size_t> Fine; // copies
@@ -114,7 +113,7 @@ private:
 
   std::size_t Indices = 0; // that the helper was left without
 
-  // What was refined last, and for what.
+  // The last refinement, and the copies, the source and the view that it was made for.
   GlyphArrays All;
   vtkMTimeType Time = 0; // of VTK's buffers
   Clusters Source{ false };
@@ -131,8 +130,7 @@ private:
   Pieces Refined; // of the other ones
   ArrayBuffers PieceArrays;
   PieceBuffers Buffers;
-  BufferTexture Numbers;
-  bool NumbersLoaded = false;
+  NumberTable Numbers;
   RefinedDraw Whole{ 3 }; // gives programs the numbers of copies that are drawn as they are
 };
 
@@ -140,7 +138,7 @@ private:
 class GlyphDraws
 {
 public:
-  // What the stage draws with this mapper, whose program is ready; nothing, but for glyphs.
+  // Draws the copies if the mapper is one of glyphs and its program is ready.
   void Draw(
     vtkRenderer* renderer, vtkAbstractMapper* mapper, vtkProp* prop, vtkWideFoVStage* stage);
 

@@ -25,7 +25,7 @@ public:
     this->Drawn.Draw(part, this->Ends, window);
   }
 
-  // Of RefinedDraw.
+  // As RefinedDraw has them.
   void Finish() { this->Drawn.Finish(); }
   void ReleaseGraphicsResources(vtkWindow* window);
 
@@ -39,7 +39,7 @@ private:
   Corners Ends;                   // the same
   std::vector<double> Places;     // three coordinates a vertex
 
-  // What was refined last, and for what.
+  // The last refinement, and the data and the view that it was made for.
   vtkMTimeType Time = 0;
   std::size_t FirstIndex = 0;
   std::size_t Indices = 0;

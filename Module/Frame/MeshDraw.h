@@ -35,7 +35,7 @@ public:
     this->Drawn.Draw(part, this->Mesh.GetCorners(), window);
   }
 
-  // Of RefinedDraw.
+  // As RefinedDraw has them.
   void SetOwnNumbers(vtkShaderProgram* program, vtkOpenGLRenderWindow* window)
   {
     this->Drawn.SetOwnNumbers(program, window);
@@ -54,7 +54,7 @@ private:
   Clusters Mesh;
   RefinedDraw Drawn{ 3 };
 
-  // What was refined last, and for what.
+  // The last refinement, and the data and the view that it was made for.
   vtkActor* Actor = nullptr; // compared
   vtkPolyData* Data = nullptr;
   vtkMTimeType Time = 0;

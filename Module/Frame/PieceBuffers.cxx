@@ -56,7 +56,7 @@ void Mix(const Value* from, const Corners& corners, const Pieces& pieces, std::s
 }
 }
 
-void PieceBuffers::LoadAttribute(Attribute& attribute, vtkOpenGLVertexBufferObject* source,
+bool PieceBuffers::LoadAttribute(Attribute& attribute, vtkOpenGLVertexBufferObject* source,
   const Pieces& pieces, const Corners& corners, unsigned int firstVertex)
 {
   const unsigned int stride = source->GetStride();
@@ -82,6 +82,7 @@ void PieceBuffers::LoadAttribute(Attribute& attribute, vtkOpenGLVertexBufferObje
   glUnmapBuffer(GL_ARRAY_BUFFER);
   source->Release();
   attribute.Buffer->Upload(mixed, vtkOpenGLBufferObject::ArrayBuffer);
+  return data != nullptr;
 }
 
 void PieceBuffers::LoadAsides(const Pieces& pieces)
@@ -123,7 +124,7 @@ void PieceBuffers::LoadNumbers(
   this->BoundProgram = 0;
 }
 
-void PieceBuffers::Load(const Pieces& pieces, const Corners& corners,
+bool PieceBuffers::Load(const Pieces& pieces, const Corners& corners,
   vtkOpenGLVertexBufferObjectGroup* source, unsigned int firstVertex)
 {
   for (auto& known : this->Attributes)
@@ -136,8 +137,12 @@ void PieceBuffers::Load(const Pieces& pieces, const Corners& corners,
     attribute.Used = true;
     if (!this->Loaded || attribute.Time != named.second->GetUploadTime().GetMTime())
     {
-      this->LoadAttribute(attribute, named.second, pieces, corners, firstVertex);
       this->BoundProgram = 0;
+      if (!this->LoadAttribute(attribute, named.second, pieces, corners, firstVertex))
+      {
+        this->Forget();
+        return false;
+      }
     }
   }
   if (!this->Loaded)
@@ -146,6 +151,7 @@ void PieceBuffers::Load(const Pieces& pieces, const Corners& corners,
     this->BoundProgram = 0;
   }
   this->Loaded = true;
+  return true;
 }
 
 void PieceBuffers::AddAttributesTo(vtkShaderProgram* program)

@@ -28,8 +28,9 @@ class PieceBuffers
 {
 public:
   // Fills the buffers unless they hold these pieces of these vertices already. corners: of the
-  // mesh; firstVertex: of the mesh in the mapper's buffers.
-  void Load(const Pieces& pieces, const Corners& corners, vtkOpenGLVertexBufferObjectGroup* source,
+  // mesh; firstVertex: of the mesh in the mapper's buffers. Returns false where the driver does not
+  // let the mapper's buffers be read: then there is nothing to draw.
+  bool Load(const Pieces& pieces, const Corners& corners, vtkOpenGLVertexBufferObjectGroup* source,
     unsigned int firstVertex);
 
   // The numbers of the mapper's vertices, for a program that asks for them (vertex_number.glsl).
@@ -57,7 +58,7 @@ private:
     bool Used = false; // the mapper has this attribute
   };
 
-  void LoadAttribute(Attribute& attribute, vtkOpenGLVertexBufferObject* source,
+  bool LoadAttribute(Attribute& attribute, vtkOpenGLVertexBufferObject* source,
     const Pieces& pieces, const Corners& corners, unsigned int firstVertex);
   void LoadAsides(const Pieces& pieces);
   void AddAttributesTo(vtkShaderProgram* program);

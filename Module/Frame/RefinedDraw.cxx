@@ -73,25 +73,15 @@ void RefinedDraw::Take(const std::vector<Refinement>& parts, vtkIdType total)
       "A triangle that passes the eye would need more than a million pieces: it "
       "is drawn coarser than the tolerance.");
   }
-  this->Loaded = this->FineNumbers.Loaded = this->PieceNumbers.Loaded = false;
+  this->Loaded = false;
+  this->FineNumbers.Forget();
+  this->PieceNumbers.Forget();
   this->Buffers.Forget();
 }
 
 unsigned int RefinedDraw::Mode() const
 {
   return this->NumberOfCorners == 3 ? GL_TRIANGLES : GL_LINES;
-}
-
-void RefinedDraw::NumberTable::Activate(vtkShaderProgram* program, vtkOpenGLRenderWindow* window,
-  const std::vector<unsigned int>& numbers)
-{
-  if (!this->Loaded || !this->Texture.IsLoadedFor(window))
-  {
-    this->Texture.Load(window, numbers);
-    this->Loaded = true;
-  }
-  this->Texture.Activate(program, "wfvNumbers");
-  program->SetUniformi("wfvFirstNumber", 0);
 }
 
 void RefinedDraw::LoadFine(const Corners& corners, bool numbered)
@@ -177,10 +167,8 @@ void RefinedDraw::DrawFine(
   const bool same = part.Indices == static_cast<std::size_t>(this->NumberOfCorners * this->Total);
   const bool numbered = asked || !same;
   this->LoadFine(corners, numbered);
-  if (asked)
-  {
-    this->FineNumbers.Activate(part.Helper->Program, window, this->What.ListFine());
-  }
+  this->FineNumbers.Activate(
+    part.Helper->Program, window, [this] { return this->What.ListFine(); });
   if (!numbered && !this->What.Counts.empty())
   {
     this->DrawRanges(part);
@@ -194,24 +182,25 @@ void RefinedDraw::DrawFine(
       GL_UNSIGNED_INT, nullptr, static_cast<GLint>(part.FirstVertex));
     this->Indices->Release();
   }
-  this->FineNumbers.Texture.Deactivate();
+  this->FineNumbers.Deactivate();
 }
 
 void RefinedDraw::DrawPieces(
   const DrawnPart& part, const Corners& corners, vtkOpenGLRenderWindow* window)
 {
   vtkShaderProgram* const program = part.Helper->Program;
-  this->Buffers.Load(this->What.Refined, corners, part.Buffers, part.FirstVertex);
+  if (!this->Buffers.Load(this->What.Refined, corners, part.Buffers, part.FirstVertex))
+  {
+    WarnOfUnreadBuffers();
+    return;
+  }
   if (PieceBuffers::AsksForNumbers(program))
   {
     this->Buffers.LoadNumbers(this->What.Refined, corners, part.FirstVertex);
   }
-  if (program->IsUniformUsed("wfvNumbers"))
-  {
-    this->PieceNumbers.Activate(program, window, this->What.Refined.Numbers);
-  }
+  this->PieceNumbers.Activate(program, window, [this] { return this->What.Refined.Numbers; });
   this->Buffers.Draw(program, this->Mode());
-  this->PieceNumbers.Texture.Deactivate();
+  this->PieceNumbers.Deactivate();
   part.Helper->VAO->Bind();
 }
 
@@ -240,11 +229,20 @@ void RefinedDraw::Draw(const DrawnPart& part, const Corners& corners, vtkOpenGLR
 void RefinedDraw::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Indices->ReleaseGraphicsResources();
-  this->FineNumbers.Texture.ReleaseGraphicsResources(window);
-  this->PieceNumbers.Texture.ReleaseGraphicsResources(window);
+  this->FineNumbers.ReleaseGraphicsResources(window);
+  this->PieceNumbers.ReleaseGraphicsResources(window);
   this->Buffers.ReleaseGraphicsResources();
   this->Nothing.ReleaseGraphicsResources(window);
-  this->Loaded = this->FineNumbers.Loaded = this->PieceNumbers.Loaded = false;
+  this->Loaded = false;
+}
+
+void WarnOfUnreadBuffers()
+{
+  if (IsNews("unread buffers"))
+  {
+    vtkGenericWarningMacro("The driver does not let vertex buffers be read: triangles and lines "
+                           "that the wide view splits are left out.");
+  }
 }
 
 void TakeNumbers(std::string& vertex, std::string& fragment)

@@ -25,7 +25,7 @@ VTK_ABI_NAMESPACE_END
 
 namespace wfv
 {
-// Where primitives lie in the buffers of their mapper.
+// Says where primitives lie in the buffers of their mapper.
 struct DrawnPart
 {
   vtkOpenGLHelper* Helper = nullptr; // whose program is ready
@@ -36,7 +36,8 @@ struct DrawnPart
   std::size_t Indices = 0;
 };
 
-// What is to be drawn of some primitives. Threads fill one each.
+// Lists the primitives that are drawn as they are, and the pieces of the other ones. Each thread
+// fills one.
 struct Refinement
 {
   // Primitives that are drawn as they are: ranges of the mapper's own order, and single ones.
@@ -51,6 +52,41 @@ struct Refinement
   void Append(const Refinement& other);
   vtkIdType CountFine() const;
   std::vector<unsigned int> ListFine() const;
+};
+
+// Gives a program the numbers that primitives have in the mapper, where it asks for them.
+class NumberTable
+{
+public:
+  // list: called where the numbers are not loaded yet; returns at least one number.
+  template <typename List>
+  void Activate(vtkShaderProgram* program, vtkOpenGLRenderWindow* window, List list)
+  {
+    if (!program->IsUniformUsed("wfvNumbers"))
+    {
+      return;
+    }
+    if (!this->Loaded || !this->Texture.IsLoadedFor(window))
+    {
+      this->Texture.Load(window, list());
+      this->Loaded = true;
+    }
+    this->Texture.Activate(program, "wfvNumbers");
+    program->SetUniformi("wfvFirstNumber", 0);
+  }
+
+  void Deactivate() { this->Texture.Deactivate(); }
+  void Forget() { this->Loaded = false; }
+
+  void ReleaseGraphicsResources(vtkWindow* window)
+  {
+    this->Texture.ReleaseGraphicsResources(window);
+    this->Loaded = false;
+  }
+
+private:
+  BufferTexture Texture;
+  bool Loaded = false;
 };
 
 class RefinedDraw
@@ -69,7 +105,7 @@ public:
   {
   }
 
-  // What is drawn from now on. total: primitives of the mapper.
+  // Takes what Draw draws from now on. total: primitives of the mapper.
   void Take(const std::vector<Refinement>& parts, vtkIdType total);
   const Refinement& Get() const { return this->What; }
 
@@ -84,16 +120,6 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  // The numbers that primitives have in the mapper, for a program that asks for them.
-  struct NumberTable
-  {
-    BufferTexture Texture;
-    bool Loaded = false;
-
-    void Activate(vtkShaderProgram* program, vtkOpenGLRenderWindow* window,
-      const std::vector<unsigned int>& numbers);
-  };
-
   unsigned int Mode() const;
   void LoadFine(const Corners& corners, bool numbered);
   void DrawRanges(const DrawnPart& part);
@@ -120,6 +146,9 @@ private:
 // Makes the stages of a mapper that draws so ask for the numbers that primitives and vertices have
 // in the mapper.
 void TakeNumbers(std::string& vertex, std::string& fragment);
+
+// Warns once that pieces are left out because the mapper's buffers cannot be read.
+void WarnOfUnreadBuffers();
 }
 
 #endif

@@ -9,8 +9,8 @@ namespace wfv
 {
 namespace
 {
-// Of a pixel: an edge that is shorter is never split. What holds a pole or an antipode ends so
-// small.
+// Pixels: a shorter edge is never split. A triangle that holds a pole or an antipode is split until
+// its edges are so short.
 constexpr double TinyPixels = 1.0 / 32;
 
 // Over the sine of the angle between a point's direction and that of the ray that meets it: what
@@ -36,7 +36,7 @@ constexpr double EdgeOn = 1e-14;
 // Half widths of the picture by which an eye's picture may be moved.
 constexpr double MostEyeShift = 0.5;
 
-// Of a pixel: how much of the picture beside a pole may be left out for an eye on a circle.
+// Pixels of the picture beside a pole that may be left out for an eye on a circle.
 constexpr double UnseenPixels = 1.0 / 8;
 
 int TearsOf(Family family)
@@ -137,8 +137,8 @@ RefineSpace::RefineSpace(const RefineView& view)
   }
 }
 
-// Where a round or a planar map ends. A planar one ends between the corners of the picture and the
-// plane of the eye.
+// Sets the end of a round or a planar map. A planar one ends between the corners of the picture and
+// the plane of the eye.
 void RefineSpace::SetEnd()
 {
   const WfvView& v = this->V.View;

@@ -440,7 +440,7 @@ void Subdivision::AddPolygon(const std::vector<int>& polygon, double aside)
   }
 }
 
-// Of a segment the polygon is flat: its part is between the two nodes that are farthest apart along
+// A segment's polygon is flat. Its part lies between the two nodes that are farthest apart along
 // it.
 void Subdivision::AddSegment(const std::vector<int>& polygon, double aside)
 {

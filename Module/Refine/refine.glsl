@@ -37,9 +37,9 @@ WFV_FN float wfvShareAtLevel(WFV_END a, WFV_END b, float level)
   return share > 0.0 && share < 1.0 ? share : 0.5;
 }
 
-// Where an edge is split at the rim of what the eye does not see, the cylinder round the circle of
-// the eyes; 0: it is not split; below 0: this rim does not matter. What is left out at the rim is
-// smaller than a pixel. A fade leaves no cylinder.
+// Returns the place where an edge is split at the cylinder round the circle of the eyes, inside of
+// which no eye sees; 0: it is not split; below 0: this rim does not matter. The part that is left
+// out at the rim is smaller than a pixel. With a fade there is no cylinder.
 WFV_FN float wfvSplitAtCircle(WFV_END a, WFV_END b, vec3 way)
 {
   if (!(a.distance > 0.0 || b.distance > 0.0))
@@ -87,7 +87,7 @@ WFV_FN float wfvSplitAtFar(WFV_END a, WFV_END b)
   return shifted ? wfvShareAtSphere(a.place, b.place, far) : 0.0;
 }
 
-// Where an edge is split: a share of the way from a to b between 0 and 1; 0 where a chord stands
+// Returns where an edge is split: a share of the way from a to b between 0 and 1; 0 where a chord stands
 // for it. The bisector of the angle halves the angle that is seen, however near or slanted the
 // edge is. To be called with both ends in one order for all triangles at the edge.
 WFV_FN float wfvSplitAt(WFV_END a, WFV_END b)

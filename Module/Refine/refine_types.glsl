@@ -10,7 +10,7 @@ const int WFV_TEARS_FACES = 3;     // the borders of the faces of a cube
 // Radians: no chord is longer, because colours and textures are interpolated along it.
 const float WFV_LONGEST_CHORD = 0.08;
 
-// Of the distance from a pole or an antipode: no edge that is longer is judged by its middle.
+// A share of the distance from a pole or an antipode: no longer edge is judged by its middle.
 const float WFV_NEAR_SINGULARITY = 0.5;
 
 // How many times longer than the bound for all directions an edge may be that is judged by its
@@ -26,8 +26,8 @@ const float WFV_STEEPEST = 4.0;
 // Tolerances that the middle of an edge may be drawn from its place along the chord.
 const float WFV_ALONG = 4.0;
 
-// Of the distance from a round rim, pixels: a chord beside it may be off by no more; and of the
-// tolerance, the least that it may be off.
+// A chord beside a round rim may be off by no more than this share of its distance from the rim, in
+// pixels; and it may always be off by this share of the tolerance.
 const float WFV_OF_ROW = 0.02;
 const float WFV_LEAST_OF_TOLERANCE = 0.015625;
 
