@@ -5,18 +5,13 @@
 #include "vtkOpenGLHelper.h"
 #include "vtkOpenGLIndexBufferObject.h"
 #include "vtkOpenGLPolyDataMapper.h"
-#include "vtkPolyData.h"
 #include "vtkProperty.h"
 
 #include <algorithm>
 
 namespace
 {
-// Pixels: the ends and joints of chords so wide hardly show.
-constexpr float WidestChords = 2;
-
-// Of more lines in one prop the geometry stage takes each once, and they are chords however wide:
-// strips take about 30 times as long on llvmpipe.
+// The geometry stage takes each line of a prop once if the prop has more lines.
 constexpr int MostFewLines = 500;
 
 // What another class may know of a mapper only from inside.
@@ -74,15 +69,4 @@ bool HasFewLines(vtkOpenGLPolyDataMapper* mapper)
   return buffer && buffer->IBO && buffer->IBO->IndexCount <= 2 * MostFewLines;
 }
 
-bool NeedsStrips(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor)
-{
-  return actor && LineWidth(mapper, actor) > WidestChords && HasFewLines(mapper);
-}
-
-bool HasWideLines(vtkActor* actor, vtkDataObject* data)
-{
-  auto* const mesh = vtkPolyData::SafeDownCast(data);
-  return mesh && actor->GetProperty()->GetLineWidth() > WidestChords &&
-    mesh->GetNumberOfLines() > 0;
-}
 }

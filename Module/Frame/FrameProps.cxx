@@ -2,7 +2,6 @@
 #include "Frame/FrameProps.h"
 
 #include "Camera/PropBounds.h"
-#include "Drawables/LineMapper.h"
 #include "Frame/Stages.h"
 
 #include "vtkActor.h"
@@ -23,10 +22,6 @@
 
 namespace
 {
-// Of props with wide lines. Where more are in a frame all of them are chords: a strip near the eye
-// takes 50 ms on llvmpipe, at 960 x 960.
-constexpr int MostPropsOfStrips = 25;
-
 // A renderer's stock culler asks every prop for its bounds before each frame.
 bool HasAsked(vtkRenderer* renderer)
 {
@@ -78,7 +73,6 @@ void FrameProps::Look(vtkProp* prop, bool asked, Entry& entry)
     now.Times[1] = mapper->GetMTime();
     vtkDataObject* const data = FindData(mapper, entry, now);
     now.Data = data;
-    now.WideLines = HasWideLines(actor, data);
     now.Times[2] = data ? data->GetMTime() : 0;
     now.Times[3] = actor->GetShaderProperty()->GetMTime();
   }
@@ -157,9 +151,6 @@ bool FrameProps::GetSceneBounds(vtkRenderer* renderer, double bounds[6]) const
 
 void FrameProps::Choose(wfv::Stages& stages, std::uint64_t view)
 {
-  stages.SetManyWideLines(
-    std::count_if(this->Entries.begin(), this->Entries.end(),
-      [](const Entry& entry) { return entry.WideLines; }) > MostPropsOfStrips);
   for (Entry& entry : this->Entries)
   {
     if (entry.View != view)

@@ -61,7 +61,6 @@ private:
     double Bounds[6] = { 1, -1, 1, -1, 1, -1 };
     bool HasBounds = false;
     bool Culled = false;
-    bool WideLines = false;
     PropTraits Traits;
     vtkWideFoVStage* Stage = nullptr;
     bool Watched = false;   // its filters

@@ -100,15 +100,7 @@ void wfv::Stages::Instruct(vtkWideFoVStage* stage)
       : this->ByPixels                 ? Variant::Exact
                                        : Variant::PreClip);
   stage->SetFp64(this->IsExact() && stage != this->ExactInSingle);
-  stage->SetExactLines(automatic && (!this->Stereo || this->Stereo->Traits.StraightRays));
-}
-
-void wfv::Stages::SetManyWideLines(bool many)
-{
-  for (vtkWideFoVStage* const stage : this->GetAll())
-  {
-    stage->SetManyWideLines(many);
-  }
+  stage->SetChordLines(automatic);
 }
 
 void wfv::Stages::SetDebugView(bool debugView)

@@ -80,7 +80,6 @@ public:
   void SetDebugView(bool debugView);
 
   // The same: whether many props of the frame have wide lines.
-  void SetManyWideLines(bool many);
 
   // Whether what is not seen is left out (true).
   void SetCulling(bool culling) { this->Culling = culling; }

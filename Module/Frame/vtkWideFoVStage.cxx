@@ -295,12 +295,9 @@ wfv::ShaderBuilder::Request vtkWideFoVStage::MakeRequest(
   this->FinishTriangles(request);
   const bool lines = request.Kind == wfv::ShaderBuilder::Primitive::Lines && polydata;
   request.Runs = lines && wfv::HasFewLines(polydata) ? RunsOfFewLines : request.Runs;
-  if (lines && this->ExactLines && !refined)
+  if (lines && this->ChordLines && !refined && request.Stage == Variant::Exact)
   {
-    const Variant chords = request.Stage == Variant::Exact ? Variant::PreClip : request.Stage;
-    const bool strips =
-      !this->ManyWideLines && wfv::NeedsStrips(polydata, vtkActor::SafeDownCast(prop));
-    request.Stage = strips ? Variant::Exact : chords;
+    request.Stage = Variant::PreClip;
   }
   return request;
 }

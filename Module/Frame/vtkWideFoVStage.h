@@ -70,17 +70,7 @@ public:
   // Whether ray-tested triangles are decided so, as the view and its samples are now.
   bool IsFp64() const { return this->Fp64 && this->HasFp64Rays(); }
 
-  // Of so many wide lines none are strips.
-  void SetManyWideLines(bool many)
-  {
-    if (many != this->ManyWideLines)
-    {
-      this->ManyWideLines = many;
-      this->SourceTime.Modified();
-    }
-  }
-
-  // What draws everything but the triangles of mappers that refine them.
+  // Sets the variant that draws everything but the triangles of mappers that refine them.
   void SetUnrefined(wfv::ShaderBuilder::Variant variant)
   {
     if (variant != this->Unrefined)
@@ -90,12 +80,12 @@ public:
     }
   }
 
-  // Lines as chords, but for a few wide ones, by the exact variant: the technique "auto".
-  void SetExactLines(bool exact)
+  // Draws lines that are not refined as chords, never as strips: the technique "auto".
+  void SetChordLines(bool chords)
   {
-    if (exact != this->ExactLines)
+    if (chords != this->ChordLines)
     {
-      this->ExactLines = exact;
+      this->ChordLines = chords;
       this->SourceTime.Modified();
     }
   }
@@ -230,8 +220,7 @@ private:
   wfv::SteadyLights Lights;
   bool Clipless = false;
   bool ByRays = false;
-  bool ExactLines = false;
-  bool ManyWideLines = false;
+  bool ChordLines = false;
   bool DebugView = false;
   int Runs = 1;
   bool Fp64 = false;

@@ -23,22 +23,6 @@ constexpr double Farther = 0.75;
 constexpr double BesidePole = 4;
 constexpr double BesidePoleOff = 16;
 
-// Over the distance of an edge's middle from the chord: the farthest place is beside the middle.
-constexpr double MiddleSafety = 1.25;
-
-// Pixels, and tolerances besides, that a chord of several is long at least.
-constexpr double LeastChord = 1;
-constexpr double LeastChordOff = 2;
-
-// Tolerances, that the middle of an edge is drawn from its place along the chord at the most: by as
-// much colours and textures move.
-constexpr double Along = 4;
-
-// Pixels, and tolerances besides, for a chord decides within two of them: so near a rim, a seam or
-// a border of faces nothing is projected.
-constexpr double RimPixels = 3;
-constexpr double RimOff = 4;
-
 // Angles are tried from this one on, radians, each larger by this factor, up to the largest.
 constexpr double FirstAngle = 0.001;
 constexpr double AngleFactor = 1.25;
@@ -75,21 +59,6 @@ double SineBeside(const Projection& map, const WfvView& view, const vec2& half, 
   return std::sin(angle);
 }
 
-// The angle from the rim of a round map at which so many pixels lie between.
-double AngleFromRim(const Projection& map, const WfvView& view, const vec2& half, double pixels)
-{
-  const auto at = [&](double angle) {
-    const double polar = view.maxAngle - angle;
-    return half * map.Project(vec3(std::sin(polar), 0, -std::cos(polar)), view);
-  };
-  double angle = FirstAngle;
-  while (angle < LargestAngle && glm::length(at(angle) - at(0.01 * FirstAngle)) < pixels)
-  {
-    angle *= AngleFactor;
-  }
-  return angle;
-}
-
 float LimitOf(const LocalCurvature& table, std::size_t cell, const vec2& half, double tolerance)
 {
   double limit = 0;
@@ -124,12 +93,7 @@ std::vector<float> BestAroundEach(const std::vector<float>& values, Better bette
 
 ChordLimits::ChordLimits(const Projection& projection, const WfvView& view,
   const LocalCurvature& table, const vec2& pixels, double tolerance)
-  : Map(projection)
-  , View(view)
-  , Half(0.5 * pixels)
-  , Tolerance(tolerance)
-  , Axis(projection.Axis)
-  , RimAngle(0)
+  : Axis(projection.Axis)
   , BesideSine(0)
   , PerSine2(0)
 {
@@ -140,22 +104,13 @@ ChordLimits::ChordLimits(const Projection& projection, const WfvView& view,
     this->PerSine2 =
       Farther * Farther * 8 * tolerance / (view.curvature * 0.5 * glm::length(pixels));
   }
-  const vec2& half = this->Half;
+  const vec2 half = 0.5 * pixels;
   this->Limits.resize(LocalCurvature::NumberOfCells);
   this->Stretches.resize(LocalCurvature::NumberOfCells);
   for (std::size_t cell = 0; cell < LocalCurvature::NumberOfCells; cell++)
   {
     this->Limits[cell] = LimitOf(table, cell, half, tolerance);
     this->Stretches[cell] = static_cast<float>(table.OfCell(cell, 0)[2] * std::max(half.x, half.y));
-  }
-  const double rim = RimPixels + RimOff * tolerance;
-  if (Axis == Family::Azimuthal)
-  {
-    this->RimAngle = AngleFromRim(projection, view, half, rim);
-  }
-  else if (Axis != Family::Planar) // that has no rim
-  {
-    this->RimAngle = rim / this->StretchAt(vec3(0, 0, -1));
   }
   this->BesideSine = singular ? SineBeside(projection, view, half, tolerance) : 0;
   this->SpreadLimits();
@@ -178,55 +133,6 @@ void ChordLimits::SpreadLimits()
     this->Least[ring] = least;
     this->MostStretches[ring] = most;
   }
-}
-
-vec2 ChordLimits::PlaceOf(const vec3& p) const
-{
-  return this->Half * this->Map.Project(glm::normalize(p), this->View);
-}
-
-bool ChordLimits::IsNearChord(const vec3& p, const vec3& q) const
-{
-  const vec3 way = q - p;
-  const double nearest2 = std::min(glm::dot(p, p), glm::dot(q, q));
-  if (!(glm::dot(way, way) <= LongestChord * LongestChord * nearest2))
-  {
-    return false;
-  }
-  const vec2 from = this->PlaceOf(p);
-  const vec2 chord = this->PlaceOf(q) - from;
-  const vec2 middle = this->PlaceOf(0.5 * (p + q)) - from;
-  const double off = std::abs(chord.x * middle.y - chord.y * middle.x);
-  return MiddleSafety * off <= this->Tolerance * glm::length(chord) &&
-    MiddleSafety * glm::length(middle - 0.5 * chord) <= Along * this->Tolerance;
-}
-
-bool ChordLimits::IsLongEnough(const vec3& p, const vec3& q) const
-{
-  return glm::length(this->PlaceOf(q) - this->PlaceOf(p)) >=
-    LeastChord + LeastChordOff * this->Tolerance;
-}
-
-bool ChordLimits::AreNearChord(const std::array<vec3, 5>& places) const
-{
-  const vec3 way = places[4] - places[0];
-  const double nearest2 = std::min(glm::dot(places[0], places[0]), glm::dot(places[4], places[4]));
-  if (!(glm::dot(way, way) <= LongestChord * LongestChord * nearest2))
-  {
-    return false;
-  }
-  const vec2 from = this->PlaceOf(places[0]);
-  const vec2 chord = this->PlaceOf(places[4]) - from;
-  double across = 0; // times the length of the chord
-  double along = 0;
-  for (std::size_t i = 1; i < 4; i++)
-  {
-    const vec2 off = this->PlaceOf(places[i]) - from - 0.25 * double(i) * chord;
-    across = std::max(across, std::abs(chord.x * off.y - chord.y * off.x));
-    along = std::max(along, glm::length(off));
-  }
-  return MiddleSafety * across <= this->Tolerance * glm::length(chord) &&
-    MiddleSafety * along <= Along * this->Tolerance;
 }
 
 float ChordLimits::NearSingularity(const vec3& direction, double aside) const

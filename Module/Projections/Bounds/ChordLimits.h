@@ -5,7 +5,6 @@
 
 #include "Projections/Bounds/LocalCurvature.h"
 
-#include <array>
 #include <vector>
 
 namespace wfv
@@ -50,26 +49,7 @@ public:
   // infinite where the angle is too large to say.
   float MostStretchAround(const vec3& direction, double sine) const;
 
-  // Whether the middle of the way from p to q is so near the chord of an edge that the edge is:
-  // what At says holds for edges of all directions, and of most is half as long as they might be;
-  // and so near the middle of that chord that colours are where they belong. For edges up to
-  // MostLonger times as long as At says.
-  bool IsNearChord(const vec3& p, const vec3& q) const;
-  static constexpr double MostLonger = 4;
-
-  // Whether a chord from p to q is so long in the picture that the fragment stage finds it by its
-  // ray, which looks beside the chord by as much as the tolerance.
-  bool IsLongEnough(const vec3& p, const vec3& q) const;
-
-  // The same, of its ends and three places between at equal steps, as rays see them.
-  bool AreNearChord(const std::array<vec3, 5>& places) const;
-
-  // Radians from a rim, a seam or a border of two faces: nearer, a pixel's neighbours may be no
-  // neighbours on the map, so how its ray changes is not known, and with it on which side of a
-  // chord it is.
-  double GetRimAngle() const { return this->RimAngle; }
-
-  // Whether a direction, or one that an angle of this sine leads to from there, is so near a pole
+  // True if a direction, or one that an angle of this sine leads to from there, is so near a pole
   // or an antipode that the map curves from pixel to pixel. direction: of any length but 0.
   bool IsBesideSingularity(const vec3& direction, double sine = 0) const
   {
@@ -93,14 +73,7 @@ private:
   void SpreadLimits();            // to Least and MostStretches
   static int RingOf(double sine); // Rings where none is so wide
 
-  vec2 PlaceOf(const vec3& p) const; // pixels
-
-  const Projection& Map;
-  WfvView View;
-  vec2 Half; // of the picture, pixels
-  double Tolerance;
   Family Axis;
-  double RimAngle;
   double BesideSine; // of IsBesideSingularity
   double PerSine2;   // squared radians over the squared sine of the angle from there; 0: no bound
   static constexpr int Rings = 4; // a table of the least round each cell, of 1, 2, 4, .. cells

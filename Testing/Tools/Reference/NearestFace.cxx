@@ -2,6 +2,7 @@
 #include "NearestFace.h"
 
 #include "NearestPlace.h"
+#include "Projections/Bounds/ChordLimits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,9 +20,8 @@ constexpr int Rounds = 4;
 // Of the picture: places of an edge that are farther apart than this are torn by the map.
 constexpr double Torn = 0.25;
 
-// Relative, of the clip spheres: pieces are clipped at distances interpolated along chords of 0.08
-// radians.
-constexpr double ClipRounding = 0.08 * 0.08 / 8;
+// Relative, of the clip spheres: pieces are clipped at distances interpolated along chords.
+constexpr double ClipRounding = ChordLimits::LongestChord * ChordLimits::LongestChord / 8;
 
 // Relative to its other end: nearer ends of an edge are one.
 constexpr double LeastAngle = 1e-12;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Check.h"
 
+#include "Projections/Bounds/ChordLimits.h"
 #include "System/MessageCatcher.h"
 #include "NearestFace.h"
 #include "NearestPlace.h"
@@ -35,10 +36,10 @@ constexpr long MostLooks = 1024;
 constexpr double DepthStep = 4.0 / 16777216;
 constexpr double DistanceRounding = 1e-6;
 
-// Pieces are clipped at the near sphere by distances that are interpolated along chords of 0.08
-// radians: so much nearer, relative to its radius, a triangle may be drawn. Corners that end there
-// are put at 0.999 of it (refine_types.glsl).
-constexpr double AlongChord = 0.08 * 0.08 / 8 + 0.001;
+// Pieces are clipped at the near sphere by distances that are interpolated along chords: so much
+// nearer, relative to its radius, a triangle may be drawn. Corners that end there are put at 0.999
+// of it (refine_types.glsl).
+constexpr double AlongChord = ChordLimits::LongestChord * ChordLimits::LongestChord / 8 + 0.001;
 
 // How far the near plane may lie beyond the near sphere, in its radii: fields of view of up
 // to 120 degrees have corners within 76 degrees of the axis.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StressOptions.h"
 
+#include "Frame/Stages.h"
 #include "Frame/Technique.h"
 #include "Text/Messages.h"
 #include "Options/OptionGroup.h"
@@ -15,9 +16,6 @@ namespace
 {
 // b of what is exact, pixels.
 constexpr double ExactTolerance = 0.02;
-
-// Pixels: from here on auto draws chords (Stages::LeastTolerance).
-constexpr double LeastChordTolerance = 0.05;
 
 std::vector<std::string> ProjectionNames()
 {
@@ -87,7 +85,7 @@ std::vector<Technique> TechniquesOf(const StressOptions& o)
   {
     const int number = FindTechnique(name);
     const double b = number == TechniqueExact ? ExactTolerance : o.Tolerance;
-    const bool projects = number == TechniqueAuto && o.Tolerance >= LeastChordTolerance;
+    const bool projects = number == TechniqueAuto && Stages::AllowsChords(o.Tolerance);
     techniques.push_back({ name, number, o.Tolerance, b, projects });
   }
   return techniques;
