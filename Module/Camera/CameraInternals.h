@@ -22,6 +22,7 @@ struct vtkWideFoVCamera::Internals
   static thread_local int FramesInDrawing;
 
   wfv::ViewOptions Options;
+  double Turn = 0; // of the current eye about the vertical, radians
   std::optional<wfv::View> Cache;
   double CacheAspect = 0;
   wfv::Eye CacheEye = wfv::Eye::Middle;

@@ -60,6 +60,7 @@ void vtkWideFoVCamera::PrintSelf(ostream& os, vtkIndent indent)
      << o.Stereo.Offset << "\n"
      << indent << "Separation: " << o.Stereo.Separation << "\n"
      << indent << "Convergence: " << o.Stereo.Convergence << "\n"
+     << indent << "CircleConvergence: " << o.Stereo.CircleConvergence << "\n"
      << indent << "Lens:";
   for (double c : o.Lens)
   {

@@ -223,6 +223,14 @@ public:
   ///@}
 
   ///@{
+  /// Omnidirectional: the level distance, scene units, at which points have zero parallax all round
+  /// (default 0, which is infinitely far away). Each eye's view is turned about the vertical, so
+  /// its view transform is its own. A negative or infinite distance is refused with an error.
+  virtual void SetCircleConvergence(double distance);
+  virtual double GetCircleConvergence();
+  ///@}
+
+  ///@{
   /// Warped: the distance between the eyes (NDC, default 0.5, clamped to [0, 10]), the distance of
   /// the viewer from the plane of zero parallax (NDC, default 5) and that plane (NDC depth, default
   /// -0.8, clamped to [-1, 1]). The viewer is in front of the whole cube: a distance not above 1 +
@@ -387,6 +395,9 @@ public:
   void GetFrustumPlanes(double aspect, double planes[24]) override;
   ///@}
 
+  /// Also updates the view transform if the current eye turns by another angle now.
+  void Modified() override;
+
 protected:
   vtkWideFoVCamera();
   ~vtkWideFoVCamera() override;
@@ -397,6 +408,7 @@ protected:
 
   virtual void CopyView(const vtkWideFoVCamera* source);
   void ComputeProjectionTransform(double aspect, double nearz, double farz) override;
+  void ComputeViewTransform() override;
 
   // Where distances are measured from, world.
   virtual void GetViewpoint(double world[3]);

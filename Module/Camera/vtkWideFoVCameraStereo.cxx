@@ -12,8 +12,10 @@
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
+#include "vtkPerspectiveTransform.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkTransform.h"
 
 #include <algorithm>
 #include <cmath>
@@ -138,6 +140,43 @@ void vtkWideFoVCamera::SetPoleFade(double start, double end)
 void vtkWideFoVCamera::GetPoleFade(double latitudes[2])
 {
   std::copy_n(this->Internal->Options.Stereo.PoleFade.begin(), 2, latitudes);
+}
+
+void vtkWideFoVCamera::SetCircleConvergence(double distance)
+{
+  wfv::StereoOptions options = this->Internal->Options.Stereo;
+  options.CircleConvergence = distance;
+  this->SetStereoOptions(wfv::StereoWith(wfv::StereoNumber::CircleConvergence), options);
+}
+
+double vtkWideFoVCamera::GetCircleConvergence()
+{
+  return this->Internal->Options.Stereo.CircleConvergence;
+}
+
+void vtkWideFoVCamera::Modified()
+{
+  wfv::StereoOptions options = this->Internal->Options.Stereo;
+  options.Model = this->GetFittingModel();
+  options.Eye = static_cast<wfv::Eye>(this->GetCurrentEye());
+  const double turn = wfv::EyeTurn(options);
+  if (turn != this->Internal->Turn)
+  {
+    this->Internal->Turn = turn;
+    this->ComputeViewTransform();
+  }
+  this->Superclass::Modified();
+}
+
+void vtkWideFoVCamera::ComputeViewTransform()
+{
+  this->Superclass::ComputeViewTransform();
+  if (this->Internal->Turn != 0)
+  {
+    this->ViewTransform->Identity();
+    this->ViewTransform->RotateY(-vtkMath::DegreesFromRadians(this->Internal->Turn));
+    this->ViewTransform->Concatenate(this->Transform->GetMatrix());
+  }
 }
 
 void vtkWideFoVCamera::SetWarpedStereo(double iod, double distance, double offset)

@@ -50,6 +50,7 @@ enum class StereoNumber
 {
   InterpupillaryDistance,
   PoleFade,
+  CircleConvergence,
   Iod,
   Distance,
   Offset,
@@ -67,6 +68,7 @@ struct StereoOptions
   // eyes in the scene
   double InterpupillaryDistance = 0.065;      // scene units
   std::array<double, 2> PoleFade{ { 0, 0 } }; // latitudes; equal: no fade
+  double CircleConvergence = 0; // level distance of zero parallax, scene units; 0: infinite
 
   // eyes before the cube of the map with its depth
   double Iod = 0.5;                         // between the eyes, NDC

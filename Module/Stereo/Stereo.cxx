@@ -140,6 +140,10 @@ std::string CheckOmnidirectional(const StereoOptions& o, const Projection& p)
     return "the pole fade needs latitudes 0 <= A <= B <= 90, not " + NumberText(fade[0]) + " and " +
       NumberText(fade[1]);
   }
+  if (!(o.CircleConvergence >= 0) || !std::isfinite(o.CircleConvergence))
+  {
+    return "the convergence must be at least 0, not " + NumberText(o.CircleConvergence);
+  }
   return CheckWide("omnidirectional", p);
 }
 
@@ -189,7 +193,8 @@ StereoModel MakeOmnidirectional()
   StereoModel m =
     WFV_STEREO(omnidirectional, "omnidirectional", "Omnidirectional", omnidirectional_glsl);
   m.Traits.OneCenter = false;
-  m.Numbers = { StereoNumber::InterpupillaryDistance, StereoNumber::PoleFade };
+  m.Numbers = { StereoNumber::InterpupillaryDistance, StereoNumber::PoleFade,
+    StereoNumber::CircleConvergence };
   m.Parameters = OmnidirectionalParameters;
   m.FadesIn = omnidirectional::wfvFades;
   m.Check = CheckOmnidirectional;
@@ -224,6 +229,14 @@ const StereoModel* FindStereoModel(const std::string& name)
     }
   }
   return nullptr;
+}
+
+double EyeTurn(const StereoOptions& o)
+{
+  const bool converges =
+    o.Model && o.Model->Has(StereoNumber::CircleConvergence) && o.CircleConvergence > 0;
+  const double sine = converges ? 0.5 * o.InterpupillaryDistance / o.CircleConvergence : 0;
+  return SideOf(o.Eye) * std::asin(std::min(1.0, sine));
 }
 
 const StereoModel& NoStereo()

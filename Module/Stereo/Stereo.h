@@ -31,6 +31,11 @@ WFV_EXPORT const StereoModel& UsualStereo(const Projection& projection);
 
 // The first that has this number.
 WFV_EXPORT const StereoModel& StereoWith(StereoNumber number);
+
+// Returns the angle by which an eye turns its picture about the vertical, radians, positive to the
+// right. The turn gives points at the level distance CircleConvergence zero parallax. 0 without
+// one.
+WFV_EXPORT double EyeTurn(const StereoOptions& options);
 }
 
 #endif

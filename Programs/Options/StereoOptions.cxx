@@ -71,11 +71,11 @@ void DepthNumber(OptionGroup& group, Options& o, const std::string& name, double
 
 using Number = wfv::StereoNumber;
 
-const std::pair<Number, const char*> NumberOptions[] = {
-  { Number::InterpupillaryDistance, "--ipd" }, { Number::PoleFade, "--pole-fade" },
+const std::pair<Number, const char*> NumberOptions[] = { { Number::InterpupillaryDistance,
+                                                           "--ipd" },
+  { Number::PoleFade, "--pole-fade" }, { Number::CircleConvergence, "--convergence" },
   { Number::Iod, "--iod" }, { Number::Distance, "--distance" }, { Number::Offset, "--offset" },
-  { Number::Separation, "--separation" }, { Number::Convergence, "--convergence" }
-};
+  { Number::Separation, "--separation" }, { Number::Convergence, "--convergence" } };
 
 // Everything in one plane, or at one depth, has no parallax: the window's border may lie there.
 bool HasPlane(const wfv::StereoModel& model)
@@ -201,8 +201,34 @@ void DeclareStereo(CLI::App& app, Options& o)
   ModelNumber(group, o, "--separation", "F", s.Separation, { 0, wfv::MostSeparation },
     NamesWith(Number::Separation) + ": parallax far away, fraction of the width");
   DepthNumber(group, o, "--convergence", s.Convergence, { 0, MostLength, true },
-    NamesWith(Number::Convergence) + ": distance of zero parallax, scene units");
+    NamesWith(Number::Convergence) + ", " + NamesWith(Number::CircleConvergence) +
+      " (off, no auto): distance of zero parallax, scene units");
   DeclareFrame(group, o);
+}
+
+namespace
+{
+// Gives a model of eyes on a circle the convergence of the command line.
+void CompleteConvergence(Options& o)
+{
+  wfv::StereoOptions& s = o.View.Stereo;
+  const auto given = std::find(o.StereoGiven.begin(), o.StereoGiven.end(), "--convergence");
+  if (!s.Model->Has(Number::CircleConvergence) || given == o.StereoGiven.end())
+  {
+    return;
+  }
+  if (o.ConvergeOnDepth)
+  {
+    FailUsage("--convergence auto does not go with --stereo " + o.Stereo + "; give a distance");
+  }
+  const double least = 0.5 * s.InterpupillaryDistance;
+  if (!o.EyesByDepth && s.Convergence <= least)
+  {
+    FailUsage("--convergence: " + Text(s.Convergence) + " is inside the circle of the eyes; give " +
+      "a distance above half of --ipd, " + Text(least));
+  }
+  s.CircleConvergence = s.Convergence;
+}
 }
 
 void CompleteStereo(Options& o)
@@ -225,6 +251,7 @@ void CompleteStereo(Options& o)
       "--ipd auto is not for --screens, before which people have the eyes they have; give a "
       "number");
   }
+  CompleteConvergence(o);
   for (const std::string& given : o.StereoGiven)
   {
     if (HasTwoEyes(o) && o.Layout != "anaglyph" && given.rfind("--anaglyph", 0) == 0)

@@ -53,6 +53,7 @@ void SetStereo(vtkWideFoVCamera* camera, const wfv::StereoOptions& s)
   camera->SetStereoModel((s.Model ? *s.Model : wfv::NoStereo()).Name.c_str());
   camera->SetInterpupillaryDistance(s.InterpupillaryDistance);
   camera->SetPoleFade(s.PoleFade[0], s.PoleFade[1]);
+  camera->SetCircleConvergence(s.CircleConvergence);
   camera->SetWarpedStereo(s.Iod, s.Distance, s.Offset);
   camera->SetWarpedViewer(s.Viewer[0], s.Viewer[1]);
   camera->SetSeparation(s.Separation);

@@ -6,6 +6,7 @@
 #include "Options/StereoChoice.h"
 #include "Scenes/MeshBuilder.h"
 #include "Stereo/Comfort.h"
+#include "Stereo/Stereo.h"
 #include "System/Progress.h"
 #include "Text/Messages.h"
 
@@ -195,6 +196,16 @@ struct Disparity
   double Degrees = 0;
 };
 
+// Returns a point in the view coordinates of an eye, which turns about the vertical.
+vec3 Turned(const vec3& p, wfv::StereoOptions stereo, wfv::Eye eye)
+{
+  stereo.Eye = eye;
+  const double turn = wfv::EyeTurn(stereo);
+  const double c = std::cos(turn);
+  const double s = std::sin(turn);
+  return { c * p.x - s * p.z, p.y, s * p.x + c * p.z };
+}
+
 // Of eyes on a circle: the largest in the picture, of something at this distance. Towards the poles
 // maps stretch it: pixels count where the picture is level, if it is anywhere.
 Disparity RoundDisparity(const Options& o, double distance)
@@ -206,8 +217,9 @@ Disparity RoundDisparity(const Options& o, double distance)
   for (const vec2& ndc : Places(middle))
   {
     const vec3 direction = middle.Ray(ndc).Direction;
-    const vec3 left = eyes[0].Forward(direction * distance).Ndc;
-    const vec3 right = eyes[1].Forward(direction * distance).Ndc;
+    const vec3 point = direction * distance;
+    const vec3 left = eyes[0].Forward(Turned(point, o.View.Stereo, wfv::Eye::Left)).Ndc;
+    const vec3 right = eyes[1].Forward(Turned(point, o.View.Stereo, wfv::Eye::Right)).Ndc;
     const wfv::ViewRay a = middle.Ray(vec2(left.x, left.y));
     const wfv::ViewRay b = middle.Ray(vec2(right.x, right.y));
     if (a.Inside && b.Inside && std::abs(left.x - right.x) < 1) // the seam is not between them

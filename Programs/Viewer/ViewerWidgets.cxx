@@ -261,6 +261,7 @@ bool Viewer::ChooseNumbers(wfv::StereoOptions& s)
   using Number = wfv::StereoNumber;
   const std::pair<Number, std::pair<const char*, double*>> all[] = {
     { Number::InterpupillaryDistance, { "ipd", &s.InterpupillaryDistance } },
+    { Number::CircleConvergence, { "convergence", &s.CircleConvergence } },
     { Number::Iod, { "iod", &s.Iod } }, { Number::Distance, { "distance", &s.Distance } },
     { Number::Offset, { "offset", &s.Offset } },
     { Number::Separation, { "separation", &s.Separation } },

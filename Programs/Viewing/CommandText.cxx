@@ -138,6 +138,8 @@ void AddNumbers(const Options& o, List& list)
   const std::tuple<Number, const char*, std::string> all[] = {
     { Number::InterpupillaryDistance, "--ipd", Exactly(s.InterpupillaryDistance) },
     { Number::PoleFade, "--pole-fade", fades ? Exactly(s.PoleFade) : "" },
+    { Number::CircleConvergence, "--convergence",
+      s.CircleConvergence > 0 ? Exactly(s.CircleConvergence) : "" },
     { Number::Iod, "--iod", Exactly(s.Iod) },
     { Number::Distance, "--distance", Exactly(s.Distance) },
     { Number::Offset, "--offset", Exactly(s.Offset) },

@@ -130,6 +130,8 @@ COMMAND_LINE = [
     usage("good.vtk --ipd 0.1", "--ipd"),
     usage("good.vtk --stereo omnidirectional --separation 0.1", "--separation"),
     usage("good.vtk --stereo omnidirectional --ipd -1", "--ipd"),
+    usage("good.vtk --stereo omnidirectional --convergence auto", "give a distance"),
+    usage("good.vtk --stereo omnidirectional --ipd 2 --convergence 1", "inside the circle"),
     usage("good.vtk --stereo omnidirectional --ipd nan", "--ipd"),
     usage("good.vtk --stereo omnidirectional --ipd inf", "--ipd"),
     usage("good.vtk --stereo omnidirectional --pole-fade 60", "--pole-fade"),

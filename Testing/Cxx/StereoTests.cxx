@@ -3,6 +3,7 @@
 #include "WideFoVTestScene.h"
 
 #include "vtkCommand.h"
+#include "vtkMath.h"
 #include "vtkTestErrorObserver.h"
 
 #include <gtest/gtest.h>
@@ -12,6 +13,9 @@
 
 namespace
 {
+// NDC, in double: the turn of the eyes and the map.
+constexpr double ConvergedRounding = 1e-12;
+
 // A room and cones, nearer to one eye than to the other.
 struct Scene : WideFoVTestWindow
 {
@@ -103,6 +107,63 @@ TEST(Eyes, StereoTypesShowWhatEachEyeSees)
   for (const int* count : { rows, squares, columns })
   {
     EXPECT_TRUE(count[0] == half || count[1] == half || count[0] + count[1] < half);
+  }
+}
+
+// Points at the convergence stand at one place in both pictures, in front, beside and behind, and
+// in a tilted dome; nearer and farther points have the parallax of the closed form.
+TEST(Eyes, ConvergeAllRound)
+{
+  Scene scene("omnidirectional");
+  scene.Draw(VTK_STEREO_LEFT); // tells the camera that there are two eyes
+  vtkWideFoVCamera* const camera = scene.Camera;
+  camera->SetPosition(0, 0, 1);
+  camera->SetFocalPoint(0, 0, 0);
+  camera->SetInterpupillaryDistance(0.4);
+  camera->SetCircleConvergence(3);
+  const double pi = vtkMath::Pi();
+  const auto parallax = [&](const double point[3], int axis) {
+    double ndc[2][3];
+    for (int left = 0; left < 2; left++)
+    {
+      camera->SetLeftEye(left);
+      camera->WorldToNDC(point, 2, ndc[left]);
+    }
+    return std::remainder(ndc[0][axis] - ndc[1][axis], 2);
+  };
+  for (const char* const projection : { "equirectangular", "azimuthal-equidistant" })
+  {
+    camera->SetProjection(projection);
+    camera->SetTilt(projection[0] == 'a' ? 90 : 0);
+    for (int i = 0; i < 36; i++)
+    {
+      const double lambda = (10 * i + 3) * pi / 180;
+      const double at[3] = { 3 * std::sin(lambda), 1, 1 - 3 * std::cos(lambda) };
+      EXPECT_NEAR(std::hypot(parallax(at, 0), parallax(at, 1)), 0, ConvergedRounding) << projection;
+    }
+  }
+  camera->SetProjection("equirectangular");
+  camera->SetTilt(0);
+  for (const double d : { 0.5, 2., 100. })
+  {
+    const double at[3] = { 0, 0.3, 1 - d };
+    const double expected = 2 * (std::asin(0.2 / 3) - std::asin(0.2 / d)) / pi;
+    EXPECT_NEAR(parallax(at, 0), expected, ConvergedRounding) << d;
+  }
+}
+
+TEST(Eyes, RefuseAConvergenceThatCannotBe)
+{
+  vtkNew<vtkWideFoVCamera> camera;
+  vtkNew<vtkTest::ErrorObserver> messages;
+  camera->AddObserver(vtkCommand::ErrorEvent, messages);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (double bad : { nan, -1.0 })
+  {
+    camera->SetCircleConvergence(bad);
+    EXPECT_TRUE(messages->GetError());
+    EXPECT_EQ(camera->GetCircleConvergence(), 0);
+    messages->Clear();
   }
 }
 
