@@ -97,8 +97,10 @@ std::vector<std::string> EncodeCommand(const FilmOptions& film, const Codec& cod
   const std::array<int, 2>& size, const std::string& file)
 {
   const std::string pixels = std::to_string(size[0]) + "x" + std::to_string(size[1]);
-  const std::string color =
-    "scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd+full_chroma_int,format=" +
+  // ProRes takes its colour tags from the frames, the other encoders from the options
+  const std::string color = "scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd+full_"
+                            "chroma_int,setparams=range=tv:"
+                            "color_primaries=bt709:color_trc=bt709:colorspace=bt709,format=" +
     PixelsOf(codec);
   const Words quality = film.Quality < 0 ? Words{} : Words{ "-crf", std::to_string(film.Quality) };
   return Joined({ { "ffmpeg", "-hide_banner", "-loglevel", "error", "-y" },

@@ -92,7 +92,7 @@ std::size_t PlaceInEntry(const Mp4Box& entry)
   std::size_t place = EntryFields;
   for (const Mp4Box& box : boxes)
   {
-    if (box.Type != "avcC" && box.Type != "hvcC" && box.Type != "vpcC")
+    if (box.Type != "avcC" && box.Type != "hvcC" && box.Type != "vpcC" && box.Type != "av1C")
     {
       break;
     }

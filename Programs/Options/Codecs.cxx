@@ -20,6 +20,8 @@ const std::vector<Codec>& Codecs()
     { "vp9", "libvpx-vp9", "mp4",
       { "-deadline", "good", "-cpu-used", "4", "-row-mt", "1", "-b:v", "0", "-crf", "24" }, true,
       63 },
+    { "av1", "libaom-av1", "mp4", { "-cpu-used", "6", "-row-mt", "1", "-b:v", "0", "-crf", "24" },
+      true, 63 },
     { "prores", "prores_ks", "mov", { "-profile:v", "3", "-vendor", "apl0" }, false },
   };
   return all;
@@ -30,10 +32,10 @@ const std::vector<Container>& Containers()
   const std::vector<std::string> aac{ "-c:a", "aac", "-b:a", "256k" };
   const std::vector<std::string> opus{ "-c:a", "libopus", "-b:a", "192k" };
   static const std::vector<Container> all{
-    { ".mp4", { "x264", "x265", "vp9" }, "mp4", aac },
+    { ".mp4", { "x264", "x265", "vp9", "av1" }, "mp4", aac },
     { ".mov", { "prores", "x264", "x265" }, "mov", aac },
-    { ".webm", { "vp9" }, "webm", opus, false },
-    { ".mkv", { "x264", "x265", "vp9", "prores" }, "matroska", aac, false },
+    { ".webm", { "vp9", "av1" }, "webm", opus, false },
+    { ".mkv", { "x264", "x265", "vp9", "av1", "prores" }, "matroska", aac, false },
   };
   return all;
 }

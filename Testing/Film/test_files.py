@@ -11,13 +11,20 @@ import signal
 import subprocess
 import time
 
-from films import FilmTest, main, probe, words_of
+from films import SQUARE, FilmTest, main, probe, words_of
 from matplotlib.image import imread
 
 TURN = ["--film", "turn"]
 
+CONTAINERS = {"x264": ("mp4", "mov", "mkv"), "x265": ("mp4", "mov", "mkv"), "vp9": ("mp4", "webm", "mkv"),
+              "av1": ("mp4", "webm", "mkv"), "prores": ("mov", "mkv")}
+
 # One pixel, written by another program.
 PNG = base64.b64decode("iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg==")
+
+
+def words_before(option, values):
+    return [word for value in values for word in (option, value)]
 
 
 class Files(FilmTest):
@@ -33,6 +40,23 @@ class Files(FilmTest):
             self.assertEqual(found["r_frame_rate"], "30/1")
             self.assertEqual((found["width"], found["height"]), (64, 32))
         self.assertEqual(len(os.listdir(self.folder)), 5)
+
+    def test_colors(self):
+        """Every codec in every container has colour tags, and is decoded to the colours that were drawn."""
+        self.write("square.vtp", SQUARE.format(heat=0))
+        outputs = {codec: ["film." + ending for ending in endings] for codec, endings in CONTAINERS.items()}
+        for color in ((184, 29, 24), (24, 160, 60), (30, 40, 200)):
+            for codec, films in outputs.items():
+                self.film("square.vtp", "--eye", "0,0,9", *TURN, "--sweep", "1", "--seconds", "0.04", "--background",
+                          ",".join(str(value / 255) for value in color), "--codec", codec, *words_before("-o", films))
+                for film in films:
+                    found = probe(self.path(film))
+                    tags = [found.get("color_" + tag) for tag in ("range", "space", "transfer", "primaries")]
+                    self.assertEqual(tags, ["tv", "bt709", "bt709", "bt709"], (codec, film))
+                    decoded = subprocess.check_output(["ffmpeg", "-v", "error", "-i", self.path(film), "-frames:v", "1",
+                                                       "-pix_fmt", "rgb24", "-f", "rawvideo", "-"])
+                    for drawn, read in zip(color, decoded[:3]):  # the corner: background
+                        self.assertLessEqual(abs(drawn - read), 4, (codec, film, color, tuple(decoded[:3])))
 
     def test_players_may_begin_at_once(self):
         self.film(*TURN, "--seconds", "0.2", "-o", "film.mp4")
