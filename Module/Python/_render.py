@@ -4,7 +4,8 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any, Callable, Iterator, Optional, Sequence, Tuple
+import numbers
+from typing import TYPE_CHECKING, Any, Callable, Iterator, Optional, Sequence, Tuple, Union
 
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataObject, vtkDataSet, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
@@ -70,11 +71,32 @@ def _props_of(thing: Any) -> Iterator[vtkProp]:
 
 
 def _numbers(name: str, values: Sequence[float], count: int) -> tuple:
-    """So many finite numbers, or a ValueError that names them."""
-    values = tuple(float(value) for value in values)
-    if len(values) != count or not all(math.isfinite(value) for value in values):
-        raise ValueError("render: %s is %d finite numbers, not %s" % (name, count, values))
-    return values
+    """Returns so many finite numbers, or raises a ValueError that names them."""
+    try:
+        found = () if isinstance(values, str) else tuple(float(value) for value in values)
+    except (TypeError, ValueError):
+        found = ()
+    if len(found) != count or not all(math.isfinite(number) for number in found):
+        raise ValueError("render: %s is %d finite number%s, not %r" % (name, count, "s" if count > 1 else "", values))
+    return found
+
+
+def _color(value: Union[str, Sequence[float]]) -> tuple:
+    """Returns red, green, blue of three numbers or of a name that vtkNamedColors knows."""
+    from vtkmodules.vtkCommonColor import vtkNamedColors
+
+    if not isinstance(value, str):
+        return _numbers("background", value, 3)
+    colors = vtkNamedColors()
+    if not colors.ColorExists(value):
+        raise ValueError("render: background is a colour's name or 3 numbers from 0 to 1, not %r" % value)
+    return tuple(colors.GetColor3d(value))
+
+
+def _samples(value: int) -> int:
+    if isinstance(value, bool) or not isinstance(value, numbers.Integral) or value < 0:
+        raise ValueError("render: samples is a whole number from 0, not %r" % (value,))
+    return int(value)
 
 
 def _pixels(size: Sequence[int]) -> Tuple[int, int]:
@@ -94,9 +116,11 @@ def _center(renderer: vtkWideFoVRenderer) -> Point:
 def _aim(renderer, eye, direction, look_at, up) -> None:
     """Places the eye: by default in the middle of what is to be seen, looking down -z."""
     eye = _center(renderer) if eye is None else _numbers("eye", eye, 3)
+    if direction is not None and look_at is not None:
+        raise ValueError("render: give direction or look_at, not both")
     if look_at is not None:
         direction = [a - b for a, b in zip(_numbers("look_at", look_at, 3), eye)]
-    d = _numbers("direction", direction, 3)
+    d = _numbers("direction", (0, 0, -1) if direction is None else direction, 3)
     u = _numbers("up", up, 3)
     across = math.hypot(d[1] * u[2] - d[2] * u[1], d[2] * u[0] - d[0] * u[2], d[0] * u[1] - d[1] * u[0])
     if not across > 1e-12 * math.hypot(*d) * math.hypot(*u):
@@ -166,9 +190,9 @@ def _draw(renderer: vtkWideFoVRenderer, size: Tuple[int, int], samples: int) -> 
 
 def render(
     data_or_actors: Any, projection: str = "equirectangular", size: Tuple[int, int] = (1024, 512), *,
-    eye: Optional[Point] = None, direction: Point = (0, 0, -1), look_at: Optional[Point] = None,
+    eye: Optional[Point] = None, direction: Optional[Point] = None, look_at: Optional[Point] = None,
     up: Point = (0, 1, 0), hfov: Optional[float] = None, vfov: Optional[float] = None,
-    fov: Optional[float] = None, tilt: float = 0, background: Point = (0, 0, 0), samples: int = 4,
+    fov: Optional[float] = None, tilt: float = 0, background: Union[str, Point] = (0, 0, 0), samples: int = 4,
     technique: str = "auto", tolerance: float = 0.25,
     prepare: Optional[Callable[[vtkWideFoVRenderer], Any]] = None,
 ) -> numpy.ndarray:
@@ -178,10 +202,10 @@ def render(
         Data are drawn by their surface, coloured by their active scalars.
     projection: a name, see vtkWideFoVCamera.SetProjection; size: width and height, pixels.
     eye: in the coordinates of the data (default: the middle of what is drawn); direction: where it
-        looks, or look_at, a point; up: what is up in the picture.
+        looks (default: 0, 0, -1), or look_at, a point; up: what is up in the picture.
     hfov, vfov, or fov for round projections: the field of view, degrees (default: 360 by 180, or
         as much as there is); tilt: of the axis of the projection towards up, degrees.
-    background: red, green, blue, 0 to 1; samples: of each pixel.
+    background: red, green, blue, 0 to 1, or a name of vtkNamedColors; samples: of each pixel, from 0.
     technique: a name of vtkWideFoVPass.GetTechniqueAsString; tolerance: pixels. See vtkWideFoVPass.
     prepare: called with the vtkWideFoVRenderer before it draws, to set what else there is.
 
@@ -189,13 +213,14 @@ def render(
     for what makes no picture, and RuntimeError where there is nothing to draw on.
     """
     size = _pixels(size)
+    samples = _samples(samples)
     renderer = vtkWideFoVRenderer()
     for prop in _props_of(data_or_actors):
         renderer.AddViewProp(prop)
-    renderer.SetBackground(_numbers("background", background, 3))
+    renderer.SetBackground(_color(background))
     _set_view(renderer.GetActiveCamera(), projection, hfov, vfov, fov, tilt)
     _set_pass(renderer.GetPass(), renderer.GetActiveCamera(), technique, tolerance)
     _aim(renderer, eye, direction, look_at, up)
     if prepare is not None:
         prepare(renderer)
-    return _draw(renderer, size, int(samples))
+    return _draw(renderer, size, samples)

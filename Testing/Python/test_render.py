@@ -165,9 +165,19 @@ class Refusals(unittest.TestCase):
         self.refused(ValueError, "finite", hfov=float("nan"))
         self.refused(ValueError, "size", size=(0, 10))
         self.refused(ValueError, "size", size=(10,))
+        self.refused(ValueError, "size is 2 finite numbers, not '64x32'", size="64x32")
+        self.refused(ValueError, "size", size=64)
+        self.refused(ValueError, "samples is a whole number from 0, not -1", samples=-1)
+        self.refused(ValueError, "samples", samples=2.5)
+        self.refused(ValueError, "not both", direction=(1, 0, 0), look_at=(0, 0, 1))
+        self.refused(ValueError, "a colour's name", background="bleu")
         self.refused(ValueError, "eye", eye=(1, 2))
         self.refused(ValueError, "no plane", up=(0, 0, 1))
         self.refused(ValueError, "no technique", technique="magic")
+
+    def test_background_by_name(self):
+        picture = widefov.render(vtk.vtkConeSource(), size=(16, 8), eye=(0, 0, 9), background="tomato", samples=0)
+        self.assertEqual(tuple(picture[0, 0]), (255, 99, 71))
 
     def test_things(self):
         self.refused(TypeError, "str", "sphere.vtk")
