@@ -359,7 +359,7 @@ void vtkWideFoVRenderer::ReleaseGraphicsResources(vtkWindow* window)
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
-// Only of what ResetCamera chose: who places the camera wants what it shows.
+// Warns after ResetCamera alone: a user who places the camera wants the picture that it shows.
 void vtkWideFoVRenderer::WarnOfSmallness(vtkWideFoVCamera* camera)
 {
   Reset& last = this->LastReset;
@@ -369,9 +369,10 @@ void vtkWideFoVRenderer::WarnOfSmallness(vtkWideFoVCamera* camera)
   const double share = asks ? ShareOfPicture(camera, wfv::PictureAspect(this), last.Bounds) : 1;
   if (share < LeastShare && wfv::IsNews("small scene"))
   {
-    vtkWarningMacro("the scene fills " << 100 * share << " % of the picture, as ResetCamera shows "
-                                       << "it from outside; ResetCameraInside puts the eye into "
-                                       << "it, smaller fields of view show it larger");
+    vtkWarningMacro("the scene fills "
+      << 100 * share << " % of the picture, as ResetCamera shows "
+      << "it from outside; ResetCameraInside, or widefov-run "
+      << "--inside, puts the eye into it, smaller fields of view show it larger");
   }
 }
 
