@@ -68,5 +68,4 @@ bool HasFewLines(vtkOpenGLPolyDataMapper* mapper)
   const vtkOpenGLHelper* buffer = LineAccess::Buffer(mapper);
   return buffer && buffer->IBO && buffer->IBO->IndexCount <= 2 * MostFewLines;
 }
-
 }

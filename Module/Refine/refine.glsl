@@ -87,9 +87,9 @@ WFV_FN float wfvSplitAtFar(WFV_END a, WFV_END b)
   return shifted ? wfvShareAtSphere(a.place, b.place, far) : 0.0;
 }
 
-// Returns where an edge is split: a share of the way from a to b between 0 and 1; 0 where a chord stands
-// for it. The bisector of the angle halves the angle that is seen, however near or slanted the
-// edge is. To be called with both ends in one order for all triangles at the edge.
+// Returns where an edge is split: a share of the way from a to b between 0 and 1; 0 where a chord
+// stands for it. The bisector of the angle halves the angle that is seen, however near or slanted
+// the edge is. To be called with both ends in one order for all triangles at the edge.
 WFV_FN float wfvSplitAt(WFV_END a, WFV_END b)
 {
   float deep = wfvNearReach(WFV_DEEP);
