@@ -422,7 +422,6 @@ void GlyphDraw::DrawPieces()
   if (!this->Buffers.Load(
         this->Refined, this->Source.GetCorners(), HelperAccess::Buffers(this->Helper), 0))
   {
-    WarnOfUnreadBuffers();
     return;
   }
   this->Numbers.Activate(program, window, [this] { return this->Refined.Numbers; });

@@ -2,6 +2,7 @@
 #include "Frame/PieceBuffers.h"
 
 #include "Compat/Gl.h"
+#include "Compat/Reports.h"
 #include "Compat/VertexBuffers.h"
 
 #include "vtkSMPTools.h"
@@ -13,6 +14,18 @@
 
 namespace wfv
 {
+namespace
+{
+void WarnOfUnreadBuffers()
+{
+  if (IsNews("unread buffers"))
+  {
+    vtkGenericWarningMacro("The driver does not let vertex buffers be read: triangles and lines "
+                           "that the wide view splits are left out.");
+  }
+}
+}
+
 namespace
 {
 // Vertices that a thread mixes at least.
@@ -141,6 +154,7 @@ bool PieceBuffers::Load(const Pieces& pieces, const Corners& corners,
       if (!this->LoadAttribute(attribute, named.second, pieces, corners, firstVertex))
       {
         this->Forget();
+        WarnOfUnreadBuffers();
         return false;
       }
     }

@@ -29,7 +29,7 @@ class PieceBuffers
 public:
   // Fills the buffers unless they hold these pieces of these vertices already. corners: of the
   // mesh; firstVertex: of the mesh in the mapper's buffers. Returns false where the driver does not
-  // let the mapper's buffers be read: then there is nothing to draw.
+  // let the mapper's buffers be read, with one warning: then there is nothing to draw.
   bool Load(const Pieces& pieces, const Corners& corners, vtkOpenGLVertexBufferObjectGroup* source,
     unsigned int firstVertex);
 

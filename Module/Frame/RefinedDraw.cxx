@@ -191,7 +191,6 @@ void RefinedDraw::DrawPieces(
   vtkShaderProgram* const program = part.Helper->Program;
   if (!this->Buffers.Load(this->What.Refined, corners, part.Buffers, part.FirstVertex))
   {
-    WarnOfUnreadBuffers();
     return;
   }
   if (PieceBuffers::AsksForNumbers(program))
@@ -234,15 +233,6 @@ void RefinedDraw::ReleaseGraphicsResources(vtkWindow* window)
   this->Buffers.ReleaseGraphicsResources();
   this->Nothing.ReleaseGraphicsResources(window);
   this->Loaded = false;
-}
-
-void WarnOfUnreadBuffers()
-{
-  if (IsNews("unread buffers"))
-  {
-    vtkGenericWarningMacro("The driver does not let vertex buffers be read: triangles and lines "
-                           "that the wide view splits are left out.");
-  }
 }
 
 void TakeNumbers(std::string& vertex, std::string& fragment)

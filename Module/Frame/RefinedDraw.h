@@ -146,9 +146,6 @@ private:
 // Makes the stages of a mapper that draws so ask for the numbers that primitives and vertices have
 // in the mapper.
 void TakeNumbers(std::string& vertex, std::string& fragment);
-
-// Warns once that pieces are left out because the mapper's buffers cannot be read.
-void WarnOfUnreadBuffers();
 }
 
 #endif
